@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "palpate/base/types.h"
+#include "palpate/mesh/surface_mesh.h"
+
+namespace palpate::instrument {
+
+/// About the origin.
+struct Sphere {
+  double radius;  ///< [m]
+};
+/// About the z axis, the axis segment from z = -half_length to +half_length.
+struct Capsule {
+  double radius;       ///< [m]
+  double half_length;  ///< [m]; the caps reach radius farther.
+};
+struct Box {
+  Vec3 half_extents;  ///< [m]
+};
+/// A closed convex polyhedron, outward oriented, with its face planes n . p <= d.
+struct ConvexHull {
+  mesh::SurfaceMesh surface;
+  Eigen::Matrix3Xd normals;  ///< Unit, outward, one a triangle, 3 x m.
+  Eigen::VectorXd offsets;   ///< d [m], m.
+};
+
+using Geometry = std::variant<Sphere, Capsule, Box, ConvexHull>;
+
+/// A collision shape on a link. `X_LG` maps the shape's frame to the link's.
+struct CollisionBody {
+  int link;          ///< Index into Instrument::linkNames().
+  std::string name;  ///< "link" or "link/collision name", for reports.
+  Pose X_LG;
+  Geometry geometry;
+};
+
+}  // namespace palpate::instrument

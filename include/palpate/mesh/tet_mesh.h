@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "palpate/base/types.h"
+
+namespace palpate::mesh {
+
+/// Tetrahedra that fill a body.
+struct TetMesh {
+  Points points;          ///< 3 x n [m].
+  Eigen::Matrix4Xi tets;  ///< Corner indices, 4 x m; positive volume: (b-a) x (c-a) . (d-a) > 0.
+  /// Mid-edge nodes of quadratic tetrahedra, 6 x m in VTK order (edges 01 12 20 03 13 23);
+  /// 0 columns in a mesh of linear ones.
+  Eigen::Matrix<int, 6, Eigen::Dynamic> midnodes;
+  std::vector<int> region;  ///< One tag a tetrahedron, or empty: all in region 0.
+
+  Eigen::Index numPoints() const { return points.cols(); }
+  Eigen::Index numTets() const { return tets.cols(); }
+  bool quadratic() const { return midnodes.cols() > 0; }
+};
+
+/// Signed volume of tetrahedron `t` of corners in `points` [m^3].
+double signedVolume(const Points& points, const Eigen::Vector4i& t);
+
+/// Outward boundary triangles of the corner tetrahedra, 3 x k, in the order of the tetrahedra.
+Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets);
+
+/// A box [0, size] cut into cells, five or six tetrahedra each; `cells` per axis, six each here
+/// (Kuhn's subdivision, conforming).
+TetMesh boxMesh(const Vec3& size, const Eigen::Vector3i& cells);
+
+}  // namespace palpate::mesh

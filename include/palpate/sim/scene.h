@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/material/constants.h"
+#include "palpate/mesh/selection.h"
+
+namespace palpate::sim {
+
+// The scene file as plain data. Member initialisers are the only defaults; scene_fields.cpp lists
+// every key once, with unit, range and meaning, for the reader, the checks and the documentation.
+
+struct MaterialConfig {
+  std::string law = "stable_neo_hookean";
+  double density = 1000.0;  ///< [kg/m^3]
+  material::Constants constants;
+};
+
+struct PoseConfig {
+  Vec3 position = Vec3::Zero();        ///< [m]
+  Vec3 roll_pitch_yaw = Vec3::Zero();  ///< [rad], about fixed x, y, z
+
+  Pose pose() const { return poseFromXyzRpy(position, roll_pitch_yaw); }
+};
+
+struct SupportConfig {
+  mesh::Region select;  ///< In the organ's own frame, after scaling.
+};
+
+struct OrganConfig {
+  std::string name;
+  std::string surface;        ///< Surface file, or
+  std::string tetrahedra;     ///< tetrahedra file: exactly one of the two.
+  double scale = 1.0;         ///< File unit to metre.
+  double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
+  PoseConfig pose;            ///< Organ to world.
+  std::string element = "tet4";
+  MaterialConfig material;
+  std::vector<SupportConfig> supports;
+};
+
+struct InstrumentConfig {
+  std::string name;
+  std::string urdf;
+  PoseConfig base;               ///< The URDF's root link in world (used with joint input).
+  std::string input = "joints";  ///< joints | tf
+  std::string joint_topic;       ///< Empty: <name>/measured_js.
+  std::string tf_prefix;         ///< Put before link names when looking up tf frames.
+  std::string control_frame;     ///< Link where the wrench is given.
+  bool cylinder_as_capsule = true;
+};
+
+struct ContactConfig {
+  double stiffness = 5.0e6;     ///< Penalty pressure per penetration [Pa/m].
+  double smoothing = 5.0e-4;    ///< Width of the blend between no contact and linear [m].
+  double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: nodes
+                                ///< only, refined to the thinnest tool.
+};
+
+struct SolverConfig {
+  double step = 0.01;         ///< Fixed step when live, longest step in a replay [s].
+  double tolerance = 1.0e-4;  ///< Newton: residual over the forces' scale.
+  int max_newton_iterations = 20;
+  double linear_tolerance = 1.0e-2;
+  int max_linear_iterations = 500;
+  int threads = 1;
+};
+
+struct RatesConfig {
+  double simulation = 100.0;  ///< At most [Hz].
+  double haptic = 1000.0;     ///< [Hz]
+  double markers = 30.0;      ///< At most [Hz].
+  double stale_after = 0.2;   ///< Input older than this pauses [s].
+  double ramp = 0.1;          ///< Time for the wrench to come or go fully [s].
+};
+
+struct HapticsConfig {
+  double max_force = 20.0;       ///< [N]
+  double max_torque = 2.0;       ///< [N m]
+  double max_force_rate = 2000;  ///< [N/s]
+};
+
+struct Scene {
+  std::string file;  ///< Where it was read; relative paths in it start from its folder.
+  std::string name;
+  Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< [m/s^2], world.
+  std::vector<OrganConfig> organs;
+  std::vector<InstrumentConfig> instruments;
+  ContactConfig contact;
+  SolverConfig solver;
+  RatesConfig rates;
+  HapticsConfig haptics;
+};
+
+/// Reads and checks a scene file (not the files it names).
+/// @throws InputError with all problems of the file.
+Scene readScene(const std::string& file);
+
+/// docs/scene_format.md, from the list of keys.
+std::string sceneFormatMarkdown();
+
+}  // namespace palpate::sim

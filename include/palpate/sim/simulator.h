@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/instrument/instrument.h"
+#include "palpate/sim/scene.h"
+#include "palpate/sim/step_report.h"
+
+namespace palpate::sim {
+
+/// Where all links of one instrument are: `X_WL[i]` maps link i to world.
+using LinkPoses = std::vector<Pose>;
+
+/// One touching point, for pictures.
+struct ContactPoint {
+  int instrument;
+  int organ;
+  Vec3 p_W;      ///< Point of the tissue surface [m].
+  Vec3 force_W;  ///< What it does to the tool [N].
+};
+
+/// What the hand and the eyes get from a cycle.
+struct InstrumentResult {
+  Wrench spatial;  ///< Tissue on tool at the control frame's origin, expressed in world.
+  Wrench body;     ///< The same, expressed in the control frame.
+  Pose X_WC = Pose::Identity();  ///< The control frame in world.
+  int contacts = 0;
+  double max_penetration = 0.0;  ///< [m]
+};
+
+struct StepResult {
+  std::vector<InstrumentResult> instruments;  ///< In the scene's order.
+  std::vector<ContactPoint> contacts;
+  StepReport report;
+};
+
+/// Everything that a simulator must remember to go on later, for ~save_state.
+struct SimulatorState {
+  double time = 0.0;
+  std::vector<Points> positions, velocities;  ///< One an organ, 3 x n, world [m], [m/s].
+};
+
+/// Told while loading takes long: what is done, and a fraction in [0, 1].
+using Progress = std::function<void(const std::string& what, double fraction)>;
+
+/// A loaded scene and its cycle. Construct once (reads, meshes, may take long, may throw); then
+/// step() for ever, which never throws. Same scene, same inputs: same bits, whatever the number of
+/// threads. Not copyable: the solvers keep references to their meshes.
+class Simulator {
+ public:
+  /// @throws InputError for anything wrong in a file that the scene names.
+  explicit Simulator(const Scene& scene, const Progress& progress = {});
+  ~Simulator();
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
+
+  const Scene& scene() const;
+  const std::vector<std::string>& warnings() const;  ///< Of loading: repairs, missing visuals ...
+
+  int numInstruments() const;
+  const instrument::Instrument& instrument(int i) const;
+  /// Link poses in world for positions of instrument(i).joints() [m or rad].
+  LinkPoses linkPoses(int i, const Eigen::VectorXd& joints) const;
+
+  int numOrgans() const;
+  const std::string& organName(int i) const;
+  const Points& restPositions(int i) const;  ///< World, 3 x n [m].
+  const Points& positions(int i) const;      ///< World, 3 x n [m]; a solved state, always finite.
+  const Eigen::Matrix3Xi& surfaceTriangles(int i) const;  ///< Into positions(i), outward.
+
+  /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`. The
+  /// first cycle after construction or reset() takes `poses` as where the tools already were.
+  /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report.
+  const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
+
+  /// Back to the rest state at time 0.
+  void reset();
+
+  SimulatorState state() const;
+  /// @throws std::invalid_argument if the sizes are not this scene's or a number is not finite.
+  void restore(const SimulatorState& state);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate::sim

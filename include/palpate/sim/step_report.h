@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "palpate/base/types.h"
+#include "palpate/solver/status.h"
+
+namespace palpate::sim {
+
+/// Work that a cycle did not do because the scene did not need it.
+struct SkipCounters {
+  int far_bodies = 0;        ///< Tool shapes that cannot touch in this cycle: no contact search.
+  int sleeping_organs = 0;   ///< At rest and untouched: no solve.
+  int satisfied_solves = 0;  ///< The predictor was already within tolerance: no Newton iteration.
+  int reused_hessians = 0;   ///< Iterations solved with the last assembled stiffness.
+
+  int total() const { return far_bodies + sleeping_organs + satisfied_solves + reused_hessians; }
+};
+
+/// What one cycle did. Sums over organs where several are in the scene, maxima where said.
+struct StepReport {
+  double time = 0.0;  ///< Simulated time at the end of the cycle [s].
+  double step = 0.0;  ///< Its length [s].
+  solver::SolveStatus status = solver::SolveStatus::kConverged;  ///< The worst organ's.
+  int contacts = 0;              ///< Active contact samples, all instruments.
+  double max_penetration = 0.0;  ///< [m]
+  int sweep_stages = 1;          ///< Parts that the tool's motion was cut into; the largest.
+  int newton_iterations = 0;
+  int cg_iterations = 0;
+  double residual = 0.0;        ///< Largest organ's Euclidean norm of unbalanced force [N].
+  double tolerance = 0.0;       ///< What it was asked to be below [N].
+  double imbalance = 0.0;       ///< |tool + support + gravity + inertia forces| [N], see docs.
+  double min_jacobian = 1.0;    ///< Smallest det F of any element.
+  double kinetic_energy = 0.0;  ///< [J]
+  double elastic_energy = 0.0;  ///< [J]
+  SkipCounters skipped;
+
+  bool ok() const { return status == solver::SolveStatus::kConverged; }
+};
+
+}  // namespace palpate::sim
