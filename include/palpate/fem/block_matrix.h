@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/types.h"
+
+namespace palpate::fem {
+
+/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column a node. Both triangles are
+/// stored, row after row (block compressed rows), columns ascending. The pattern never changes
+/// after construction, so a symbolic analysis of it holds for ever.
+class BlockMatrix {
+ public:
+  BlockMatrix() = default;
+  /// Pattern: the diagonal and, for each pair (i, j), the blocks (i, j) and (j, i). Values zero.
+  BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& pairs);
+
+  int numNodes() const { return static_cast<int>(row_start_.size()) - 1; }
+  int numBlocks() const { return static_cast<int>(column_.size()); }
+  int rowBegin(int i) const { return row_start_[i]; }
+  int rowEnd(int i) const { return row_start_[i + 1]; }
+  int column(int slot) const { return column_[slot]; }
+  /// Slot of the diagonal block of row i.
+  int diagonal(int i) const { return diagonal_[i]; }
+  /// Slot of block (i, j), or -1.
+  int find(int i, int j) const;
+
+  Eigen::Map<Mat3> block(int slot) { return Eigen::Map<Mat3>(values_.data() + 9 * slot); }
+  Eigen::Map<const Mat3> block(int slot) const {
+    return Eigen::Map<const Mat3>(values_.data() + 9 * slot);
+  }
+  void setZero();
+
+  /// y = A x, both 3 x n.
+  void multiply(const Points& x, Points* y) const;
+
+  /// Rows and columns of components with free(c, i) == 0 become those of s I, s the mean diagonal;
+  /// the rest is untouched. A solve with a zero right side there returns zero there.
+  void constrain(const Eigen::Matrix3Xd& free);
+
+ private:
+  std::vector<int> row_start_{0}, column_, diagonal_;
+  std::vector<double> values_;  // 9 a block, column-major
+};
+
+}  // namespace palpate::fem

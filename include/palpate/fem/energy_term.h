@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/base/types.h"
+#include "palpate/fem/block_matrix.h"
+#include "palpate/fem/elasticity.h"
+
+namespace palpate::fem {
+
+/// Something beside the elastic energy that acts on nodal positions x, 3 x n [m]: a load, inertia,
+/// contact. It adds to what is there.
+class EnergyTerm {
+ public:
+  virtual ~EnergyTerm() = default;
+
+  /// Energy at x [J].
+  virtual double value(const Points& x) const = 0;
+  /// The energy; g += its gradient [N], which is minus the force on the nodes.
+  virtual double addGradient(const Points& x, Points* g) const = 0;
+  /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks.
+  virtual void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const = 0;
+  /// Whether the gradient is that of the value; a follower pressure on an open patch has none.
+  virtual bool conservative() const { return true; }
+};
+
+}  // namespace palpate::fem

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "palpate/fem/energy_term.h"
+
+namespace palpate::fem {
+
+/// Triangles of `surface` (3 x k) whose three corners are all in `nodes` (ascending).
+Eigen::Matrix3Xi selectFaces(const Eigen::Matrix3Xi& surface, const std::vector<int>& nodes);
+
+/// Nodal forces, 3 x n [N], of a traction [Pa] on the area that `faces` have in `X`: a third of
+/// each triangle's force on each corner, exact for linear shape functions.
+Points tractionForces(const Points& X, const Eigen::Matrix3Xi& faces, const Vec3& traction);
+
+/// Forces that do not change with the deformation: energy -f . x.
+class DeadLoad final : public EnergyTerm {
+ public:
+  explicit DeadLoad(Points forces) : forces_(std::move(forces)) {}
+
+  /// The forces act times `factor`.
+  void setFactor(double factor) { factor_ = factor; }
+  Points forces() const { return factor_ * forces_; }
+
+  double value(const Points& x) const override;
+  double addGradient(const Points& x, Points* g) const override;
+  void addHessian(const Points&, Tangent, BlockMatrix*) const override {}
+
+ private:
+  Points forces_;
+  double factor_ = 1.0;
+};
+
+/// Pressure [Pa] that stays normal to the deformed faces; positive pushes inward. The force on
+/// each corner of a face (a, b, c) is -p/6 (b - a) x (c - a) [Bonet, Wood 2008, sec. 8.5.2 for the
+/// linearisation]. The value is p times the volume under the faces, whose gradient is the force on
+/// a closed surface or one with a held rim; the stiffness is its symmetric part.
+class FollowerPressure final : public EnergyTerm {
+ public:
+  FollowerPressure(Eigen::Matrix3Xi faces, double pressure)
+      : faces_(std::move(faces)), pressure_(pressure) {}
+
+  void setFactor(double factor) { factor_ = factor; }
+
+  double value(const Points& x) const override;
+  double addGradient(const Points& x, Points* g) const override;
+  void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const override;
+  bool conservative() const override { return false; }
+
+ private:
+  Eigen::Matrix3Xi faces_;
+  double pressure_;
+  double factor_ = 1.0;
+};
+
+}  // namespace palpate::fem

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "palpate/base/types.h"
+
+namespace palpate::fem {
+
+/// Which components of which nodes move freely: 1, or are held: 0. 3 x n, of a body at rest in X.
+using FreeMask = Eigen::Matrix3Xd;
+
+/// Rigid motions that the held components do not stop, in words ("translation along x, rotation
+/// about z"); empty if the body is held. A motion that mixes several is named by its largest part.
+std::string freeRigidMotions(const Points& X, const FreeMask& free);
+
+}  // namespace palpate::fem

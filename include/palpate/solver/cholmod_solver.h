@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "palpate/solver/linear_solver.h"
+
+namespace palpate::solver {
+
+/// Sparse Cholesky by CHOLMOD (supernodal where it pays). The symbolic analysis is done at the
+/// first solve and kept: every matrix must have the pattern of the first one.
+class CholmodSolver final : public LinearSolver {
+ public:
+  CholmodSolver();
+  ~CholmodSolver() override;
+
+  LinearReport solve(const fem::BlockMatrix& A, const Points& b, double relative_tolerance,
+                     Points* x) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate::solver

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/fem/elasticity.h"
+#include "palpate/fem/energy_term.h"
+#include "palpate/fem/supports.h"
+
+namespace palpate::solver {
+
+/// What a solve minimises: W(x) plus terms, over the free components of x.
+struct Potential {
+  fem::Elasticity* elasticity;
+  std::vector<const fem::EnergyTerm*> terms;
+  fem::FreeMask free;  ///< 3 x n
+
+  double value(const Points& x) const {
+    double sum = elasticity->energy(x);
+    for (const fem::EnergyTerm* term : terms) sum += term->value(x);
+    return sum;
+  }
+  /// All components, the held ones too: there it is minus the support's force on the body.
+  double gradient(const Points& x, Points* g) const {
+    double sum = elasticity->gradient(x, g);
+    for (const fem::EnergyTerm* term : terms) sum += term->addGradient(x, g);
+    return sum;
+  }
+  void hessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const {
+    elasticity->hessian(x, tangent, K);
+    for (const fem::EnergyTerm* term : terms) term->addHessian(x, tangent, K);
+  }
+  bool conservative() const {
+    for (const fem::EnergyTerm* term : terms) {
+      if (!term->conservative()) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace palpate::solver

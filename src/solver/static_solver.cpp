@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/static_solver.h"
+
+#include <algorithm>
+
+#include "palpate/solver/cholmod_solver.h"
+
+namespace palpate::solver {
+namespace {
+
+constexpr double kSmallestCut = 1.0 / 256.0;
+
+// Norm of what loads and supports do to the body at x: what a residual is compared with.
+double forceScale(const Potential& potential, const Points& x, Points* g) {
+  potential.gradient(x, g);
+  const double reactions = (g->array() * (1.0 - potential.free.array())).matrix().norm();
+  potential.elasticity->gradient(x, g);
+  const double elastic = g->norm();  // equals the loads at equilibrium
+  return std::max(reactions, elastic);
+}
+
+}  // namespace
+
+StaticReport solveStatic(const Potential& potential, const std::function<Points(double)>& setLoad,
+                         const StaticSettings& settings, Points* x,
+                         const std::function<void(double)>& progress) {
+  StaticReport report;
+  CholmodSolver linear;
+  Newton newton(potential.elasticity->makeMatrix());
+  const fem::FreeMask held = 1.0 - potential.free.array();
+  const double step = 1.0 / std::max(settings.load_steps, 1);
+  double cut = 1.0;
+  Points g;
+  while (report.load_factor < 1.0) {
+    const double next = std::min(1.0, report.load_factor + cut * step);
+    const double target = next > 1.0 - 1e-12 ? 1.0 : next;
+    Points trial = *x;
+    const Points move = (setLoad(target) - trial).cwiseProduct(held);
+    NewtonReport solved;
+    solved.status = newton.predict(potential, move, &linear, &trial);
+    if (solved.status == SolveStatus::kConverged) {
+      NewtonSettings newton_settings;
+      newton_settings.max_iterations = settings.max_newton_iterations;
+      const double scale = forceScale(potential, trial, &g);
+      newton_settings.tolerance = settings.tolerance * scale;
+      solved = newton.minimize(potential, newton_settings, &linear, &trial);
+      report.newton_iterations += solved.iterations + 1;
+      if (solved.status == SolveStatus::kConverged) {
+        // The scale at the guess may be far above the one at equilibrium: ask again.
+        const double final_scale = forceScale(potential, trial, &g);
+        newton_settings.tolerance = settings.tolerance * final_scale;
+        solved = newton.minimize(potential, newton_settings, &linear, &trial);
+        report.newton_iterations += solved.iterations;
+        report.residual = final_scale > 0.0 ? solved.residual / final_scale : 0.0;
+      }
+    }
+    report.status = solved.status;
+    if (solved.status == SolveStatus::kConverged) {
+      *x = trial;
+      report.load_factor = target;
+      ++report.load_steps;
+      cut = std::min(1.0, 2.0 * cut);
+      if (progress) progress(target);
+    } else if (cut > kSmallestCut) {
+      cut *= 0.5;
+    } else {
+      setLoad(report.load_factor);
+      return report;
+    }
+  }
+  return report;
+}
+
+}  // namespace palpate::solver
