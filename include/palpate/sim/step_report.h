@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <string_view>
-
 #include "palpate/base/types.h"
 #include "palpate/solver/status.h"
 
@@ -14,9 +11,8 @@ struct SkipCounters {
   int far_bodies = 0;        ///< Tool shapes that cannot touch in this cycle: no contact search.
   int sleeping_organs = 0;   ///< At rest and untouched: no solve.
   int satisfied_solves = 0;  ///< The predictor was already within tolerance: no Newton iteration.
-  int reused_hessians = 0;   ///< Iterations solved with the last assembled stiffness.
 
-  int total() const { return far_bodies + sleeping_organs + satisfied_solves + reused_hessians; }
+  int total() const { return far_bodies + sleeping_organs + satisfied_solves; }
 };
 
 /// What one cycle did. Sums over organs where several are in the scene, maxima where said.
@@ -38,6 +34,8 @@ struct StepReport {
   SkipCounters skipped;
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
+  /// The state at the end is one that the tissue really took, if not to full accuracy.
+  bool usable() const { return ok() || status == solver::SolveStatus::kIterationLimit; }
 };
 
 }  // namespace palpate::sim

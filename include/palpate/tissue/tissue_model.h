@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/instrument/geometry.h"
+#include "palpate/solver/status.h"
+
+namespace palpate::tissue {
+
+/// A collision shape on its way through one cycle.
+struct ToolBody {
+  const instrument::Geometry* geometry;
+  int instrument;
+  Pose X_WG_begin, X_WG_end;
+};
+
+/// A touching point at the end of a cycle.
+struct TissueContact {
+  int instrument;
+  double penetration;  ///< [m]
+  Vec3 p_W;            ///< Of the tissue surface [m].
+  Vec3 force_W;        ///< On the tool [N].
+};
+
+/// What a cycle did. Forces are those on the tissue, summed over its nodes, in world [N].
+struct TissueStep {
+  solver::SolveStatus status = solver::SolveStatus::kConverged;
+  std::vector<TissueContact> contacts;
+  Vec3 support_force = Vec3::Zero();
+  Vec3 gravity_force = Vec3::Zero();
+  Vec3 inertia_force = Vec3::Zero();  ///< Minus the rate of change of momentum.
+  int sweep_stages = 1;
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  double residual = 0.0;   ///< Norm of the unbalanced nodal forces [N].
+  double tolerance = 0.0;  ///< What it was asked to be below [N].
+  double min_jacobian = 1.0;
+  double kinetic_energy = 0.0;  ///< [J]
+  double elastic_energy = 0.0;  ///< [J]
+  int far_bodies = 0;           ///< Bodies that could not touch in this cycle.
+  bool slept = false;           ///< At rest and untouched: nothing was solved.
+  bool satisfied = false;       ///< The predictor was within tolerance: no iteration was needed.
+
+  bool ok() const { return status == solver::SolveStatus::kConverged; }
+};
+
+/// A soft body that tools press. The simulation sees only this; behind it stands a mechanical
+/// model.
+class TissueModel {
+ public:
+  virtual ~TissueModel() = default;
+
+  virtual const Points& restPositions() const = 0;  ///< World, 3 x n [m].
+  virtual const Points& positions() const = 0;      ///< World, 3 x n [m]; always finite.
+  virtual const Points& velocities() const = 0;     ///< World, 3 x n [m/s].
+  virtual const Eigen::Matrix3Xi& surfaceTriangles() const = 0;  ///< Outward, into positions().
+
+  /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
+  /// last good ones, and the contacts are empty.
+  virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
+
+  /// Back to the initial equilibrium, at rest.
+  virtual void reset() = 0;
+  /// Sizes as positions(), all finite: the caller's duty.
+  virtual void restore(const Points& positions, const Points& velocities) = 0;
+};
+
+}  // namespace palpate::tissue

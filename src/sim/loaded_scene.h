@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/base/thread_pool.h"
+#include "palpate/instrument/instrument.h"
+#include "palpate/sim/organ_loader.h"
+#include "palpate/sim/scene.h"
+#include "palpate/tissue/tissue_model.h"
+
+namespace palpate::sim {
+
+/// What a scene's files hold.
+struct LoadedScene {
+  std::unique_ptr<ThreadPool> pool;  // first: outlives the tissues
+  std::vector<instrument::Instrument> instruments;
+  std::vector<int> control_links;  ///< Link index of each instrument's control frame.
+  std::vector<std::unique_ptr<tissue::TissueModel>> tissues;
+  std::vector<std::string> warnings;
+};
+
+/// @throws InputError
+LoadedScene loadScene(const Scene& scene, const LoadProgress& progress);
+
+}  // namespace palpate::sim

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/sim/lockstep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/contact/signed_distance.h"
+
+namespace palpate::sim {
+namespace {
+
+// A silence of more steps than this is a new recording, not a long pause.
+constexpr double kMaxParts = 1e5;
+
+std::vector<LinkPoses> between(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
+                               double s) {
+  std::vector<LinkPoses> poses = to;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    for (std::size_t l = 0; l < to[i].size(); ++l) {
+      poses[i][l] = contact::interpolate(from[i][l], to[i][l], s);
+    }
+  }
+  return poses;
+}
+
+void addCounters(const StepReport& earlier, StepReport* report) {
+  report->status = std::max(report->status, earlier.status);
+  report->sweep_stages = std::max(report->sweep_stages, earlier.sweep_stages);
+  report->newton_iterations += earlier.newton_iterations;
+  report->cg_iterations += earlier.cg_iterations;
+  report->skipped.far_bodies += earlier.skipped.far_bodies;
+  report->skipped.sleeping_organs += earlier.skipped.sleeping_organs;
+  report->skipped.satisfied_solves += earlier.skipped.satisfied_solves;
+}
+
+}  // namespace
+
+void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
+                           double duration) {
+  const double longest = simulator_->scene().solver.step;
+  const double parts = std::max(std::ceil(duration / longest - 1e-6), 1.0);
+  for (int k = 1; k <= static_cast<int>(parts); ++k) {
+    const StepReport earlier = result_.report;
+    result_ = k < parts ? simulator_->step(between(from, to, k / parts), duration / parts)
+                        : simulator_->step(to, duration / parts);
+    if (k > 1) addCounters(earlier, &result_.report);
+  }
+}
+
+const StepResult& Lockstep::advance(double t, const std::vector<LinkPoses>& poses) {
+  if (started_ && t == time_) return result_;
+  const double longest_gap = kMaxParts * simulator_->scene().solver.step;
+  const bool anew = started_ && !(t > time_ && t - time_ <= longest_gap);
+  if (anew) simulator_->reset();
+  const bool restart = !started_ || anew;
+  stepBetween(restart ? poses : poses_, poses,
+              restart ? simulator_->scene().solver.step : t - time_);
+  started_ = true;
+  time_ = t;
+  poses_ = poses;
+  return result_;
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/tissue/fem_tissue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/contact/contact_potential.h"
+#include "palpate/fem/loads.h"
+#include "palpate/solver/block_pcg.h"
+#include "palpate/solver/inertia.h"
+#include "palpate/solver/static_solver.h"
+#include "sweep.h"
+
+namespace palpate::tissue {
+namespace {
+
+// A body at rest moves less than this part of its size in a cycle.
+constexpr double kRestMotion = 1e-7;
+// Stages before the last one need not be solved as well.
+constexpr double kStageTolerance = 100.0;
+constexpr int kStageIterations = 4;
+// Candidates for contact are searched this many times before a cycle is given up.
+constexpr int kMaxSearches = 4;
+
+class FemTissue final : public TissueModel {
+ public:
+  FemTissue(const mesh::TetMesh& mesh, const material::Material& material,
+            const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool)
+      : settings_(settings),
+        rest_(mesh.points),
+        triangles_(mesh::boundaryTriangles(mesh.tets)),
+        elasticity_(fem::makeElasticity(settings.element, mesh, material, pool)),
+        inertia_(settings.density * elasticity_->nodalVolumes()),
+        gravity_(settings.gravity * inertia_.masses().transpose()),
+        contact_(contact::sampleSurface(mesh.points, triangles_, settings.sample_spacing),
+                 settings.penalty),
+        linear_(settings.max_linear_iterations),
+        newton_(elasticity_->makeMatrix()) {
+    potential_ = {elasticity_.get(), {&inertia_, &gravity_, &contact_}, free};
+    size_ = (rest_.rowwise().maxCoeff() - rest_.rowwise().minCoeff()).norm();
+    // Force of a small strain on one element: keeps the tolerance above zero in a scene at rest.
+    const double element_area = std::pow(elasticity_->nodalVolumes().mean(), 2.0 / 3.0);
+    force_floor_ = 0.01 * material::moduli(material).mu * element_area;
+    settleUnderGravity();
+    FemTissue::reset();
+  }
+
+  const Points& restPositions() const override { return rest_; }
+  const Points& positions() const override { return x_; }
+  const Points& velocities() const override { return v_; }
+  const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
+
+  void reset() override { restore(settled_, Points::Zero(3, settled_.cols())); }
+
+  void restore(const Points& positions, const Points& velocities) override {
+    x_ = positions;
+    v_ = velocities;
+    at_rest_ = false;
+    contact_force_ = 0.0;
+    out_ = TissueStep();
+  }
+
+  const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
+    out_ = TissueStep();
+    selectNearBodies(bodies, dt);
+    searchCandidates();
+    if (at_rest_ && !contact_.hasCandidates()) {
+      reportSleep();
+      return out_;
+    }
+    if (contact_.hasCandidates()) out_.sweep_stages = sweepStages(near_);
+    const Points x_begin = x_, v_begin = v_;
+    inertia_.beginStep(x_ + dt * v_, dt);
+    startFromPredictor(dt);
+    solveStages();
+    if (acceptable()) {
+      v_ = (x_ - x_begin) / dt;
+      at_rest_ = out_.newton_iterations == 0 && !contact_.hasCandidates() &&
+                 (x_ - x_begin).cwiseAbs().maxCoeff() <= kRestMotion * size_;
+      if (at_rest_) v_.setZero();
+      reportForces(v_begin, dt);
+    } else {
+      x_ = x_begin;
+      v_.setZero();
+      at_rest_ = false;
+    }
+    reportState();
+    return out_;
+  }
+
+ private:
+  void settleUnderGravity() {
+    settled_ = rest_;
+    if (settings_.gravity.isZero()) return;
+    const std::string motions = fem::freeRigidMotions(rest_, potential_.free);
+    if (!motions.empty()) {
+      throw std::invalid_argument("gravity would move the body, its supports leave " + motions +
+                                  "; hold more of it or set gravity to zero");
+    }
+    const solver::Potential statics{elasticity_.get(), {&gravity_}, potential_.free};
+    solver::StaticSettings static_settings;
+    static_settings.tolerance = 1e-8;
+    const solver::StaticReport report = solver::solveStatic(
+        statics,
+        [&](double s) {
+          gravity_.setFactor(s);
+          return rest_;
+        },
+        static_settings, &settled_);
+    gravity_.setFactor(1.0);
+    if (report.status != solver::SolveStatus::kConverged) {
+      throw std::runtime_error("no equilibrium under gravity: the body collapses at " +
+                               std::to_string(report.load_factor) +
+                               " of its weight; is it too soft or too heavy?");
+    }
+  }
+
+  // Bodies that can come within reach of the tissue during the cycle, and their sweep.
+  void selectNearBodies(const std::vector<ToolBody>& bodies, double dt) {
+    // The tissue may move on as fast as it does, and farther where it is pushed: searchCandidates()
+    // notices when it went beyond.
+    margin_ = 0.02 * size_ + 2.0 * dt * v_.colwise().norm().maxCoeff();
+    const Vec3 low = x_.rowwise().minCoeff(), high = x_.rowwise().maxCoeff();
+    near_.clear();
+    for (const ToolBody& body : bodies) {
+      if (sweepReaches(body, low, high, margin_)) {
+        near_.push_back(body);
+      } else {
+        ++out_.far_bodies;
+      }
+    }
+  }
+
+  void placeBodies(double s) {
+    placed_.clear();
+    for (const ToolBody& body : near_) {
+      placed_.push_back({body.geometry, contact::interpolate(body.X_WG_begin, body.X_WG_end, s),
+                         body.instrument});
+    }
+    contact_.setBodies(placed_);
+  }
+
+  // Candidates at the present positions for the whole sweep.
+  void searchCandidates() {
+    placeBodies(1.0);
+    std::vector<double> reach;
+    for (const ToolBody& body : near_) {
+      reach.push_back(margin_ +
+                      contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end));
+    }
+    contact_.findCandidates(x_, reach);
+    searched_at_ = x_;
+  }
+
+  bool candidatesStillHold() const {
+    return (x_ - searched_at_).colwise().squaredNorm().maxCoeff() <= margin_ * margin_;
+  }
+
+  void startFromPredictor(double dt) {
+    placeBodies(1.0 / out_.sweep_stages);
+    const double value_here = potential_.value(x_);
+    predicted_ = x_ + dt * v_;
+    const double value_there = potential_.value(predicted_);
+    if (value_there < value_here) x_.swap(predicted_);  // false for NaN
+  }
+
+  double tolerance() const {
+    const double weight = gravity_.forces().norm();
+    return settings_.tolerance * std::max({weight, contact_force_, force_floor_});
+  }
+
+  void solveStages() {
+    out_.tolerance = tolerance();
+    solver::NewtonReport solved;
+    for (int stage = 1; stage <= out_.sweep_stages; ++stage) {
+      const bool last = stage == out_.sweep_stages;
+      solver::NewtonSettings newton_settings;
+      newton_settings.linear_tolerance = settings_.linear_tolerance;
+      newton_settings.tolerance = (last ? 1.0 : kStageTolerance) * out_.tolerance;
+      newton_settings.max_iterations = last ? settings_.max_newton_iterations : kStageIterations;
+      for (int search = 0; search < kMaxSearches; ++search) {
+        placeBodies(static_cast<double>(stage) / out_.sweep_stages);
+        solved = newton_.minimize(potential_, newton_settings, &linear_, &x_);
+        out_.newton_iterations += solved.iterations;
+        out_.linear_iterations += solved.linear_iterations;
+        if (near_.empty() || candidatesStillHold()) break;
+        searchCandidates();
+      }
+    }
+    out_.status = solved.status;
+    out_.residual = solved.residual;
+    out_.satisfied =
+        out_.newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
+  }
+
+  // A state to go on from. One that only ran out of iterations is: each of them lowered the energy.
+  bool acceptable() const {
+    return (out_.ok() || out_.status == solver::SolveStatus::kIterationLimit) && x_.allFinite();
+  }
+
+  void reportForces(const Points& v_begin, double dt) {
+    out_.gravity_force = gravity_.forces().rowwise().sum();
+    out_.inertia_force = -(v_ - v_begin) / dt * inertia_.masses();
+    out_.support_force =
+        (newton_.gradient().array() * (1.0 - potential_.free.array())).matrix().rowwise().sum();
+    contact_.collect(x_, &contacts_);
+    Points nodal = Points::Zero(3, x_.cols());
+    for (const contact::Contact& c : contacts_) {
+      out_.contacts.push_back({placed_[c.body].instrument, c.penetration, c.p_W, c.force_W});
+      const contact::SurfaceSample& s = contact_.samples()[c.sample];
+      for (int k = 0; k < 3; ++k) nodal.col(s.nodes[k]) += s.weights[k] * c.force_W;
+    }
+    contact_force_ = nodal.norm();
+  }
+
+  void reportState() {
+    out_.min_jacobian = elasticity_->minJacobian(x_);
+    out_.kinetic_energy =
+        0.5 * v_.colwise().squaredNorm().transpose().cwiseProduct(inertia_.masses()).sum();
+    out_.elastic_energy = elasticity_->energy(x_);
+    last_ = out_;
+  }
+
+  // Nothing has changed since the last cycle, at whose end the body came to rest.
+  void reportSleep() {
+    const int far = out_.far_bodies;
+    out_ = last_;
+    out_.far_bodies = far;
+    out_.slept = true;
+    out_.satisfied = false;
+    out_.newton_iterations = out_.linear_iterations = 0;
+    out_.inertia_force.setZero();
+    out_.sweep_stages = 1;
+  }
+
+  FemSettings settings_;
+  Points rest_, settled_;
+  Eigen::Matrix3Xi triangles_;
+  std::unique_ptr<fem::Elasticity> elasticity_;
+  solver::Inertia inertia_;
+  fem::DeadLoad gravity_;
+  contact::ContactPotential contact_;
+  solver::Potential potential_;
+  solver::BlockPcg linear_;
+  solver::Newton newton_;
+  double size_ = 0.0;         // diagonal of the rest bounding box [m]
+  double force_floor_ = 0.0;  // [N]
+
+  Points x_, v_;
+  bool at_rest_ = false;
+  double contact_force_ = 0.0;  // norm of the nodal contact forces of the last cycle [N]
+
+  // One cycle's.
+  std::vector<ToolBody> near_;
+  std::vector<contact::RigidBody> placed_;
+  std::vector<contact::Contact> contacts_;
+  double margin_ = 0.0;
+  Points searched_at_, predicted_;
+  TissueStep out_, last_;
+};
+
+}  // namespace
+
+std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
+                                           const material::Material& material,
+                                           const fem::FreeMask& free, const FemSettings& settings,
+                                           ThreadPool* pool) {
+  return std::make_unique<FemTissue>(mesh, material, free, settings, pool);
+}
+
+}  // namespace palpate::tissue
