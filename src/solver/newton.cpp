@@ -81,6 +81,12 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
   }
 }
 
+double Newton::roundoffForce(const Points& x) const {
+  double stiffness = 0.0;
+  for (int i = 0; i < A_.numNodes(); ++i) stiffness += A_.block(A_.diagonal(i)).trace();
+  return 1e-15 * stiffness / (3.0 * A_.numNodes()) * x.norm();
+}
+
 SolveStatus Newton::predict(const Potential& potential, const Points& move, LinearSolver* linear,
                             Points* x) {
   const double value = potential.gradient(*x, &g_);

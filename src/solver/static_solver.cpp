@@ -42,13 +42,15 @@ StaticReport solveStatic(const Potential& potential, const std::function<Points(
       NewtonSettings newton_settings;
       newton_settings.max_iterations = settings.max_newton_iterations;
       const double scale = forceScale(potential, trial, &g);
-      newton_settings.tolerance = settings.tolerance * scale;
+      newton_settings.tolerance =
+          std::max(settings.tolerance * scale, newton.roundoffForce(trial));
       solved = newton.minimize(potential, newton_settings, &linear, &trial);
       report.newton_iterations += solved.iterations + 1;
       if (solved.status == SolveStatus::kConverged) {
         // The scale at the guess may be far above the one at equilibrium: ask again.
         const double final_scale = forceScale(potential, trial, &g);
-        newton_settings.tolerance = settings.tolerance * final_scale;
+        newton_settings.tolerance =
+            std::max(settings.tolerance * final_scale, newton.roundoffForce(trial));
         solved = newton.minimize(potential, newton_settings, &linear, &trial);
         report.newton_iterations += solved.iterations;
         report.residual = final_scale > 0.0 ? solved.residual / final_scale : 0.0;

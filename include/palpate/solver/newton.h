@@ -41,6 +41,10 @@ class Newton {
   /// that the support exerts on the body.
   const Points& gradient() const { return g_; }
 
+  /// Norm of the force that rounding alone makes at x, with the last matrix assembled [N]: no
+  /// residual gets below it.
+  double roundoffForce(const Points& x) const;
+
  private:
   /// d = -A^-1 g on the free components, from the exact tangent if that is positive definite.
   LinearReport direction(const Potential& potential, const Points& x, double linear_tolerance,
