@@ -197,9 +197,12 @@ const instrument::Instrument& Simulator::instrument(int i) const {
 int Simulator::numOrgans() const { return static_cast<int>(impl_->loaded.tissues.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
 const Points& Simulator::restPositions(int i) const {
-  return impl_->loaded.tissues[i]->restPositions();
+  return impl_->loaded.tissues[i]->restMesh().points;
 }
 const Points& Simulator::positions(int i) const { return impl_->loaded.tissues[i]->positions(); }
+const mesh::TetMesh& Simulator::organMesh(int i) const {
+  return impl_->loaded.tissues[i]->restMesh();
+}
 const Eigen::Matrix3Xi& Simulator::surfaceTriangles(int i) const {
   return impl_->loaded.tissues[i]->surfaceTriangles();
 }

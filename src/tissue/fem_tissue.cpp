@@ -28,7 +28,7 @@ class FemTissue final : public TissueModel {
   FemTissue(const mesh::TetMesh& mesh, const material::Material& material,
             const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool)
       : settings_(settings),
-        rest_(mesh.points),
+        mesh_(mesh),
         triangles_(mesh::boundaryTriangles(mesh.tets)),
         elasticity_(fem::makeElasticity(settings.element, mesh, material, pool)),
         inertia_(settings.density * elasticity_->nodalVolumes()),
@@ -38,7 +38,7 @@ class FemTissue final : public TissueModel {
         linear_(settings.max_linear_iterations),
         newton_(elasticity_->makeMatrix()) {
     potential_ = {elasticity_.get(), {&inertia_, &gravity_, &contact_}, free};
-    size_ = (rest_.rowwise().maxCoeff() - rest_.rowwise().minCoeff()).norm();
+    size_ = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
     // Force of a small strain on one element: keeps the tolerance above zero in a scene at rest.
     const double element_area = std::pow(elasticity_->nodalVolumes().mean(), 2.0 / 3.0);
     force_floor_ = 0.01 * material::moduli(material).mu * element_area;
@@ -46,7 +46,7 @@ class FemTissue final : public TissueModel {
     FemTissue::reset();
   }
 
-  const Points& restPositions() const override { return rest_; }
+  const mesh::TetMesh& restMesh() const override { return mesh_; }
   const Points& positions() const override { return x_; }
   const Points& velocities() const override { return v_; }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
@@ -91,9 +91,9 @@ class FemTissue final : public TissueModel {
 
  private:
   void settleUnderGravity() {
-    settled_ = rest_;
+    settled_ = mesh_.points;
     if (settings_.gravity.isZero()) return;
-    const std::string motions = fem::freeRigidMotions(rest_, potential_.free);
+    const std::string motions = fem::freeRigidMotions(mesh_.points, potential_.free);
     if (!motions.empty()) {
       throw std::invalid_argument("gravity would move the body, its supports leave " + motions +
                                   "; hold more of it or set gravity to zero");
@@ -105,7 +105,7 @@ class FemTissue final : public TissueModel {
         statics,
         [&](double s) {
           gravity_.setFactor(s);
-          return rest_;
+          return mesh_.points;
         },
         static_settings, &settled_);
     gravity_.setFactor(1.0);
@@ -235,7 +235,8 @@ class FemTissue final : public TissueModel {
   }
 
   FemSettings settings_;
-  Points rest_, settled_;
+  mesh::TetMesh mesh_;
+  Points settled_;
   Eigen::Matrix3Xi triangles_;
   std::unique_ptr<fem::Elasticity> elasticity_;
   solver::Inertia inertia_;

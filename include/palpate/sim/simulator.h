@@ -9,6 +9,7 @@
 
 #include "palpate/base/types.h"
 #include "palpate/instrument/instrument.h"
+#include "palpate/mesh/tet_mesh.h"
 #include "palpate/sim/scene.h"
 #include "palpate/sim/step_report.h"
 
@@ -73,6 +74,7 @@ class Simulator {
   const Points& restPositions(int i) const;  ///< World, 3 x n [m].
   const Points& positions(int i) const;      ///< World, 3 x n [m]; a solved state, always finite.
   const Eigen::Matrix3Xi& surfaceTriangles(int i) const;  ///< Into positions(i), outward.
+  const mesh::TetMesh& organMesh(int i) const;            ///< At rest, world [m].
 
   /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`. The
   /// first cycle after construction or reset() takes `poses` as where the tools already were.

@@ -6,6 +6,7 @@
 
 #include "palpate/base/types.h"
 #include "palpate/instrument/geometry.h"
+#include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::tissue {
@@ -53,7 +54,7 @@ class TissueModel {
  public:
   virtual ~TissueModel() = default;
 
-  virtual const Points& restPositions() const = 0;  ///< World, 3 x n [m].
+  virtual const mesh::TetMesh& restMesh() const = 0;  ///< World [m].
   virtual const Points& positions() const = 0;      ///< World, 3 x n [m]; always finite.
   virtual const Points& velocities() const = 0;     ///< World, 3 x n [m/s].
   virtual const Eigen::Matrix3Xi& surfaceTriangles() const = 0;  ///< Outward, into positions().

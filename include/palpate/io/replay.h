@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/io/csv_writer.h"
+#include "palpate/io/trajectory.h"
+#include "palpate/sim/lockstep.h"
+
+namespace palpate::io {
+
+/// Drives a simulator through a trajectory, a row at a time, and writes what came out.
+class Replay {
+ public:
+  /// Columns of the trajectory are the joints' names; `instrument/joint` works always and is needed
+  /// where the scene has several instruments. `file` is named in errors.
+  /// @throws InputError for a joint without a column or a column without a joint.
+  Replay(sim::Simulator* simulator, Trajectory trajectory, const std::string& file);
+
+  bool hasNext() const { return row_ < trajectory_.t.size(); }
+  /// Steps to the next row's time.
+  const sim::StepResult& next();
+  std::size_t row() const { return row_; }  ///< Rows done.
+  double fraction() const { return static_cast<double>(row_) / trajectory_.t.size(); }
+
+  /// Head of the output.
+  std::vector<std::string> columns() const;
+  /// The last step as a row; all but `step_ms`, its wall time, depends on the inputs alone.
+  void writeRow(double step_ms, CsvWriter* csv) const;
+
+  double peakForce() const { return peak_force_; }  ///< Of any instrument so far [N].
+  int mostContacts() const { return most_contacts_; }
+  int failedSteps() const { return failed_steps_; }
+
+ private:
+  sim::Simulator* simulator_;
+  sim::Lockstep lockstep_;
+  Trajectory trajectory_;
+  std::vector<std::vector<int>> joint_column_;  // of each joint of each instrument
+  std::size_t row_ = 0;
+  double peak_force_ = 0.0;
+  int most_contacts_ = 0, failed_steps_ = 0;
+};
+
+}  // namespace palpate::io

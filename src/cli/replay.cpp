@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "files.h"
+#include "palpate/io/csv_writer.h"
+#include "palpate/io/replay.h"
+#include "palpate/io/trajectory.h"
+#include "palpate/mesh/vtu_writer.h"
+#include "palpate/sim/lockstep.h"
+#include "progress_line.h"
+
+namespace palpate::cli {
+namespace {
+
+struct Options {
+  std::string scene, trajectory, out, vtu;
+  int every = 10;
+  int threads = 0;
+};
+
+// One file an organ: <organ>_<number>.vtu with the deformed surface's displacement.
+void writePictures(const sim::Simulator& simulator, const std::filesystem::path& folder,
+                   std::size_t number) {
+  for (int i = 0; i < simulator.numOrgans(); ++i) {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "_%06zu.vtu", number);
+    const Points displacement = simulator.positions(i) - simulator.restPositions(i);
+    mesh::writeVtu((folder / (simulator.organName(i) + digits)).string(), simulator.organMesh(i),
+                   {{"displacement", displacement}}, {});
+  }
+}
+
+void printSummary(const io::Replay& replay, std::vector<double> step_ms) {
+  std::sort(step_ms.begin(), step_ms.end());
+  const auto quantile = [&](double q) {
+    return step_ms[static_cast<std::size_t>(q * (step_ms.size() - 1))];
+  };
+  std::printf("peak force %.4g N, contacts at most %d, steps %zu (%d not converged)\n",
+              replay.peakForce(), replay.mostContacts(), step_ms.size(), replay.failedSteps());
+  std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", quantile(0.5), quantile(0.99),
+              step_ms.back());
+}
+
+int replay(const Options& options) {
+  sim::Scene scene = sim::readScene(options.scene);
+  if (options.threads > 0) scene.solver.threads = options.threads;
+  const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
+  ProgressLine line;
+  sim::Simulator simulator(
+      scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
+  line.finish();
+  for (const std::string& warning : simulator.warnings()) std::cerr << "note: " << warning << "\n";
+
+  io::Replay run(&simulator, trajectory, options.trajectory);
+  io::CsvWriter csv(options.out, run.columns());
+  std::optional<std::filesystem::path> pictures;
+  if (!options.vtu.empty()) pictures = makeFolder(options.vtu);
+  std::vector<double> step_ms;
+  while (run.hasNext()) {
+    const auto begin = std::chrono::steady_clock::now();
+    run.next();
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - begin;
+    step_ms.push_back(ms.count());
+    run.writeRow(ms.count(), &csv);
+    if (pictures && run.row() % options.every == 0) writePictures(simulator, *pictures, run.row());
+    line.show("replaying " + options.trajectory, run.fraction());
+  }
+  line.finish();
+  csv.close();
+  printSummary(run, step_ms);
+  return run.failedSteps() == 0 ? kOk : kNotConverged;
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "replay", "Drive a scene by a table of joint positions, as fast as it goes");
+  const auto options = std::make_shared<Options>();
+  command->add_option("scene", options->scene, "Scene file, see docs/scene_format.md")->required();
+  command
+      ->add_option("--trajectory", options->trajectory,
+                   "CSV: t [s] and a column a joint [m or rad]; instrument/joint where the scene "
+                   "has several instruments")
+      ->required();
+  command->add_option("--out", options->out, "CSV with wrenches and what each step did")
+      ->required();
+  command->add_option("--vtu", options->vtu, "Folder for pictures of the organs");
+  command->add_option("--every", options->every, "A picture every so many rows")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->threads, "Instead of the scene's solver.threads")
+      ->check(CLI::Range(1, 64));
+  command->callback([options, &action] { action = [options] { return replay(*options); }; });
+}
+
+}  // namespace palpate::cli

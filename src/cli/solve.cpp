@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "files.h"
+#include "palpate/io/case_solver.h"
+#include "palpate/io/csv_writer.h"
+#include "progress_line.h"
+
+namespace palpate::cli {
+namespace {
+
+struct Options {
+  std::string case_file, out;
+  int threads = 1;
+};
+
+void writeOutcome(const io::CaseOutcome& outcome, const std::filesystem::path& folder) {
+  io::writeResultJson((folder / "result.json").string(), outcome.result);
+  mesh::writeVtu((folder / "result.vtu").string(), outcome.mesh, outcome.point_data,
+                 outcome.cell_data);
+  if (outcome.history.rows.empty()) return;
+  io::CsvWriter csv((folder / "probes.csv").string(), outcome.history.columns);
+  for (const std::vector<double>& row : outcome.history.rows) {
+    for (double value : row) csv << value;
+    csv.endRow();
+  }
+  csv.close();
+}
+
+int solve(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const io::Case problem = io::readCase(options.case_file);
+  const std::filesystem::path folder = makeFolder(options.out);
+  ProgressLine line;
+  io::CaseOutcome outcome = io::solveCase(problem, options.threads, [&](double fraction) {
+    line.show("solving " + options.case_file, fraction);
+  });
+  line.finish();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  outcome.result.seconds = {{"total", seconds.count()}};
+  writeOutcome(outcome, folder);
+  std::cout << outcome.result.status << " after " << outcome.result.load_steps << " steps and "
+            << outcome.result.newton_iterations << " Newton iterations, residual "
+            << outcome.result.residual << " of the forces, " << seconds.count() << " s; see "
+            << (folder / "result.json").string() << "\n";
+  return outcome.converged ? kOk : kNotConverged;
+}
+
+}  // namespace
+
+void addSolve(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "solve", "Solve a case file: static or dynamic finite elements with loads and supports");
+  const auto options = std::make_shared<Options>();
+  command->add_option("case", options->case_file, "Case file, see docs/case_format.md")->required();
+  command
+      ->add_option("--out", options->out,
+                   "Folder for result.json, result.vtu and, of a dynamic case, probes.csv")
+      ->required();
+  command->add_option("--threads", options->threads, "Threads of the assembly")
+      ->check(CLI::Range(1, 64));
+  command->callback([options, &action] { action = [options] { return solve(*options); }; });
+}
+
+}  // namespace palpate::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/fem/loads.h"
+#include "palpate/io/case.h"
+#include "palpate/solver/inertia.h"
+#include "palpate/solver/potential.h"
+
+namespace palpate::io {
+
+/// A case made ready for a solver.
+class CaseModel {
+ public:
+  /// @throws InputError
+  CaseModel(const Case& problem, ThreadPool* pool);
+
+  const mesh::TetMesh& mesh() const { return mesh_; }
+  const material::Material& material() const { return material_; }
+  fem::Elasticity& elasticity() const { return *elasticity_; }
+  /// Elasticity with tractions, pressures and gravity.
+  const solver::Potential& potential() const { return potential_; }
+  Eigen::VectorXd masses() const { return density_ * elasticity_->nodalVolumes(); }
+
+  void setLoadFactor(double s);
+  /// Where held components are when their motion is at `s` of its way, 3 x n [m].
+  Points heldPositions(double s) const;
+  /// Sum of all applied forces' norms, the scale of a residual [N].
+  double loadNorm() const;
+
+ private:
+  struct HeldNodes {
+    std::vector<int> nodes;
+    BoundaryCondition condition;
+  };
+  void addCondition(const BoundaryCondition& condition, const std::string& key,
+                    const std::string& file);
+
+  mesh::TetMesh mesh_;
+  Eigen::Matrix3Xi surface_;
+  material::Material material_;
+  double density_;
+  std::unique_ptr<fem::Elasticity> elasticity_;
+  std::vector<HeldNodes> held_;
+  std::vector<std::unique_ptr<fem::DeadLoad>> dead_loads_;
+  std::vector<std::unique_ptr<fem::FollowerPressure>> pressures_;
+  solver::Potential potential_;
+};
+
+}  // namespace palpate::io

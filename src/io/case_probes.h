@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "case_model.h"
+#include "palpate/io/case_solver.h"
+
+namespace palpate::io {
+
+/// xx yy zz xy yz zx of the Cauchy stress P F^T / J [Pa].
+Eigen::Matrix<double, 6, 1> cauchyStress(const material::Material& material, const Mat3& F);
+
+/// Probes of a case, placed in its mesh once.
+class CaseProbes {
+ public:
+  /// @throws InputError for a point outside the mesh or a region without nodes.
+  CaseProbes(const Case& problem, const CaseModel& model);
+
+  /// Values at positions x; `support_force` is what the supports exert on the nodes, 3 x n [N].
+  std::vector<ProbeResult> measure(const CaseModel& model, const Points& x,
+                                   const Points& support_force) const;
+
+  /// Head and a row of the history file.
+  std::vector<std::string> columns() const;
+  static std::vector<double> row(double t, const std::vector<ProbeResult>& results);
+
+ private:
+  struct Placed {
+    Probe probe;
+    int tet = -1;             // with a point
+    Eigen::Vector4d weights;  // of its corners
+    std::vector<int> nodes;   // with a region
+  };
+  std::vector<Placed> placed_;
+};
+
+}  // namespace palpate::io

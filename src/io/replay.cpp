@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/io/replay.h"
+
+#include <algorithm>
+#include <set>
+
+#include "palpate/base/error.h"
+
+namespace palpate::io {
+namespace {
+
+std::string prefixOf(const sim::Simulator& simulator, int instrument) {
+  return simulator.scene().instruments[instrument].name + "/";
+}
+
+}  // namespace
+
+Replay::Replay(sim::Simulator* simulator, Trajectory trajectory, const std::string& file)
+    : simulator_(simulator), lockstep_(simulator), trajectory_(std::move(trajectory)) {
+  const std::vector<std::string>& columns = trajectory_.columns;
+  std::vector<Problem> problems;
+  std::vector<std::string> wanted;
+  std::set<int> used;
+  const bool several = simulator->numInstruments() > 1;
+  for (int i = 0; i < simulator->numInstruments(); ++i) {
+    joint_column_.emplace_back();
+    for (const std::string& joint : simulator->instrument(i).jointNames()) {
+      const std::string full = prefixOf(*simulator, i) + joint;
+      auto it = std::find(columns.begin(), columns.end(), full);
+      if (it == columns.end() && !several) it = std::find(columns.begin(), columns.end(), joint);
+      wanted.push_back(several ? full : joint);
+      if (it == columns.end()) {
+        problems.push_back({wanted.back(), "", "this joint has no column"});
+      } else {
+        joint_column_.back().push_back(static_cast<int>(it - columns.begin()));
+        used.insert(joint_column_.back().back());
+      }
+    }
+  }
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (used.count(static_cast<int>(c))) continue;
+    const std::string nearest = nearestName(columns[c], wanted);
+    problems.push_back({"column " + columns[c], "",
+                        "is no joint of the scene" +
+                            (nearest.empty() ? "" : " (did you mean " + nearest + "?)") +
+                            "; it has " + joinNames(wanted)});
+  }
+  if (!problems.empty()) throw InputError(file, problems);
+}
+
+const sim::StepResult& Replay::next() {
+  std::vector<sim::LinkPoses> poses;
+  for (int i = 0; i < simulator_->numInstruments(); ++i) {
+    const std::vector<int>& column = joint_column_[i];
+    Eigen::VectorXd q(column.size());
+    for (std::size_t j = 0; j < column.size(); ++j) q[j] = trajectory_.values(column[j], row_);
+    poses.push_back(simulator_->linkPoses(i, q));
+  }
+  const sim::StepResult& result = lockstep_.advance(trajectory_.t[row_], poses);
+  ++row_;
+  for (const sim::InstrumentResult& tool : result.instruments) {
+    peak_force_ = std::max(peak_force_, tool.spatial.force.norm());
+  }
+  most_contacts_ = std::max(most_contacts_, result.report.contacts);
+  failed_steps_ += !result.report.ok();
+  return result;
+}
+
+std::vector<std::string> Replay::columns() const {
+  std::vector<std::string> names{"t"};
+  const bool several = simulator_->numInstruments() > 1;
+  for (int i = 0; i < simulator_->numInstruments(); ++i) {
+    const std::string prefix = several ? prefixOf(*simulator_, i) : "";
+    for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration"}) {
+      names.push_back(prefix + part);
+    }
+  }
+  for (const char* name : {"newton_iterations", "cg_iterations", "residual", "min_jacobian",
+                           "kinetic_energy", "elastic_energy", "status", "step_ms", "skipped"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+void Replay::writeRow(double step_ms, CsvWriter* csv) const {
+  const sim::StepResult& result = lockstep_.result();
+  *csv << trajectory_.t[row_ - 1];
+  for (const sim::InstrumentResult& tool : result.instruments) {
+    for (int c = 0; c < 3; ++c) *csv << tool.spatial.force[c];
+    for (int c = 0; c < 3; ++c) *csv << tool.spatial.torque[c];
+    *csv << tool.contacts << tool.max_penetration;
+  }
+  const sim::StepReport& r = result.report;
+  *csv << r.newton_iterations << r.cg_iterations << r.residual << r.min_jacobian << r.kinetic_energy
+       << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
+       << r.skipped.total();
+  csv->endRow();
+}
+
+}  // namespace palpate::io
