@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/mesh/selection.h"
+#include "palpate/sim/fields.h"
+#include "palpate/sim/scene.h"
+
+namespace palpate::io {
+
+// The case file of `palpate solve` as plain data. Member initialisers are the only defaults;
+// case.cpp lists every key once, with unit, range and meaning.
+
+struct BoxMesh {
+  Vec3 size = Vec3::Ones();                         ///< [m], from the origin.
+  Eigen::Vector3i cells = Eigen::Vector3i::Ones();  ///< Per axis.
+};
+
+/// Exactly one of `file` and `box`.
+struct CaseMesh {
+  std::string file;  ///< Relative paths start from the case's folder.
+  std::optional<BoxMesh> box;
+  double scale = 1.0;  ///< Unit of file or box to metre.
+};
+
+/// By `angle` about the line through `origin` along `axis`.
+struct Rotation {
+  Vec3 axis = Vec3::UnitZ();   ///< Not zero; of any length.
+  Vec3 origin = Vec3::Zero();  ///< [m]
+  double angle = 0.0;          ///< [rad]
+};
+
+/// What is prescribed at the selected nodes. Displacements: x = R (X - o) + o + d, and a component
+/// of d that is not there is free; no displacement with a rotation means d = 0. Tractions and
+/// pressures act on the boundary faces whose corners are all selected.
+struct BoundaryCondition {
+  mesh::Region select;
+  std::optional<sim::PartialVec3> displacement;  ///< [m]
+  std::optional<Rotation> rotation;
+  std::optional<Vec3> traction;    ///< [Pa], dead load on the reference area.
+  std::optional<double> pressure;  ///< [Pa], follower, positive pushes inward.
+
+  bool holds() const { return displacement || rotation; }
+};
+
+struct StaticAnalysis {
+  int load_steps = 1;
+  double tolerance = 1.0e-9;  ///< Newton: residual over the forces' scale.
+  int max_newton_iterations = 50;
+};
+
+struct DynamicAnalysis {
+  std::string integrator = "backward_euler";
+  std::string method = "implicit_pcg";
+  double dt = sim::SolverConfig().step;  ///< [s]
+  double duration = 0.0;                 ///< [s]
+  double tolerance = sim::SolverConfig().tolerance;
+  int max_newton_iterations = sim::SolverConfig().max_newton_iterations;
+  double linear_tolerance = sim::SolverConfig().linear_tolerance;
+};
+
+/// Displacement and stress at a point, or the sum over a region of a quantity.
+struct Probe {
+  std::string name;
+  std::optional<Vec3> point;           ///< [m], in the reference shape.
+  std::optional<mesh::Region> select;  ///< With `quantity`.
+  std::string quantity;                ///< "reaction": force and moment about the origin that the
+                                       ///< support exerts on the body.
+};
+
+struct Case {
+  std::string file;  ///< Where it was read.
+  CaseMesh mesh;
+  std::string element = "tet4";
+  sim::MaterialConfig material;
+  std::vector<BoundaryCondition> boundary;
+  Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
+  std::variant<StaticAnalysis, DynamicAnalysis> analysis;
+  std::vector<Probe> probes;
+};
+
+/// What a dynamic case may ask for; the first is the default.
+std::vector<std::string> integratorNames();
+std::vector<std::string> methodNames();
+/// What a probe with a selection may ask for.
+std::vector<std::string> quantityNames();
+
+/// Reads and checks a case file (not the mesh that it names).
+/// @throws InputError with all problems of the file.
+Case readCase(const std::string& file);
+
+/// docs/case_format.md, from the list of keys.
+std::string caseFormatMarkdown();
+
+}  // namespace palpate::io
