@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace palpate::cli {
+
+/// What `palpate` returns to the shell.
+enum ExitStatus { kOk = 0, kNotConverged = 1, kBadInput = 2, kInternalError = 3 };
+
+/// The work of a subcommand. @returns an ExitStatus.
+using Action = std::function<int()>;
+
+// Each adds a subcommand with its options to `app`; when the user gives it, parsing leaves its
+// work in `action`. To add one: write its file, declare it here, add it to the table in main.cpp.
+void addDocs(CLI::App& app, Action& action);
+
+}  // namespace palpate::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "environment.h"
+
+#include <stdlib.h>  // setenv: POSIX
+#include <unistd.h>
+
+namespace palpate::cli {
+namespace {
+
+bool setIfAbsent(const char* name, const char* value) {
+  return getenv(name) == nullptr && setenv(name, value, 0) == 0;
+}
+
+bool isIntelWithAvx512() {
+#if defined(__x86_64__)
+  return __builtin_cpu_is("intel") && __builtin_cpu_supports("avx512f") &&
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd");
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
+void restartWithSolverEnvironment(char** argv) {
+  bool changed = setIfAbsent("OMP_THREAD_LIMIT", "1");
+  if (isIntelWithAvx512()) changed |= setIfAbsent("OPENBLAS_CORETYPE", "SKYLAKEX");
+  if (changed) execv("/proc/self/exe", argv);
+}
+
+}  // namespace palpate::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace palpate::cli {
+
+/// Sets what the linear algebra libraries read before main() begins, then starts the program anew;
+/// returns if nothing was to be set or that failed. What the user has set stays.
+///
+/// OMP_THREAD_LIMIT=1: CHOLMOD asks for four OpenMP threads of its own, OMP_NUM_THREADS
+/// notwithstanding, which is slower on few cores. OPENBLAS_CORETYPE=SKYLAKEX where the processor
+/// has AVX-512: OpenBLAS 0.3.21 takes recent Intel models for a Prescott.
+void restartWithSolverEnvironment(char** argv);
+
+}  // namespace palpate::cli

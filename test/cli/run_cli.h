@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "support/temp_folder.h"
+
+namespace palpate::test {
+
+struct CliResult {
+  int status;  ///< Exit status; -1 if the program was killed.
+  std::string out, err;
+};
+
+/// Runs `palpate ARGUMENTS` through the shell.
+inline CliResult runCli(const std::string& arguments) {
+  const TempFolder folder;
+  const std::string command = std::string("'") + PALPATE_CLI + "' " + arguments + " > '" +
+                              folder.path("out") + "' 2> '" + folder.path("err") + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileBytes(folder.path("out")),
+          fileBytes(folder.path("err"))};
+}
+
+}  // namespace palpate::test
