@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Configures and builds into build/.
+#
+#   scripts/build.sh [TARGET ...]      default: all (tests are the target `tests`)
+#
+# From the environment: BUILD_DIR (build), BUILD_TYPE (Release), JOBS, CMAKE_ARGS (more options).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
+
+build_dir=${BUILD_DIR:-build}
+build_type=${BUILD_TYPE:-Release}
+if [ $# -eq 0 ]; then set -- all; fi
+
+# CGAL's meshing needs up to 2 GB a compiler: not more jobs than memory carries.
+if [ -z "${JOBS:-}" ]; then
+  JOBS=$(nproc)
+  memory_jobs=$(awk '/MemAvailable/ {print int($2 / 2097152)}' /proc/meminfo 2>/dev/null || echo 1)
+  if [ "${memory_jobs:-1}" -lt "$JOBS" ]; then JOBS=$memory_jobs; fi
+  if [ "$JOBS" -lt 1 ]; then JOBS=1; fi
+fi
+
+generator=()
+if [ ! -f "$build_dir/CMakeCache.txt" ] && command -v ninja >/dev/null; then generator=(-G Ninja); fi
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+step() {
+  echo "+ $*"
+  "$@"
+}
+# shellcheck disable=SC2086  # CMAKE_ARGS is a list of words
+step cmake -S . -B "$build_dir" "${generator[@]}" "${launcher[@]}" \
+  -DCMAKE_BUILD_TYPE="$build_type" ${CMAKE_ARGS:-}
+step cmake --build "$build_dir" -j "$JOBS" --target "$@"

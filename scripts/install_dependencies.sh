@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that palpate needs. Nothing happens where they are all there.
+#
+#   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo rviz dev
+#
+# Without a set: build, test and demo. --list prints the packages and installs nothing.
+# This file is the one place where packages are listed.
+set -euo pipefail
+
+# Compiler, ROS headers and .msg files (lib*-msgs-dev has headers only), numerical libraries.
+build=(
+  build-essential cmake ninja-build catkin
+  libroscpp-dev libroslib-dev librosbag-dev
+  libtf2-ros-dev libtf2-eigen-dev libtf2-geometry-msgs-dev libdiagnostic-updater-dev
+  ros-message-generation ros-message-runtime
+  libstd-msgs-dev ros-std-msgs libgeometry-msgs-dev ros-geometry-msgs
+  libsensor-msgs-dev ros-sensor-msgs libvisualization-msgs-dev ros-visualization-msgs
+  libdiagnostic-msgs-dev ros-diagnostic-msgs libstd-srvs-dev ros-std-srvs
+  libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev
+  liburdf-dev liburdfdom-dev liborocos-kdl-dev libkdl-parser-dev
+  libyaml-cpp-dev libtinyxml2-dev zlib1g-dev libcli11-dev nlohmann-json3-dev)
+
+# What the tests need besides: gtest, rostest, and the nodes that the launch files start.
+test=(
+  libgtest-dev librostest-dev python3-rostest python3-roslaunch rosout
+  ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice
+  python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
+  python3-visualization-msgs python3-diagnostic-msgs python3-numpy)
+
+# A running graph without a screen, the recorded bag and its analysis.
+demo=(
+  python3-roslaunch rosout ros-robot-state-publisher python3-rosbag python3-rostopic
+  python3-rosnode python3-rosservice python3-rosparam python3-rosmsg rosbash rospack-tools
+  python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
+  python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs
+  python3-numpy python3-matplotlib)
+
+# The picture: rviz, and what draws it where there is no screen.
+rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
+
+# The checks of scripts/test.sh, and what only people who change the code want.
+dev=(clang-format-14 clang-tidy-14 catkin-lint git)
+
+readme="README.md, section 'Other ways to build'"
+
+die() {
+  echo "install_dependencies.sh: $*" >&2
+  exit 1
+}
+
+list_only=false
+sets=()
+for argument in "$@"; do
+  case $argument in
+    --list) list_only=true ;;
+    build | test | demo | rviz | dev) sets+=("$argument") ;;
+    -h | --help) sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) die "unknown set '$argument'; known: build test demo rviz dev" ;;
+  esac
+done
+[ ${#sets[@]} -gt 0 ] || sets=(build test demo)
+
+packages=()
+for set in "${sets[@]}"; do
+  declare -n members=$set
+  packages+=("${members[@]}")
+done
+mapfile -t packages < <(printf '%s\n' "${packages[@]}" | sort -u)
+if $list_only; then
+  printf '%s\n' "${packages[@]}"
+  exit 0
+fi
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  die "this system has no apt. Install by hand what package.xml names; see $readme."
+fi
+
+installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
+mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}") <(sort -u <<<"$installed"))
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "install_dependencies.sh: all packages of '${sets[*]}' are there."
+  exit 0
+fi
+
+# shellcheck disable=SC1091
+system=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}") || system="unknown"
+case $system in
+  "debian 12") ;;
+  ubuntu*) die "this is $system. ROS 1 for Ubuntu is Noetic on 20.04, from packages.ros.org, and its
+packages have other names: use rosdep, see $readme. Then run the script that you wanted with
+PALPATE_NO_INSTALL=1." ;;
+  *) die "this is '$system'; the list here is for Debian 12 (bookworm). See $readme. With the packages
+installed in your own way, run the script that you wanted with PALPATE_NO_INSTALL=1." ;;
+esac
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || die "packages are missing, and this is neither root nor is there sudo.
+As root, run:
+  apt-get install --no-install-recommends ${missing[*]}"
+  as_root=(sudo)
+fi
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get \
+    -q -y -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@"
+}
+
+echo "install_dependencies.sh: installing ${#missing[@]} packages: ${missing[*]}"
+apt update
+apt install --no-install-recommends "${missing[@]}"

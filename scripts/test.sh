@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, runs every check and every test, and counts.
+#
+#   scripts/test.sh [--no-checks] [--sanitize] [CTEST_REGEX]
+#
+#   --no-checks   only the tests, not format, tidy and the like
+#   --sanitize    the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
+#   CTEST_REGEX   only the tests whose names match; implies --no-checks
+#
+# From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
+# names a folder of further meshes and instruments (default: ../shared/data where that exists).
+# The last line is 'N passed, N failed', with ', N skipped' if any.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
+
+checks=true
+sanitize=false
+only=
+for argument in "$@"; do
+  case $argument in
+    --no-checks) checks=false ;;
+    --sanitize) sanitize=true checks=false ;;
+    -h | --help) sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -*) echo "test.sh: unknown option '$argument'; see --help" >&2; exit 1 ;;
+    *) only=$argument checks=false ;;
+  esac
+done
+
+if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build test dev; fi
+if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
+  PALPATE_EXTRA_DATA=$(cd ../shared/data && pwd)
+  export PALPATE_EXTRA_DATA
+fi
+
+if $sanitize; then
+  # ROS's own libraries are not instrumented, so the core and the command line only.
+  export BUILD_DIR=build-sanitize BUILD_TYPE=RelWithDebInfo
+  flags="-O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
+  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
+  export CMAKE_ARGS CXXFLAGS="$flags" UBSAN_OPTIONS=print_stacktrace=1
+fi
+export BUILD_DIR=${BUILD_DIR:-build}
+
+passed=0 failed=0 skipped=0 failures=()
+finish() {
+  if [ ${#failures[@]} -gt 0 ]; then printf '\nFailed:\n'; printf '  %s\n' "${failures[@]}"; fi
+  echo
+  if [ "$skipped" -gt 0 ]; then
+    echo "$passed passed, $failed failed, $skipped skipped"
+  else
+    echo "$passed passed, $failed failed"
+  fi
+  [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
+}
+
+# check NAME COMMAND ...: counts as one test.
+check() {
+  local name=$1
+  shift
+  echo "== $name"
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    failures+=("$name")
+  fi
+}
+
+# run_ctest ARGUMENT ...: counts what ctest says about each test.
+run_ctest() {
+  local log status
+  log=$(mktemp)
+  status=0
+  (cd "$BUILD_DIR" && ctest --output-on-failure --timeout 600 "$@" </dev/null 2>&1) |
+    tee "$log" || status=$?
+  local counts
+  counts=$(sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* \.\.+ *(Passed|\*\*\*)/\1/p' "$log" | awk '
+    /^Passed/ { p++; next }
+    /^\*\*\*Skipped|^\*\*\*Not Run \(Disabled\)/ { s++; next }
+    { f++ }
+    END { print p + 0, f + 0, s + 0 }')
+  read -r p f s <<<"$counts"
+  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+  while read -r name; do failures+=("$name"); done < <(
+    sed -nE 's/^\t *[0-9]+ - (.*) \((Failed|Timeout|SEGFAULT|[^)]*)\)$/\1 (\2)/p' "$log" |
+      grep -vE '\((Skipped|Disabled)\)$' || true)
+  if [ "$status" -ne 0 ] && [ "$f" -eq 0 ]; then
+    failed=$((failed + 1))
+    failures+=("ctest $* (exit status $status)")
+  fi
+  rm -f "$log"
+}
+
+start=$SECONDS
+if ! scripts/build.sh all tests; then
+  failed=1 failures=(build)
+  finish
+  exit 1
+fi
+echo "built in $((SECONDS - start)) s"
+
+if $checks; then
+  check "core is free of ROS" scripts/check_core_is_ros_free.sh
+  check "format" scripts/check_format.sh
+  check "changelog" scripts/check_changelog.sh
+  check "package" scripts/check_package.sh
+  start=$SECONDS
+  check "clang-tidy" scripts/check_tidy.sh
+  echo "tidy took $((SECONDS - start)) s"
+fi
+
+# ROS graphs one at a time: each brings its own master, and they measure time.
+# shellcheck disable=SC1091
+unset ROS_MASTER_URI
+. scripts/env.sh
+start=$SECONDS
+run_ctest -j "$(nproc)" --no-tests=error -E '^_ctest_' ${only:+-R "$only"}
+if ! $sanitize; then run_ctest -j 1 -R "${only:-^_ctest_}" ${only:+-E '^[^_]'}; fi
+echo "tests took $((SECONDS - start)) s"
+finish
