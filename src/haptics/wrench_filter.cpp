@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/haptics/wrench_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace palpate::haptics {
+namespace {
+
+void check(const char* name, double value, bool zero_allowed) {
+  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_allowed)) {
+    throw std::invalid_argument(std::string("WrenchFilter: ") + name + " = " +
+                                std::to_string(value) + "; must be finite and " +
+                                (zero_allowed ? ">= 0" : "> 0"));
+  }
+}
+
+/// `v` shortened to `limit`; stableNorm, because finite components may have an infinite square.
+Vec3 clamped(const Vec3& v, double limit) {
+  const double norm = v.stableNorm();
+  if (!(norm > limit)) return v;
+  if (!std::isfinite(norm)) return clamped(0.125 * v, limit);
+  return v * (limit / norm);
+}
+
+Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
+  return from + clamped(to - from, limit);
+}
+
+}  // namespace
+
+WrenchFilter::WrenchFilter(const WrenchFilterSettings& settings) : settings_(settings) {
+  check("max_force", settings.max_force, false);
+  check("max_torque", settings.max_torque, false);
+  check("max_force_rate", settings.max_force_rate, false);
+  check("max_torque_rate", settings.max_torque_rate, false);
+  check("ramp", settings.ramp, true);
+  check("smoothing", settings.smoothing, true);
+  check("max_step", settings.max_step, false);
+}
+
+const Wrench& WrenchFilter::update(const Wrench& target, bool live, double dt) {
+  if (!std::isfinite(dt) || dt <= 0.0) return output_;
+  dt = std::min(dt, settings_.max_step);
+
+  if (live && target.allFinite()) {
+    const Wrench goal{clamped(target.force, settings_.max_force),
+                      clamped(target.torque, settings_.max_torque)};
+    // After a full stop the old value says nothing about the new one.
+    const bool fresh = gain_ == 0.0 || settings_.smoothing == 0.0;
+    const double share = fresh ? 1.0 : 1.0 - std::exp(-dt / settings_.smoothing);
+    smooth_.force += share * (goal.force - smooth_.force);
+    smooth_.torque += share * (goal.torque - smooth_.torque);
+    gain_ = settings_.ramp > dt ? std::min(1.0, gain_ + dt / settings_.ramp) : 1.0;
+  } else {
+    gain_ = settings_.ramp > dt ? std::max(0.0, gain_ - dt / settings_.ramp) : 0.0;
+  }
+
+  output_.force =
+      clamped(approached(output_.force, gain_ * smooth_.force, settings_.max_force_rate * dt),
+              settings_.max_force);
+  output_.torque =
+      clamped(approached(output_.torque, gain_ * smooth_.torque, settings_.max_torque_rate * dt),
+              settings_.max_torque);
+  return output_;
+}
+
+void WrenchFilter::reset() {
+  smooth_ = output_ = Wrench();
+  gain_ = 0.0;
+}
+
+}  // namespace palpate::haptics
