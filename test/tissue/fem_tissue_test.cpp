@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/tissue/fem_tissue.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "palpate/contact/signed_distance.h"
+#include "support/contains.h"
+
+namespace palpate::tissue {
+namespace {
+
+using instrument::Capsule;
+using instrument::Geometry;
+using instrument::Sphere;
+
+const material::Material kLiver = material::makeMaterial(
+    "stable_neo_hookean", {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}});
+constexpr double kStep = 0.01;
+
+// A slab 100 x 100 x 40 mm whose bottom is held.
+struct Slab {
+  mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.04), Eigen::Vector3i(8, 8, 4));
+  fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
+  FemSettings settings;
+
+  Slab() {
+    for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
+      if (mesh.points(2, i) == 0.0) free.col(i).setZero();
+    }
+    settings.gravity = Vec3(0.0, 0.0, -9.81);
+    settings.density = 1060.0;
+    settings.sample_spacing = 0.005;
+  }
+  std::unique_ptr<TissueModel> make(ThreadPool* pool = nullptr) const {
+    return makeFemTissue(mesh, kLiver, free, settings, pool);
+  }
+};
+
+// A sphere pressed in from above, dragged sideways and lifted, 30 mm/s.
+class Press {
+ public:
+  ToolBody next() {
+    ToolBody body{&shape_, 0, at(t_), at(t_ + kStep)};
+    t_ += kStep;
+    return body;
+  }
+  bool done() const { return t_ > 1.5; }
+
+ private:
+  static Pose at(double t) {
+    const double down = 0.03 * std::min(t, 0.5), aside = 0.03 * std::clamp(t - 0.5, 0.0, 0.5);
+    const double up = 0.06 * std::clamp(t - 1.0, 0.0, 0.5);
+    return poseFromXyzRpy(Vec3(0.04 + aside, 0.05, 0.054 - down + up), Vec3::Zero());
+  }
+  Geometry shape_ = Sphere{0.01};
+  double t_ = 0.0;
+};
+
+Vec3 onTool(const TissueStep& step) {
+  Vec3 sum = Vec3::Zero();
+  for (const TissueContact& c : step.contacts) sum += c.force_W;
+  return sum;
+}
+
+TEST(FemTissue, StartsInEquilibriumUnderGravityAndSleeps) {
+  const auto tissue = Slab().make();
+  const Points begin = tissue->positions();
+  EXPECT_LT((begin - tissue->restMesh().points).row(2).minCoeff(), -1e-5);  // it sags
+  bool slept = false;
+  for (int k = 0; k < 5; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_TRUE(step.ok());
+    EXPECT_EQ(step.newton_iterations, 0);
+    slept = step.slept;
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_LT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(FemTissue, BalancesForcesInEveryCycle) {
+  const Slab slab;
+  const auto tissue = slab.make();
+  double peak = 0.0;
+  for (Press press; !press.done();) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    ASSERT_TRUE(step.ok()) << solver::toString(step.status);
+    const Vec3 sum = step.support_force + step.gravity_force + step.inertia_force - onTool(step);
+    // Sum of the nodes' residuals: at most sqrt(n) of their norm.
+    EXPECT_LE(sum.norm(), std::sqrt(slab.mesh.numPoints()) * step.tolerance + 1e-9);
+    peak = std::max(peak, onTool(step).norm());
+  }
+  EXPECT_GT(peak, 0.3);
+  EXPECT_LT(peak, 10.0);
+}
+
+TEST(FemTissue, PushesTheToolOutAndHoldsPenetrationSmall) {
+  const auto tissue = Slab().make();
+  double deepest = 0.0;
+  for (Press press; !press.done();) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    for (const TissueContact& c : step.contacts) {
+      EXPECT_GE(c.force_W.z(), -1e-3 * c.force_W.norm());
+      deepest = std::max(deepest, c.penetration);
+    }
+    EXPECT_GT(step.min_jacobian, 0.0);
+  }
+  EXPECT_GT(deepest, 0.0);
+  EXPECT_LT(deepest, 1e-3);
+}
+
+TEST(FemTissue, ReturnsToRestWhenTheToolIsGone) {
+  const auto tissue = Slab().make();
+  const Points begin = tissue->positions();
+  for (Press press; !press.done();) tissue->step({press.next()}, kStep);
+  EXPECT_GT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 0.0);
+  bool slept = false;
+  for (int k = 0; k < 500 && !slept; ++k) slept = tissue->step({}, kStep).slept;
+  EXPECT_TRUE(slept);
+  EXPECT_LT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
+}
+
+TEST(FemTissue, SameInputsSameBitsWhateverTheThreads) {
+  ThreadPool pool(2);
+  const auto one = Slab().make(), again = Slab().make(), two = Slab().make(&pool);
+  for (Press a, b, c; !a.done();) {
+    const TissueStep& step = one->step({a.next()}, kStep);
+    const Vec3 force = onTool(step);
+    ASSERT_EQ(force, onTool(again->step({b.next()}, kStep)));
+    ASSERT_EQ(force, onTool(two->step({c.next()}, kStep)));
+    ASSERT_EQ(one->positions(), two->positions());
+  }
+  one->reset();
+  two->reset();
+  for (Press a, b; !a.done();) {
+    one->step({a.next()}, kStep);
+    two->step({b.next()}, kStep);
+  }
+  EXPECT_EQ(one->positions(), again->positions());
+  EXPECT_EQ(one->positions(), two->positions());
+}
+
+// A needle 2 mm thick, flat over the slab, driven down at 0.5 m/s: 5 mm a cycle, more than it is
+// thick, and thinner than the mesh is fine.
+TEST(FemTissue, AThinFastToolDoesNotPassThrough) {
+  Slab slab;
+  slab.settings.sample_spacing = 0.001;
+  slab.settings.gravity.setZero();
+  const auto tissue = slab.make();
+  const Geometry needle = Capsule{0.001, 0.03};
+  const auto at = [](double z) {
+    return poseFromXyzRpy(Vec3(0.05, 0.05, z), Vec3(0.0, M_PI / 2, 0.0));
+  };
+  double z = 0.05;
+  for (int k = 0; k < 6; ++k) {
+    const TissueStep& step = tissue->step({{&needle, 0, at(z), at(z - 0.005)}}, kStep);
+    z -= 0.005;
+    EXPECT_TRUE(std::isfinite(step.residual));
+    if (z > 0.04) continue;
+    EXPECT_GT(onTool(step).z(), 0.0) << "at z = " << z;
+    // The tissue under the middle of the needle is under it still.
+    double highest = 0.0;
+    for (Eigen::Index i = 0; i < slab.mesh.numPoints(); ++i) {
+      const Vec3 X = slab.mesh.points.col(i), x = tissue->positions().col(i);
+      if (std::abs(X.x() - 0.05) < 1e-9 && std::abs(X.y() - 0.05) < 1e-9) {
+        highest = std::max(highest, x.z());
+      }
+    }
+    EXPECT_LT(highest, z + 0.001);
+  }
+}
+
+TEST(FemTissue, FarToolsAreNotLookedAt) {
+  const auto tissue = Slab().make();
+  const Geometry ball = Sphere{0.01};
+  const Pose X = poseFromXyzRpy(Vec3(0.05, 0.05, 0.5), Vec3::Zero());
+  EXPECT_EQ(tissue->step({{&ball, 0, X, X}}, kStep).far_bodies, 1);
+}
+
+TEST(FemTissue, WakesWhenATouchComes) {
+  const auto sleeper = Slab().make(), awake = Slab().make();
+  for (int k = 0; k < 20; ++k) sleeper->step({}, kStep);
+  double difference = 0.0, peak = 0.0;
+  for (Press a, b; !a.done();) {
+    const Vec3 f = onTool(sleeper->step({a.next()}, kStep));
+    const Vec3 g = onTool(awake->step({b.next()}, kStep));
+    difference = std::max(difference, (f - g).norm());
+    peak = std::max(peak, f.norm());
+  }
+  EXPECT_LT(difference, 1e-3 * peak);
+}
+
+TEST(FemTissue, KeepsItsLastGoodStateWhenASolveFails) {
+  Slab slab;
+  const auto tissue = slab.make();
+  Press press;
+  for (int k = 0; k < 60; ++k) tissue->step({press.next()}, kStep);
+  const Points good = tissue->positions();
+  Points bad = tissue->velocities();
+  bad(0, 100) = std::numeric_limits<double>::infinity();
+  tissue->restore(good, bad);
+  const TissueStep& failed = tissue->step({}, kStep);
+  EXPECT_FALSE(failed.ok());
+  EXPECT_EQ(tissue->positions(), good);
+  EXPECT_TRUE(tissue->velocities().isZero());
+  EXPECT_TRUE(tissue->step({}, kStep).ok());
+}
+
+TEST(FemTissue, RefusesABodyThatWouldFall) {
+  Slab slab;
+  slab.free.setOnes();
+  try {
+    slab.make();
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(test::contains(error.what(), "translation along z"));
+  }
+  slab.settings.gravity.setZero();
+  EXPECT_NO_THROW(slab.make());
+}
+
+TEST(FemTissue, RefusesABodyThatCollapsesUnderItsWeight) {
+  Slab slab;
+  slab.settings.gravity *= 1e4;
+  EXPECT_THROW(slab.make(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace palpate::tissue
