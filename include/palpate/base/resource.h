@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace palpate {
+
+/// The path that a resource name in a file stands for. Whether a file is there is not looked at.
+///
+///     /abs/file              as it is
+///     file:///abs/file       /abs/file
+///     rel/file, file://rel   relative to `relative_to_folder`
+///     package://NAME/rest    rest in the folder of the ROS package NAME
+///
+/// A package is looked for, in this order: upwards from `relative_to_folder` (a folder whose
+/// package.xml has that name), in the entries of ROS_PACKAGE_PATH (the entry itself and folders up
+/// to three below), in share/NAME of the entries of CMAKE_PREFIX_PATH, in /usr/share/NAME.
+/// @throws std::invalid_argument if the package is not found (saying where it was looked for), if
+/// the name is empty, or if it begins with another scheme.
+std::string resolveResource(const std::string& uri, const std::string& relative_to_folder);
+
+}  // namespace palpate
