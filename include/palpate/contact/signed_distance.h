@@ -15,7 +15,8 @@ struct Distance {
 
 /// Signed distance of the point `p_G` [m] to the shape. At points where it has no gradient (a
 /// sphere's centre, a capsule's axis, a box's medial planes) one of the nearest normals is taken,
-/// always the same one, so that a contact is never lost there.
+/// always the same one, so that a contact is never lost there. A point that is not a number has the
+/// value NaN.
 Distance signedDistance(const instrument::Geometry& geometry, const Vec3& p_G);
 
 /// The value only; the same bits as signedDistance().value.

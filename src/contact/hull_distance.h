@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/instrument/geometry.h"
+
+namespace palpate::contact {
+
+/// What of a polyhedron is nearest to a point.
+enum class Feature { kFace, kEdge, kVertex };
+
+struct Nearest {
+  double value;     ///< Signed distance [m].
+  Vec3 normal;      ///< Unit, outward.
+  Feature feature;  ///< kFace inside.
+  Vec3 tangent;     ///< Unit, along the edge if `feature` is kEdge; else zero.
+};
+
+/// Signed distance of p to a convex polyhedron: outside to the nearest triangle, inside to the
+/// nearest plane (the first of equally near ones).
+Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p);
+
+}  // namespace palpate::contact
