@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "collision_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+
+#include "palpate/base/resource.h"
+#include "palpate/instrument/convex_hull.h"
+#include "palpate/mesh/convex_hull.h"
+#include "palpate/mesh/surface_io.h"
+
+namespace palpate::instrument {
+namespace {
+
+/// Corners on the cylinder; its hull is thinner by at most 1 - cos(pi / 24) = 0.9 % of the radius.
+constexpr int kPrismSides = 24;
+constexpr double kPi = 3.14159265358979323846;
+
+Pose toPose(const urdf::Pose& urdf) {
+  Pose X = Pose::Identity();
+  X.linear() =
+      Eigen::Quaterniond(urdf.rotation.w, urdf.rotation.x, urdf.rotation.y, urdf.rotation.z)
+          .normalized()
+          .toRotationMatrix();
+  X.translation() = Vec3(urdf.position.x, urdf.position.y, urdf.position.z);
+  return X;
+}
+
+Geometry prism(double radius, double length) {
+  Points corners(3, 2 * kPrismSides);
+  for (int i = 0; i < kPrismSides; ++i) {
+    const double angle = 2.0 * kPi * i / kPrismSides;
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    corners.col(2 * i) = Vec3(x, y, -0.5 * length);
+    corners.col(2 * i + 1) = Vec3(x, y, 0.5 * length);
+  }
+  return makeConvexHull(mesh::convexHull(corners));
+}
+
+Geometry hullOfMesh(const urdf::Mesh& urdf, const std::string& folder) {
+  const std::string file = resolveResource(urdf.filename, folder);
+  mesh::SurfaceMesh surface = mesh::readSurface(file);
+  const Vec3 scale(urdf.scale.x, urdf.scale.y, urdf.scale.z);
+  surface.points = scale.asDiagonal() * surface.points;
+  return makeConvexHull(mesh::convexHull(surface.points));
+}
+
+Geometry toGeometry(const urdf::Geometry& urdf, const std::string& folder,
+                    const LoadOptions& options) {
+  switch (urdf.type) {
+    case urdf::Geometry::SPHERE:
+      return Sphere{static_cast<const urdf::Sphere&>(urdf).radius};
+    case urdf::Geometry::BOX: {
+      const urdf::Vector3& size = static_cast<const urdf::Box&>(urdf).dim;
+      return Box{0.5 * Vec3(size.x, size.y, size.z)};
+    }
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(urdf);
+      if (!options.cylinder_as_capsule) return prism(cylinder.radius, cylinder.length);
+      return Capsule{cylinder.radius, std::max(0.0, 0.5 * cylinder.length - cylinder.radius)};
+    }
+    case urdf::Geometry::MESH:
+      return hullOfMesh(static_cast<const urdf::Mesh&>(urdf), folder);
+  }
+  throw std::invalid_argument("the shape is of no known kind");
+}
+
+/// The file of a mesh, for reports; "" for another shape.
+std::string meshName(const urdf::Geometry& urdf) {
+  return urdf.type == urdf::Geometry::MESH ? static_cast<const urdf::Mesh&>(urdf).filename : "";
+}
+
+void readCollisions(const urdf::Link& link, int index, const std::string& folder,
+                    const LoadOptions& options, Shapes* shapes) {
+  for (const auto& collision : link.collision_array) {
+    const std::string name =
+        collision->name.empty() ? link.name : link.name + "/" + collision->name;
+    const urdf::Geometry& geometry = *collision->geometry;
+    if (geometry.type == urdf::Geometry::CYLINDER && options.cylinder_as_capsule) {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+      if (cylinder.length < 2.0 * cylinder.radius) {
+        shapes->warnings.push_back(
+            "collision cylinder of " + name +
+            " is shorter than thick; its capsule is a ball, which is longer");
+      }
+    }
+    try {
+      shapes->bodies.push_back(
+          {index, name, toPose(collision->origin), toGeometry(geometry, folder, options)});
+    } catch (const std::exception& error) {
+      shapes->problems.push_back({"link " + link.name + "/collision",
+                                  "'" + meshName(geometry) + "'",
+                                  std::string("has no shape: ") + error.what()});
+    }
+  }
+}
+
+void lookForVisuals(const urdf::Link& link, const std::string& folder, Shapes* shapes) {
+  for (const auto& visual : link.visual_array) {
+    const std::string name = meshName(*visual->geometry);
+    if (name.empty()) continue;
+    std::string reason;
+    try {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(resolveResource(name, folder), ignored)) continue;
+      reason = "no such file";
+    } catch (const std::invalid_argument& error) {
+      reason = error.what();
+    }
+    shapes->warnings.push_back("visual mesh '" + name + "' of link " + link.name +
+                               " is missing: " + reason);
+  }
+}
+
+}  // namespace
+
+Shapes readShapes(const urdf::ModelInterface& model, const std::vector<std::string>& links,
+                  const std::string& folder, const LoadOptions& options) {
+  Shapes shapes;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const urdf::Link& link = *model.getLink(links[i]);
+    readCollisions(link, static_cast<int>(i), folder, options, &shapes);
+    lookForVisuals(link, folder, &shapes);
+  }
+  return shapes;
+}
+
+}  // namespace palpate::instrument

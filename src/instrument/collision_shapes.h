@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <urdf_model/model.h>
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/instrument/geometry.h"
+#include "palpate/instrument/instrument.h"
+
+namespace palpate::instrument {
+
+struct Shapes {
+  std::vector<CollisionBody> bodies;  ///< In the order of `links`.
+  std::vector<std::string> warnings;
+  std::vector<Problem> problems;
+};
+
+/// The collision bodies of the links, by name in the order given, and a look at whether the meshes
+/// of the visuals exist. `folder` is where relative mesh files start.
+Shapes readShapes(const urdf::ModelInterface& model, const std::vector<std::string>& links,
+                  const std::string& folder, const LoadOptions& options);
+
+}  // namespace palpate::instrument

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "element_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace palpate::instrument {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+
+void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
+  const Element* origin = parent.FirstChildElement("origin");
+  if (origin == nullptr) return;
+  checkNumbers(*origin, "xyz", 3, Range::kFinite, Need::kOptional, problems);
+  checkNumbers(*origin, "rpy", 3, Range::kFinite, Need::kOptional, problems);
+}
+
+bool inRange(double number, Range range) {
+  if (!std::isfinite(number)) return false;
+  return range == Range::kFinite || (range == Range::kPositive ? number > 0.0 : number != 0.0);
+}
+
+std::string describe(std::size_t count, Range range) {
+  std::string wish = "must be ";
+  wish += count == 1 ? "one finite number" : std::to_string(count) + " finite numbers";
+  if (range == Range::kPositive) wish += " > 0";
+  if (range == Range::kNonZero) wish += ", none of them 0";
+  return wish;
+}
+
+/// All numbers of `text`, or nothing if something else stands there.
+std::vector<double> parseNumbers(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  std::vector<double> numbers;
+  for (double number; in >> number;) numbers.push_back(number);
+  return in.eof() ? numbers : std::vector<double>();
+}
+
+}  // namespace
+
+std::string whereIs(const Element& element, const char* attribute) {
+  std::string path;
+  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
+    const Element* e = node->ToElement();
+    if (e == nullptr || (e->Parent() == e->GetDocument() && e != &element)) break;
+    const std::string name = text(*e, "name");
+    path = std::string(e->Name()) + (name.empty() ? "" : " " + name) + (path.empty() ? "" : "/") +
+           path;
+  }
+  if (attribute != nullptr) path += std::string(" ") + attribute;
+  return path + " (line " + std::to_string(element.GetLineNum()) + ")";
+}
+
+std::string text(const Element& element, const char* attribute) {
+  const char* value = element.Attribute(attribute);
+  return value == nullptr ? "" : value;
+}
+
+std::vector<double> checkNumbers(const Element& element, const char* attribute, std::size_t count,
+                                 Range range, Need need, std::vector<Problem>* problems) {
+  if (element.Attribute(attribute) == nullptr) {
+    if (need == Need::kRequired) {
+      problems->push_back(
+          {whereIs(element, attribute), "", "is missing; it " + describe(count, range)});
+    }
+    return {};
+  }
+  const std::string value = text(element, attribute);
+  const std::vector<double> numbers = parseNumbers(value);
+  if (numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [&](double number) {
+        return inRange(number, range);
+      })) {
+    return numbers;
+  }
+  problems->push_back({whereIs(element, attribute), "'" + value + "'", describe(count, range)});
+  return {};
+}
+
+void checkShape(const Element& visual_or_collision, std::vector<Problem>* problems) {
+  checkOrigin(visual_or_collision, problems);
+  const Element* geometry = visual_or_collision.FirstChildElement("geometry");
+  const Element* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+  if (shape == nullptr) {
+    problems->push_back({whereIs(visual_or_collision), "",
+                         "needs <geometry> with a sphere, cylinder, box or mesh in it"});
+    return;
+  }
+  const std::string kind = shape->Name();
+  if (kind == "sphere") {
+    checkNumbers(*shape, "radius", 1, Range::kPositive, Need::kRequired, problems);
+  } else if (kind == "cylinder") {
+    checkNumbers(*shape, "radius", 1, Range::kPositive, Need::kRequired, problems);
+    checkNumbers(*shape, "length", 1, Range::kPositive, Need::kRequired, problems);
+  } else if (kind == "box") {
+    checkNumbers(*shape, "size", 3, Range::kPositive, Need::kRequired, problems);
+  } else if (kind == "mesh") {
+    if (text(*shape, "filename").empty()) {
+      problems->push_back({whereIs(*shape, "filename"), "", "is missing"});
+    }
+    checkNumbers(*shape, "scale", 3, Range::kNonZero, Need::kOptional, problems);
+  } else {
+    problems->push_back({whereIs(*shape), "", "must be a sphere, cylinder, box or mesh"});
+  }
+}
+
+void checkJointNumbers(const Element& joint, std::vector<Problem>* problems) {
+  checkOrigin(joint, problems);
+  const std::string type = text(joint, "type");
+  if (type == "fixed") return;
+  if (const Element* axis = joint.FirstChildElement("axis")) {
+    const auto xyz = checkNumbers(*axis, "xyz", 3, Range::kFinite, Need::kRequired, problems);
+    if (!xyz.empty() && !(std::hypot(xyz[0], xyz[1], xyz[2]) > 1e-9)) {
+      problems->push_back(
+          {whereIs(*axis, "xyz"), "'" + text(*axis, "xyz") + "'", "must have a direction"});
+    }
+  }
+  const Element* limit = joint.FirstChildElement("limit");
+  if (limit == nullptr && type != "continuous") {
+    problems->push_back({whereIs(joint), "", "needs <limit lower= upper= effort= velocity=>"});
+  }
+  if (limit != nullptr) {
+    const auto lower = checkNumbers(*limit, "lower", 1, Range::kFinite, Need::kOptional, problems);
+    const auto upper = checkNumbers(*limit, "upper", 1, Range::kFinite, Need::kOptional, problems);
+    const double low = lower.empty() ? 0.0 : lower[0], high = upper.empty() ? 0.0 : upper[0];
+    if (type != "continuous" && low > high) {
+      problems->push_back({whereIs(*limit, "lower"), "'" + text(*limit, "lower") + "'",
+                           "must not be above upper = '" + text(*limit, "upper") + "'"});
+    }
+    checkNumbers(*limit, "effort", 1, Range::kFinite, Need::kRequired, problems);
+    checkNumbers(*limit, "velocity", 1, Range::kFinite, Need::kRequired, problems);
+  }
+  if (const Element* mimic = joint.FirstChildElement("mimic")) {
+    checkNumbers(*mimic, "multiplier", 1, Range::kFinite, Need::kOptional, problems);
+    checkNumbers(*mimic, "offset", 1, Range::kFinite, Need::kOptional, problems);
+  }
+}
+
+}  // namespace palpate::instrument

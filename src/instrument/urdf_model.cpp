@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "urdf_model.h"
+
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+
+#include "palpate/base/error.h"
+
+namespace palpate::instrument {
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 64u << 20;
+
+/// Keeps the errors that urdfdom would print.
+class Collector : public console_bridge::OutputHandler {
+ public:
+  void log(const std::string& message, console_bridge::LogLevel level, const char*, int) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    text_ += (text_.empty() ? "" : "; ") + message;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Puts a collector in the place of console_bridge's handler, which is one for the whole process:
+/// hence the lock.
+class Listening {
+ public:
+  explicit Listening(Collector* collector) : lock_(mutex()) {
+    console_bridge::useOutputHandler(collector);
+  }
+  ~Listening() { console_bridge::restorePreviousOutputHandler(); }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  std::lock_guard<std::mutex> lock_;
+};
+
+/// urdfdom goes on after an error in a link, with what it had read of the link by then.
+bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
+  if (model.links_.size() != outline.links.size()) return false;
+  if (model.joints_.size() != outline.joints.size()) return false;
+  for (std::size_t i = 0; i < outline.links.size(); ++i) {
+    const auto link = model.getLink(outline.links[i]);
+    if (!link) return false;
+    if (link->visual_array.size() + link->collision_array.size() != outline.shapes[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string readUrdfText(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw InputError(file, "", "", "does not exist");
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw InputError(file, "", "", "is not a file");
+  }
+  if (std::filesystem::file_size(file, error) > kMaxBytes || error) {
+    throw InputError(file, "", "", "is too large for a URDF (64 MiB)");
+  }
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file, "", "", "cannot be opened");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+ParsedUrdf parseUrdf(const std::string& file, const std::string& text, const UrdfOutline& outline) {
+  Collector collector;
+  urdf::ModelInterfaceSharedPtr model;
+  try {
+    const Listening listening(&collector);
+    model = urdf::parseURDF(text);
+  } catch (const std::exception& error) {
+    throw InputError(file, "", "", std::string("is not a valid URDF: ") + error.what());
+  }
+  if (!model || !isWhole(*model, outline)) {
+    throw InputError(file, "", "", "is not a valid URDF: " + collector.text());
+  }
+  for (auto& [name, link] : model->links_) link->inertial.reset();
+  return {model, collector.text()};
+}
+
+}  // namespace palpate::instrument

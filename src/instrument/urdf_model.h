@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <urdf_model/model.h>
+#include <urdf_world/types.h>
+
+#include <string>
+
+#include "urdf_outline.h"
+
+namespace palpate::instrument {
+
+/// The text of a URDF file.
+/// @throws InputError if it is not there, not a plain file, or beyond any sensible size.
+std::string readUrdfText(const std::string& file);
+
+struct ParsedUrdf {
+  urdf::ModelInterfaceSharedPtr model;  ///< Never null; without inertias, nothing here needs them.
+  std::string complaints;               ///< What urdfdom would have printed, or "".
+};
+
+/// Parses by urdfdom, silently. `outline` is of the same text and has no problems.
+/// @throws InputError with urdfdom's complaints if it refuses the file, or leaves a part of it out.
+ParsedUrdf parseUrdf(const std::string& file, const std::string& text, const UrdfOutline& outline);
+
+}  // namespace palpate::instrument

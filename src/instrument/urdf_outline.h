@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/error.h"
+
+namespace palpate::instrument {
+
+/// One <joint> as it stands in the file.
+struct JointOutline {
+  std::string where;  ///< "joint NAME (line N)", for reports.
+  std::string name, type, parent, child;
+  std::string mimic;  ///< Joint that it follows, or "".
+  bool mimics = false;
+};
+
+/// What a URDF says before anybody interprets it: names in the file's order, and all that is wrong
+/// in single elements. The parser behind it (urdfdom) stops at the first error and logs it; this
+/// look finds them all and names them.
+struct UrdfOutline {
+  std::string robot;
+  std::vector<std::string> links;
+  std::vector<std::size_t> shapes;  ///< Visuals and collisions, one number a link.
+  std::vector<JointOutline> joints;
+  std::vector<Problem> problems;
+};
+
+/// @throws InputError if `text` is not XML or its root is not <robot>.
+UrdfOutline readOutline(const std::string& file, const std::string& text);
+
+/// Adds what is wrong between elements: names that do not exist, two parents, loops, not exactly
+/// one root, mimics that follow nothing or each other.
+void checkTopology(UrdfOutline* outline);
+
+}  // namespace palpate::instrument
