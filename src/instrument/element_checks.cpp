@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
+#include <optional>
 #include <sstream>
+
+#include "palpate/base/number.h"
 
 namespace palpate::instrument {
 namespace {
@@ -19,7 +21,6 @@ void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
 }
 
 bool inRange(double number, Range range) {
-  if (!std::isfinite(number)) return false;
   return range == Range::kFinite || (range == Range::kPositive ? number > 0.0 : number != 0.0);
 }
 
@@ -34,10 +35,13 @@ std::string describe(std::size_t count, Range range) {
 /// All numbers of `text`, or nothing if something else stands there.
 std::vector<double> parseNumbers(const std::string& text) {
   std::istringstream in(text);
-  in.imbue(std::locale::classic());
   std::vector<double> numbers;
-  for (double number; in >> number;) numbers.push_back(number);
-  return in.eof() ? numbers : std::vector<double>();
+  for (std::string word; in >> word;) {
+    const std::optional<double> number = parseNumber(word);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 }  // namespace

@@ -9,10 +9,16 @@
 #include "collision_shapes.h"
 #include "kinematics.h"
 #include "palpate/base/error.h"
+#include "palpate/base/text_file.h"
 #include "urdf_model.h"
 #include "urdf_outline.h"
 
 namespace palpate::instrument {
+namespace {
+
+constexpr std::size_t kMaxBytes = 64u << 20;  // of a URDF
+
+}  // namespace
 
 struct Instrument::Impl {
   std::string name;
@@ -59,7 +65,7 @@ void Instrument::linkPoses(const Eigen::VectorXd& q, std::vector<Pose>* X_BL) co
 }
 
 Instrument loadInstrument(const std::string& urdf_file, const LoadOptions& options) {
-  const std::string text = readUrdfText(urdf_file);
+  const std::string text = readTextFile(urdf_file, kMaxBytes);
   UrdfOutline outline = readOutline(urdf_file, text);
   checkTopology(&outline);
   if (!outline.problems.empty()) throw InputError(urdf_file, outline.problems);

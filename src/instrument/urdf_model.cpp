@@ -5,17 +5,12 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 
 #include "palpate/base/error.h"
 
 namespace palpate::instrument {
 namespace {
-
-constexpr std::uintmax_t kMaxBytes = 64u << 20;
 
 /// Keeps the errors that urdfdom would print.
 class Collector : public console_bridge::OutputHandler {
@@ -62,20 +57,6 @@ bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
 }
 
 }  // namespace
-
-std::string readUrdfText(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw InputError(file, "", "", "does not exist");
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw InputError(file, "", "", "is not a file");
-  }
-  if (std::filesystem::file_size(file, error) > kMaxBytes || error) {
-    throw InputError(file, "", "", "is too large for a URDF (64 MiB)");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file, "", "", "cannot be opened");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 ParsedUrdf parseUrdf(const std::string& file, const std::string& text, const UrdfOutline& outline) {
   Collector collector;

@@ -10,10 +10,6 @@
 
 namespace palpate::instrument {
 
-/// The text of a URDF file.
-/// @throws InputError if it is not there, not a plain file, or beyond any sensible size.
-std::string readUrdfText(const std::string& file);
-
 struct ParsedUrdf {
   urdf::ModelInterfaceSharedPtr model;  ///< Never null; without inertias, nothing here needs them.
   std::string complaints;               ///< What urdfdom would have printed, or "".

@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace palpate {
 namespace {
+
+using test::TempFolder;
 
 std::string package(const std::string& name) {
   return "<?xml version=\"1.0\"?>\n<package>\n <!-- <name>other</name> -->\n <name>\n" + name +
@@ -47,9 +49,8 @@ TEST(Resource, FindsThePackageAboveTheFile) {
   const TempFolder temp;
   temp.write("arm/package.xml", package("arm_description"));
   temp.write("arm/urdf/deep/arm.urdf", "");
-  EXPECT_EQ(
-      resolveResource("package://arm_description/meshes/a.stl", temp.path() + "/arm/urdf/deep"),
-      temp.path() + "/arm/meshes/a.stl");
+  EXPECT_EQ(resolveResource("package://arm_description/meshes/a.stl", temp.path("arm/urdf/deep")),
+            temp.path("arm/meshes/a.stl"));
 }
 
 TEST(Resource, FindsPackagesOfTheRosPackagePath) {
@@ -59,10 +60,10 @@ TEST(Resource, FindsPackagesOfTheRosPackagePath) {
   temp.write("ws/src/a/b/c/d/package.xml", package("too_deep"));
   temp.write("itself/package.xml", package("itself"));
   const Variable variable("ROS_PACKAGE_PATH",
-                          "/nowhere:" + temp.path() + "/ws/src:" + temp.path() + "/itself");
+                          "/nowhere:" + temp.path("ws/src:") + temp.path("itself"));
   EXPECT_EQ(resolveResource("package://arm_description/a.stl", "/"),
-            temp.path() + "/ws/src/repo/arm/a.stl");
-  EXPECT_EQ(resolveResource("package://itself/a.stl", "/"), temp.path() + "/itself/a.stl");
+            temp.path("ws/src/repo/arm/a.stl"));
+  EXPECT_EQ(resolveResource("package://itself/a.stl", "/"), temp.path("itself/a.stl"));
   EXPECT_THROW(resolveResource("package://hidden_in_a_package/a.stl", "/"), std::invalid_argument);
   EXPECT_THROW(resolveResource("package://too_deep/a.stl", "/"), std::invalid_argument);
 }
@@ -70,21 +71,21 @@ TEST(Resource, FindsPackagesOfTheRosPackagePath) {
 TEST(Resource, FindsInstalledPackages) {
   const TempFolder temp;
   temp.write("prefix/share/arm_description/a.stl", "");
-  const Variable variable("CMAKE_PREFIX_PATH", temp.path() + "/prefix");
+  const Variable variable("CMAKE_PREFIX_PATH", temp.path("prefix"));
   EXPECT_EQ(resolveResource("package://arm_description/a.stl", "/"),
-            temp.path() + "/prefix/share/arm_description/a.stl");
+            temp.path("prefix/share/arm_description/a.stl"));
 }
 
 TEST(Resource, SaysWhereItLooked) {
   const TempFolder temp;
-  const Variable path("ROS_PACKAGE_PATH", temp.path());
+  const Variable path("ROS_PACKAGE_PATH", temp.path(""));
   try {
     resolveResource("package://no_such_package/a.stl", "/tmp");
     FAIL();
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     EXPECT_NE(what.find("no_such_package"), std::string::npos) << what;
-    EXPECT_NE(what.find(temp.path()), std::string::npos) << what;
+    EXPECT_NE(what.find(temp.path("")), std::string::npos) << what;
     EXPECT_NE(what.find("/usr/share"), std::string::npos) << what;
   }
 }

@@ -7,11 +7,13 @@
 
 #include "palpate/base/error.h"
 #include "palpate/instrument/instrument.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 #include "urdf_text.h"
 
 namespace palpate::instrument {
 namespace {
+
+using test::TempFolder;
 
 /// What loading `text` says; fails the test if it loads.
 std::string problemOf(const std::string& text) {
@@ -35,8 +37,8 @@ std::string problemOf(const std::string& text) {
 
 TEST(BadUrdf, FileMissingFolderOrEmpty) {
   const TempFolder temp;
-  EXPECT_THROW(loadInstrument(temp.path() + "/none.urdf"), InputError);
-  EXPECT_THROW(loadInstrument(temp.path()), InputError);
+  EXPECT_THROW(loadInstrument(temp.path("none.urdf")), InputError);
+  EXPECT_THROW(loadInstrument(temp.path("")), InputError);
   EXPECT_THROW(loadInstrument(""), InputError);
   EXPECT_PROBLEM("", "is empty");
   EXPECT_PROBLEM(" \n\t\n", "is empty");
@@ -228,7 +230,7 @@ TEST(BadUrdf, CollisionMeshMissingEmptyFlatOrInNoPackage) {
     return std::string("loaded");
   };
   EXPECT_NE(problem("none.stl").find("link a/collision = 'none.stl'"), std::string::npos);
-  EXPECT_NE(problem("none.stl").find(temp.path() + "/none.stl"), std::string::npos);
+  EXPECT_NE(problem("none.stl").find(temp.path("none.stl")), std::string::npos);
   EXPECT_NE(problem("empty.stl").find("empty.stl"), std::string::npos);
   EXPECT_NE(problem("flat.obj").find("no convex hull"), std::string::npos);
   EXPECT_NE(problem("package://no_such_package/a.stl").find("not found"), std::string::npos);

@@ -9,11 +9,13 @@
 #include <limits>
 #include <thread>
 
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 #include "urdf_text.h"
 
 namespace palpate::instrument {
 namespace {
+
+using test::TempFolder;
 
 constexpr double kPi = 3.14159265358979323846;
 
