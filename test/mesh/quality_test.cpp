@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/mesh/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/surfaces.h"
+
+namespace palpate::mesh {
+namespace {
+
+TEST(Quality, OfARegularTetrahedron) {
+  TetMesh mesh;
+  mesh.points.resize(3, 4);
+  mesh.points << 1, 1, -1, -1,  //
+      1, -1, 1, -1,             //
+      1, -1, -1, 1;
+  mesh.tets = Eigen::Vector4i(0, 2, 1, 3);
+  if (signedVolume(mesh.points, mesh.tets.col(0)) < 0) mesh.tets = Eigen::Vector4i(0, 1, 2, 3);
+  const TetQuality quality = measureQuality(mesh);
+  EXPECT_NEAR(quality.min_dihedral_deg, 70.528779365509308, 1e-12);
+  EXPECT_NEAR(quality.median_dihedral_deg, 70.528779365509308, 1e-12);
+  EXPECT_NEAR(quality.worst_radius_edge_ratio, std::sqrt(6.0) / 4.0, 1e-14);
+  EXPECT_NEAR(quality.mean_edge_length, std::sqrt(8.0), 1e-14);
+  EXPECT_NEAR(quality.volume, 8.0 / 3.0, 1e-14);
+  EXPECT_EQ(quality.volume_error, 0.0);
+}
+
+TEST(Quality, OfAKuhnBox) {
+  // All tetrahedra are alike: least angle 45 degrees, ball of the cube's diagonal by its side.
+  const TetMesh mesh = boxMesh(Vec3::Constant(0.2), {2, 2, 2});
+  const TetQuality quality = measureQuality(mesh);
+  EXPECT_NEAR(quality.min_dihedral_deg, 45.0, 1e-9);
+  EXPECT_NEAR(quality.worst_radius_edge_ratio, std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_NEAR(quality.volume, 8e-3, 1e-15);
+}
+
+TEST(Quality, VolumeErrorIsRelativeToTheReference) {
+  const TetMesh mesh = boxMesh(Vec3::Constant(0.1), {1, 1, 1});
+  const SurfaceMesh larger = boxSurface(0.2, 1);
+  EXPECT_NEAR(measureQuality(mesh, &larger).volume_error, -7.0 / 8.0, 1e-12);
+}
+
+TEST(Quality, SeesTheWorstOfMany) {
+  TetMesh mesh = boxMesh(Vec3::Constant(0.2), {2, 2, 2});
+  mesh.points(2, 26) -= 0.09;  // a corner of the box nearly down to the next layer
+  const TetQuality quality = measureQuality(mesh);
+  EXPECT_LT(quality.min_dihedral_deg, 10.0);
+  EXPECT_NEAR(quality.median_dihedral_deg, 45.0, 1e-9);
+}
+
+TEST(Quality, OfFlatAndOfNoTetrahedra) {
+  TetMesh mesh = boxMesh(Vec3::Constant(0.1), {1, 1, 1});
+  mesh.points.row(2).setZero();
+  EXPECT_TRUE(std::isinf(measureQuality(mesh).worst_radius_edge_ratio));
+  EXPECT_EQ(measureQuality(mesh).min_dihedral_deg, 0.0);
+  EXPECT_EQ(measureQuality(TetMesh()).volume, 0.0);
+}
+
+}  // namespace
+}  // namespace palpate::mesh
