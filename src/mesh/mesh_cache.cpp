@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/mesh/mesh_cache.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+namespace palpate::mesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Raise it when the mesher makes other meshes of the same input, or the file changes.
+constexpr std::uint64_t kVersion = 1;
+constexpr char kMagic[8] = {'p', 'a', 'l', 'p', 't', 'e', 't', '\n'};
+
+/// FNV-1a over 64-bit words, with a stronger mix [Steele et al. 2014, SplitMix64's finaliser].
+/// Not against malice.
+class Hash {
+ public:
+  explicit Hash(std::uint64_t seed) : state_(seed) {}
+
+  void add(std::uint64_t word) {
+    state_ = (state_ ^ word) * 0x100000001b3ULL;
+    state_ ^= state_ >> 30;
+    state_ *= 0xbf58476d1ce4e5b9ULL;
+    state_ ^= state_ >> 27;
+  }
+  void add(const void* data, std::size_t bytes) {
+    const char* from = static_cast<const char*>(data);
+    add(static_cast<std::uint64_t>(bytes));
+    for (std::size_t i = 0; i < bytes; i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, from + i, std::min<std::size_t>(8, bytes - i));
+      add(word);
+    }
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_;
+};
+
+std::uint64_t keyOf(const SurfaceMesh& surface, const MeshingOptions& options, std::uint64_t seed) {
+  Hash hash(seed);
+  hash.add(kVersion);
+  hash.add(&options.edge_length, sizeof(double));
+  hash.add(static_cast<std::uint64_t>(options.sharp_edges));
+  hash.add(surface.points.data(), sizeof(double) * surface.points.size());
+  hash.add(surface.triangles.data(), sizeof(int) * surface.triangles.size());
+  return hash.value();
+}
+
+struct Header {
+  char magic[8];
+  std::uint64_t version, points, tets, checksum;
+};
+
+std::uint64_t checksumOf(const TetMesh& mesh) {
+  Hash hash(kVersion);
+  hash.add(mesh.points.data(), sizeof(double) * mesh.points.size());
+  hash.add(mesh.tets.data(), sizeof(int) * mesh.tets.size());
+  return hash.value();
+}
+
+std::optional<TetMesh> readMesh(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  Header header{};
+  if (!file.read(reinterpret_cast<char*>(&header), sizeof(header))) return std::nullopt;
+  if (std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0 || header.version != kVersion) {
+    return std::nullopt;
+  }
+  // The counts are believed only if the file is as long as they say.
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 31;
+  if (error || header.points >= kMost || header.tets >= kMost ||
+      bytes !=
+          sizeof(header) + 3 * sizeof(double) * header.points + 4 * sizeof(int) * header.tets) {
+    return std::nullopt;
+  }
+  TetMesh mesh;
+  mesh.points.resize(3, static_cast<Eigen::Index>(header.points));
+  mesh.tets.resize(4, static_cast<Eigen::Index>(header.tets));
+  file.read(reinterpret_cast<char*>(mesh.points.data()),
+            static_cast<std::streamsize>(sizeof(double) * mesh.points.size()));
+  file.read(reinterpret_cast<char*>(mesh.tets.data()),
+            static_cast<std::streamsize>(sizeof(int) * mesh.tets.size()));
+  if (!file || checksumOf(mesh) != header.checksum) return std::nullopt;
+  return mesh;
+}
+
+/// Writes beside the place and renames, so that readers never see half a file. Failure is silent:
+/// the next start meshes again.
+void writeMesh(const fs::path& path, const TetMesh& mesh) {
+  static std::atomic<unsigned> serial{0};  // two threads of one process write different files
+  const fs::path temporary =
+      path.string() + "." + std::to_string(::getpid()) + "." + std::to_string(serial++) + ".tmp";
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  bool written = false;
+  {
+    std::ofstream file(temporary, std::ios::binary);
+    Header header{};
+    std::memcpy(header.magic, kMagic, sizeof(kMagic));
+    header.version = kVersion;
+    header.points = static_cast<std::uint64_t>(mesh.numPoints());
+    header.tets = static_cast<std::uint64_t>(mesh.numTets());
+    header.checksum = checksumOf(mesh);
+    file.write(reinterpret_cast<const char*>(&header), sizeof(header));
+    file.write(reinterpret_cast<const char*>(mesh.points.data()),
+               static_cast<std::streamsize>(sizeof(double) * mesh.points.size()));
+    file.write(reinterpret_cast<const char*>(mesh.tets.data()),
+               static_cast<std::streamsize>(sizeof(int) * mesh.tets.size()));
+    file.close();
+    written = !file.fail();
+  }
+  if (written) fs::rename(temporary, path, error);
+  if (!written || error) fs::remove(temporary, error);
+}
+
+}  // namespace
+
+std::string defaultCacheDirectory() {
+  const auto absolute = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && value[0] == '/' ? std::string(value) : std::string();
+  };
+  const std::string xdg = absolute("XDG_CACHE_HOME");
+  if (!xdg.empty()) return xdg + "/palpate";
+  const std::string home = absolute("HOME");
+  return home.empty() ? "" : home + "/.cache/palpate";
+}
+
+std::string cacheFile(const SurfaceMesh& surface, const MeshingOptions& options,
+                      const std::string& cache_directory) {
+  char name[40];
+  std::snprintf(name, sizeof(name), "%016llx%016llx.tet",
+                static_cast<unsigned long long>(keyOf(surface, options, 0)),
+                static_cast<unsigned long long>(keyOf(surface, options, 1)));
+  return (fs::path(cache_directory) / name).string();
+}
+
+TetMesh meshVolumeCached(const SurfaceMesh& surface, const MeshingOptions& options,
+                         const std::string& cache_directory, const MeshingProgress& progress,
+                         bool* hit) {
+  if (hit != nullptr) *hit = false;
+  if (cache_directory.empty()) return meshVolume(surface, options, progress);
+  const fs::path path = cacheFile(surface, options, cache_directory);
+  if (std::optional<TetMesh> cached = readMesh(path)) {
+    if (hit != nullptr) *hit = true;
+    if (progress) progress("found in the cache", 1.0);
+    return *std::move(cached);
+  }
+  TetMesh mesh = meshVolume(surface, options, progress);
+  writeMesh(path, mesh);
+  return mesh;
+}
+
+}  // namespace palpate::mesh
