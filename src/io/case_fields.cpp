@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/sim/scene_fields.h"
 
 namespace palpate::io {
@@ -116,7 +117,7 @@ void describe(FieldVisitor& v, Probe& probe) {
 
 void describe(FieldVisitor& v, Case& c) {
   v.section({"mesh", "", "The body's tetrahedra.", Need::kRequired}, c.mesh);
-  v.choice({"element", "", "Finite element."}, c.element, sim::elementNames());
+  v.choice({"element", "", "Finite element."}, c.element, fem::elementNames());
   v.section({"material", "", "What the body is made of.", Need::kRequired}, c.material);
   v.list({"boundary", "", "What is prescribed where."}, c.boundary, 0);
   v.vector3({"gravity", "m/s^2", "Acceleration of free fall."}, c.gravity,

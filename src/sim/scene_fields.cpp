@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/sim/scene_fields.h"
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/material/material.h"
 
 namespace palpate::sim {
-
-std::vector<std::string> elementNames() { return {"tet4"}; }
 
 void describe(FieldVisitor& v, PoseConfig& pose) {
   v.vector3({"position", "m", "Origin of the frame in the outer frame."}, pose.position,
@@ -48,7 +47,7 @@ void describe(FieldVisitor& v, OrganConfig& organ) {
       {"edge_length", "m", "Wanted length of the tetrahedra's edges where a surface is filled."},
       organ.edge_length, Range::closed(1.0e-4, 1.0));
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
-  v.choice({"element", "", "Finite element."}, organ.element, elementNames());
+  v.choice({"element", "", "Finite element."}, organ.element, fem::elementNames());
   v.section({"material", "", "What the organ is made of.", Need::kRequired}, organ.material);
   v.list({"supports", "", "What holds the organ; without any it falls."}, organ.supports, 0);
 }

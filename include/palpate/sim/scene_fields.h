@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "palpate/mesh/selection.h"
 #include "palpate/sim/fields.h"
 #include "palpate/sim/scene.h"
 
 namespace palpate::sim {
-
-/// The finite elements that a file may ask for.
-std::vector<std::string> elementNames();
 
 /// The range of a coordinate: a scene is a room, not a town.
 Range coordinateRange();
