@@ -14,6 +14,8 @@ using palpate::cli::Action;
 
 constexpr void (*kCommands[])(CLI::App&, Action&) = {
     palpate::cli::addDocs,
+    palpate::cli::addReplay,
+    palpate::cli::addSolve,
 };
 
 // CLI11 has an exit status for each kind of mistake; here they are all bad input.
