@@ -15,6 +15,8 @@ using Action = std::function<int()>;
 // Each adds a subcommand with its options to `app`; when the user gives it, parsing leaves its
 // work in `action`. To add one: write its file, declare it here, add it to the table in main.cpp.
 void addDocs(CLI::App& app, Action& action);
+void addMesh(CLI::App& app, Action& action);
+void addOrgan(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addSolve(CLI::App& app, Action& action);
 

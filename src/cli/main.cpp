@@ -13,6 +13,8 @@ namespace {
 using palpate::cli::Action;
 
 constexpr void (*kCommands[])(CLI::App&, Action&) = {
+    palpate::cli::addMesh,
+    palpate::cli::addOrgan,
     palpate::cli::addDocs,
     palpate::cli::addReplay,
     palpate::cli::addSolve,

@@ -10,6 +10,9 @@ namespace palpate::cli {
 class ProgressLine {
  public:
   ProgressLine();
+  ~ProgressLine() { finish(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// `fraction` in [0, 1].
   void show(const std::string& task, double fraction);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands.h"
+#include "options.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/organs.h"
+#include "palpate/mesh/surface_io.h"
+
+namespace palpate::cli {
+namespace {
+
+struct Options {
+  std::string name;
+  double edge_length = 0.0;
+  std::string out;
+};
+
+int run(const Options& options) {
+  requirePositive("--edge-length", options.edge_length);
+  requireWritable("--out", options.out, {".obj", ".off"});
+  const mesh::SurfaceMesh surface = mesh::makeOrgan(options.name, options.edge_length);
+  mesh::writeSurface(options.out, surface);
+  std::cout << options.out << ": " << surface.points.cols() << " points, "
+            << surface.triangles.cols() << " triangles, " << 1.0e6 * mesh::enclosedVolume(surface)
+            << " cm^3\n";
+  return kOk;
+}
+
+}  // namespace
+
+void addOrgan(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("organ", "Make the surface of an organ");
+  const auto options = std::make_shared<Options>();
+  command->add_option("name", options->name, "One of " + joinNames(mesh::organNames()))->required();
+  command->add_option("--edge-length", options->edge_length, "Mean edge of the triangles [m]")
+      ->required();
+  command->add_option("--out", options->out, "File to write, .off or .obj")->required();
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace palpate::cli

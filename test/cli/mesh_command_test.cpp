@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "palpate/mesh/tet_io.h"
+#include "run_cli.h"
+#include "support/contains.h"
+
+namespace palpate {
+namespace {
+
+using test::CliResult;
+using test::contains;
+using test::runCli;
+
+class MeshCommand : public ::testing::Test {
+ protected:
+  MeshCommand() { setenv("XDG_CACHE_HOME", folder_.path("cache").c_str(), 1); }
+
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  CliResult organ(const std::string& file) const {
+    return runCli("organ slab --edge-length 0.02 --out '" + file + "'");
+  }
+
+  const test::TempFolder folder_;
+};
+
+TEST_F(MeshCommand, MakesAnOrganAndFillsIt) {
+  const CliResult organ_result = organ(path("slab.obj"));
+  ASSERT_EQ(organ_result.status, 0) << organ_result.err;
+  EXPECT_TRUE(contains(organ_result.out, "triangles"));
+
+  const std::string arguments =
+      "mesh '" + path("slab.obj") + "' --edge-length 0.02 --out '" + path("slab.vtu") + "'";
+  const CliResult first = runCli(arguments);
+  ASSERT_EQ(first.status, 0) << first.err;
+  for (const char* part : {"nothing to repair", "nodes", "tetrahedra", "dihedral angle   min",
+                           "radius/edge      worst", "% from the surface's", "meshing took"}) {
+    EXPECT_TRUE(contains(first.out, part));
+  }
+  EXPECT_EQ(first.out.find("from the cache"), std::string::npos);
+  EXPECT_TRUE(contains(first.err, "checking the surface ...\n"));  // a line a stage, no terminal
+  EXPECT_EQ(first.err.find('\r'), std::string::npos);
+  const std::string bytes = test::fileBytes(path("slab.vtu"));
+
+  const mesh::TetMesh mesh = mesh::readTetMesh(path("slab.vtu"));
+  double volume = 0.0;
+  for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {
+    volume += mesh::signedVolume(mesh.points, mesh.tets.col(t));
+  }
+  EXPECT_NEAR(volume, 0.1 * 0.1 * 0.03, 1e-9);  // [m^3], a box is filled exactly
+
+  const CliResult second = runCli(arguments);
+  EXPECT_EQ(second.status, 0);
+  EXPECT_TRUE(contains(second.out, "from the cache"));
+  EXPECT_EQ(test::fileBytes(path("slab.vtu")), bytes);
+
+  const CliResult anew = runCli(arguments + " --no-cache");
+  EXPECT_EQ(anew.status, 0);
+  EXPECT_EQ(anew.out.find("from the cache"), std::string::npos);
+  EXPECT_EQ(test::fileBytes(path("slab.vtu")), bytes);
+}
+
+TEST_F(MeshCommand, ScaleIsAppliedOrSuggested) {
+  ASSERT_EQ(organ(path("slab.obj")).status, 0);
+  const std::string arguments =
+      "mesh '" + path("slab.obj") + "' --edge-length 0.002 --out '" + path("slab.vtu") + "'";
+  const CliResult kilometres = runCli(arguments + " --scale 1000");
+  EXPECT_EQ(kilometres.status, 2);
+  EXPECT_TRUE(contains(kilometres.err, "--scale"));
+  const CliResult small = runCli(arguments + " --scale 0.1");
+  ASSERT_EQ(small.status, 0) << small.err;
+  EXPECT_NEAR(mesh::readTetMesh(path("slab.vtu")).points.row(0).maxCoeff(), 0.005, 1e-9);
+}
+
+TEST_F(MeshCommand, BadInput) {
+  ASSERT_EQ(organ(path("slab.obj")).status, 0);
+  const std::string out = " --out '" + path("a.vtu") + "'";
+  const std::string slab = "mesh '" + path("slab.obj") + "'";
+  for (const std::string& arguments :
+       {slab + out, slab + " --edge-length 0.01", slab + " --edge-length nan" + out,
+        slab + " --edge-length -1" + out, slab + " --edge-length x" + out,
+        slab + " --edge-length 0.01 --scale 0" + out,
+        "mesh '" + path("absent.obj") + "' --edge-length 0.01" + out,
+        slab + " --edge-length 0.02 --out '" + path("no/such/a.vtu") + "'",
+        slab + " --edge-length 0.02 --out '" + path("a.xyz") + "'",
+        "organ slab --edge-length 0.02 --out '" + path("no/such/a.obj") + "'",
+        "organ spleen --edge-length 0.02 --out '" + path("a.obj") + "'",
+        "organ slab --edge-length 0 --out '" + path("a.obj") + "'",
+        "organ slab --edge-length 0.02 --out '" + path("a.xyz") + "'"}) {
+    const CliResult result = runCli(arguments);
+    EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
+    EXPECT_NE(result.err, "") << arguments;
+    EXPECT_FALSE(std::filesystem::exists(path("a.vtu"))) << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace palpate
