@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bag_inputs.h"
+
+#include <sensor_msgs/JointState.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <set>
+
+#include "palpate/base/error.h"
+#include "topics.h"
+
+namespace palpate::node {
+namespace {
+
+std::string absolute(const std::string& topic) {
+  return topic.empty() || topic.front() != '/' ? "/" + topic : topic;
+}
+
+bool isTf(const std::string& topic) { return absolute(topic) == "/tf"; }
+bool isStaticTf(const std::string& topic) { return absolute(topic) == "/tf_static"; }
+
+std::string cleared(std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  return message;
+}
+
+}  // namespace
+
+BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
+    : file_(file), simulator_(simulator), reordered_(simulator.scene().rates.stale_after) {
+  for (int i = 0; i < simulator.numInstruments(); ++i) {
+    const sim::InstrumentConfig& config =
+        simulator.scene().instruments[static_cast<std::size_t>(i)];
+    Source source;
+    if (config.input == "tf") {
+      source.lookup = std::make_unique<TfLookup>(simulator.instrument(i), config);
+      uses_tf_ = true;
+    } else {
+      source.topic = absolute(jointTopic(config));
+      source.reader = std::make_unique<JointStateReader>(simulator.instrument(i));
+    }
+    cycle_.joints.emplace_back(
+        Eigen::VectorXd::Zero(source.reader ? source.reader->numJoints() : 0));
+    sources_.push_back(std::move(source));
+  }
+  cycle_.poses.resize(sources_.size());
+  try {
+    bag_.open(file, rosbag::bagmode::Read);
+    checkTopics();
+  } catch (const rosbag::BagUnindexedException&) {
+    throw InputError(file, "", "", "is not indexed (cut off while recording?): run rosbag reindex");
+  } catch (const rosbag::BagException& e) {
+    throw InputError(file, "", "", "cannot be read as a bag: " + cleared(e.what()));
+  }
+}
+
+void BagInputs::checkTopics() {
+  rosbag::View view(bag_);
+  std::set<std::string> topics;
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    topics.insert(absolute(connection->topic));
+  }
+  const std::vector<std::string> there(topics.begin(), topics.end());
+  std::vector<Problem> problems;
+  if (sources_.empty()) problems.push_back({"", "", "the scene has no instrument to move"});
+  for (const Source& source : sources_) {
+    const std::string wanted = source.lookup ? "/tf" : source.topic;
+    if (topics.count(wanted) > 0) continue;
+    problems.push_back({wanted, "",
+                        "has no messages in the bag; topics there: " +
+                            (there.empty() ? std::string("none") : joinNames(there))});
+  }
+  if (!problems.empty()) throw InputError(file_, problems);
+}
+
+void BagInputs::walk(
+    const std::function<void(const rosbag::MessageInstance&, const ros::Time&)>& message,
+    const std::function<void(const BagCycle&)>& cycle) {
+  on_message_ = message;
+  on_cycle_ = cycle;
+  rosbag::View view(bag_, [this](const rosbag::ConnectionInfo* connection) {
+    if (uses_tf_ && (isTf(connection->topic) || isStaticTf(connection->topic))) return true;
+    return std::any_of(sources_.begin(), sources_.end(), [&](const Source& source) {
+      return source.reader && source.topic == absolute(connection->topic);
+    });
+  });
+  const double size = std::max(1.0, static_cast<double>(view.size()));
+  double count = 0.0;
+  try {
+    for (const rosbag::MessageInstance& m : view) {
+      cycle_.progress = ++count / size;
+      if (isTf(m.getTopic()) || isStaticTf(m.getTopic())) readTf(m);
+      for (std::size_t i = 0; i < sources_.size(); ++i) {
+        if (sources_[i].reader && sources_[i].topic == absolute(m.getTopic())) readJoints(m, i);
+      }
+    }
+  } catch (const rosbag::BagException& e) {
+    throw InputError(file_, "", "", "cannot be read to its end: " + cleared(e.what()));
+  }
+  flush();
+}
+
+void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
+  const sensor_msgs::JointState::ConstPtr joints = m.instantiate<sensor_msgs::JointState>();
+  if (!joints) {
+    throw InputError(file_, m.getTopic(), m.getDataType(), "must be sensor_msgs/JointState");
+  }
+  Eigen::VectorXd q = cycle_.joints[i];
+  const std::string problem = sources_[i].reader->read(*joints, &q);
+  const ros::Time stamp = joints->header.stamp.isZero() ? m.getTime() : joints->header.stamp;
+  on_message_(m, stamp);
+  if (!problem.empty()) return drop(m.getTopic() + ": " + problem);
+  const ros::Time before = sources_[i].stamp;
+  if (sources_[i].seen && stamp < before && before - stamp < reordered_) {
+    return drop(m.getTopic() + ": older than the message before");
+  }
+  if (pending_ && stamp != cycle_.stamp) flush();
+  cycle_.joints[i] = q;
+  take(i, stamp, simulator_.linkPoses(static_cast<int>(i), q));
+}
+
+void BagInputs::readTf(const rosbag::MessageInstance& m) {
+  const tf2_msgs::TFMessage::ConstPtr tf = m.instantiate<tf2_msgs::TFMessage>();
+  if (!tf) throw InputError(file_, m.getTopic(), m.getDataType(), "must be tf2_msgs/TFMessage");
+  ros::Time newest = ros::TIME_MIN;
+  for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
+    newest = std::max(newest, transform.header.stamp);
+  }
+  on_message_(m, isStaticTf(m.getTopic()) ? m.getTime() : newest);
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    if (sources_[i].lookup && sources_[i].seen && !isStaticTf(m.getTopic()) &&
+        newest + reordered_ <= sources_[i].stamp) {
+      buffer_.clear();  // time went back: what is in it would hide the new
+    }
+  }
+  for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
+    buffer_.setTransform(transform, "bag", isStaticTf(m.getTopic()));
+  }
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    if (!sources_[i].lookup) continue;
+    sim::LinkPoses poses;
+    ros::Time stamp;
+    const std::string problem = sources_[i].lookup->lookup(buffer_, &poses, &stamp);
+    if (!problem.empty() && first_problem_.empty() && !sources_[i].seen) first_problem_ = problem;
+    if (!problem.empty()) continue;
+    if (stamp.isZero()) stamp = m.getTime();
+    if (sources_[i].seen && stamp == sources_[i].stamp) continue;
+    if (pending_ && stamp != cycle_.stamp) flush();
+    take(i, stamp, poses);
+  }
+}
+
+void BagInputs::take(std::size_t i, const ros::Time& stamp, const sim::LinkPoses& poses) {
+  sources_[i].seen = true;
+  sources_[i].stamp = stamp;
+  cycle_.poses[i] = poses;
+  // A message of another instrument that is a little late joins the present.
+  const bool late = stamp < cycle_.stamp && cycle_.stamp - stamp < reordered_;
+  if (!late) cycle_.stamp = stamp;
+  pending_ = true;
+}
+
+void BagInputs::flush() {
+  const bool all = std::all_of(sources_.begin(), sources_.end(),
+                               [](const Source& source) { return source.seen; });
+  if (pending_ && all) on_cycle_(cycle_);
+  pending_ = false;
+}
+
+void BagInputs::drop(const std::string& problem) {
+  ++dropped_;
+  if (first_problem_.empty()) first_problem_ = problem;
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ros/time.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "node_state.h"
+#include "palpate/base/latest_value.h"
+#include "palpate/sim/simulator.h"
+#include "throttle.h"
+
+namespace palpate::node {
+
+/// What the force loop gets of one instrument. Plain numbers: copied in real time.
+struct HapticTarget {
+  bool valid = false;  ///< False: there was no cycle yet.
+  bool live = false;   ///< The wrench is of a solved state and of fresh input.
+  ros::Time stamp;     ///< Of the input that caused it.
+  Steady::time_point made;
+  Wrench spatial;  ///< At the control frame's origin, in world.
+  Mat3 R_WC = Mat3::Identity();
+};
+
+/// One cycle's report with what the node knows beside it.
+struct ReportFrame {
+  NodeState state = NodeState::kWaiting;
+  ros::Time stamp;
+  sim::StepReport report;
+  double cycle_ms = 0.0;
+};
+
+/// What is seen in rviz.
+struct Picture {
+  ros::Time stamp;
+  std::vector<Points> positions;  ///< One an organ; empty before the first picture.
+  std::vector<sim::ContactPoint> contacts;
+  std::vector<Wrench> spatial;  ///< One an instrument; empty while there is nothing to show.
+  std::vector<Pose> X_WC;
+};
+
+/// How the last second went, for /diagnostics.
+struct Statistics {
+  double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
+  double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
+  double sim_speed = 0.0;                                    ///< Simulated over real time.
+  long cycles = 0, unsolved = 0, resets = 0;
+  long skipped = 0;                  ///< Work that the cycles could leave out, since the start.
+  std::vector<std::string> missing;  ///< Inputs that never came.
+  std::vector<std::string> stale;    ///< Inputs that stopped.
+};
+
+/// Below this share of the wanted rate the node calls itself too slow.
+inline constexpr double kSlowShare = 0.9;
+
+/// "simulation reaches 62 of 100 Hz ...": the rate reached and what to change.
+std::string slowAdvice(const Statistics& statistics);
+
+/// From the simulation thread to the others, newest value only.
+struct Channels {
+  explicit Channels(std::size_t num_instruments) : haptic(num_instruments) {}
+
+  std::deque<LatestValue<HapticTarget>> haptic;  ///< One an instrument; read by the force loop.
+  LatestValue<ReportFrame> report;               ///< These three: read by the publishing thread.
+  LatestValue<Picture> picture;
+  LatestValue<Statistics> statistics;
+  std::atomic<bool> picture_wanted{false};  ///< Somebody subscribes to the markers.
+  std::condition_variable news;             ///< Wakes the publishing thread; nobody waits for it.
+};
+
+}  // namespace palpate::node

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversions.h"
+
+#include <cmath>
+
+#include "topics.h"
+
+namespace palpate::node {
+namespace {
+
+double finite(double value) { return std::isfinite(value) ? value : -1.0; }
+
+geometry_msgs::Vector3 toVector(const Vec3& v) {
+  geometry_msgs::Vector3 m;
+  m.x = v.x();
+  m.y = v.y();
+  m.z = v.z();
+  return m;
+}
+
+}  // namespace
+
+geometry_msgs::Point toPoint(const Vec3& p) {
+  geometry_msgs::Point m;
+  m.x = p.x();
+  m.y = p.y();
+  m.z = p.z();
+  return m;
+}
+
+geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
+                                   const std::string& frame) {
+  geometry_msgs::WrenchStamped m;
+  m.header.stamp = stamp;
+  m.header.frame_id = frame;
+  if (wrench.allFinite()) {
+    m.wrench.force = toVector(wrench.force);
+    m.wrench.torque = toVector(wrench.torque);
+  }
+  return m;
+}
+
+palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const ros::Time& stamp,
+                          double cycle_ms) {
+  palpate::StepReport m;
+  m.header.stamp = stamp;
+  m.header.frame_id = kWorldFrame;
+  m.time = finite(report.time);
+  m.step = finite(report.step);
+  m.state = toString(state);
+  m.status = std::string(solver::toString(report.status));
+  m.contacts = report.contacts;
+  m.max_penetration = finite(report.max_penetration);
+  m.sweep_stages = report.sweep_stages;
+  m.newton_iterations = report.newton_iterations;
+  m.cg_iterations = report.cg_iterations;
+  m.residual = finite(report.residual);
+  m.tolerance = finite(report.tolerance);
+  m.imbalance = finite(report.imbalance);
+  m.min_jacobian = finite(report.min_jacobian);
+  m.kinetic_energy = finite(report.kinetic_energy);
+  m.elastic_energy = finite(report.elastic_energy);
+  m.skipped_far_bodies = report.skipped.far_bodies;
+  m.skipped_sleeping_organs = report.skipped.sleeping_organs;
+  m.skipped_satisfied_solves = report.skipped.satisfied_solves;
+  m.skipped_reused_hessians = report.skipped.reused_hessians;
+  m.cycle_ms = finite(cycle_ms);
+  return m;
+}
+
+geometry_msgs::TransformStamped toMsg(const Pose& X_AB, const std::string& frame_A,
+                                      const std::string& frame_B, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped m;
+  m.header.stamp = stamp;
+  m.header.frame_id = frame_A;
+  m.child_frame_id = frame_B;
+  m.transform.translation = toVector(X_AB.translation());
+  const Eigen::Quaterniond q = Eigen::Quaterniond(X_AB.linear()).normalized();
+  m.transform.rotation.w = q.w();
+  m.transform.rotation.x = q.x();
+  m.transform.rotation.y = q.y();
+  m.transform.rotation.z = q.z();
+  return m;
+}
+
+Pose toPose(const geometry_msgs::Transform& transform) {
+  const auto& t = transform.translation;
+  const auto& r = transform.rotation;
+  Pose X = Pose::Identity();
+  X.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
+  X.translation() = Vec3(t.x, t.y, t.z);
+  return X;
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "diagnostics.h"
+
+#include "palpate/base/error.h"
+
+namespace palpate::node {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+Diagnostics::Diagnostics() {
+  updater_.setHardwareID("none");
+  updater_.add("simulation", this, &Diagnostics::simulation);
+  updater_.add("input", this, &Diagnostics::input);
+  updater_.add("haptic loop", this, &Diagnostics::haptic);
+}
+
+void Diagnostics::loading(const std::string& what) {
+  loading_ = what;
+  updater_.force_update();
+}
+
+void Diagnostics::running(const Inputs* inputs, const HapticLoop* haptic) {
+  inputs_ = inputs;
+  haptic_ = haptic;
+  haptic_since_ = Steady::now();
+}
+
+void Diagnostics::update(const ReportFrame& frame, const Statistics& statistics) {
+  frame_ = frame;
+  statistics_ = statistics;
+  updater_.force_update();
+}
+
+void Diagnostics::simulation(Status& status) {
+  if (!haptic_) {
+    status.summary(DiagnosticStatus::OK, "loading: " + loading_);
+    return;
+  }
+  const Statistics& s = statistics_;
+  const sim::StepReport& report = frame_.report;
+  const bool slow = s.rate_reached > 0.0 && s.rate_reached < kSlowShare * s.rate_wanted;
+  status.summary(DiagnosticStatus::OK, toString(frame_.state));
+  if (frame_.state == NodeState::kFault) {
+    status.mergeSummary(DiagnosticStatus::ERROR,
+                        "the solver does not converge: slow the instrument down, or ~reset");
+  }
+  if (slow && frame_.state == NodeState::kRunning) {
+    status.mergeSummary(DiagnosticStatus::WARN, slowAdvice(s));
+  }
+  status.add("state", toString(frame_.state));
+  status.add("rate reached [Hz]", s.rate_reached);
+  status.add("rate wanted [Hz]", s.rate_wanted);
+  status.add("simulated over real time", s.sim_speed);
+  status.add("cycle p50 [ms]", s.cycle_p50);
+  status.add("cycle p99 [ms]", s.cycle_p99);
+  status.add("cycle max [ms]", s.cycle_max);
+  status.add("cycles", s.cycles);
+  status.add("cycles not solved", s.unsolved);
+  status.add("resets", s.resets);
+  status.add("work skipped", s.skipped);
+  status.add("solver status", std::string(solver::toString(report.status)));
+  status.add("contacts", report.contacts);
+  status.add("imbalance [N]", report.imbalance);
+  status.add("min jacobian", report.min_jacobian);
+}
+
+void Diagnostics::input(Status& status) {
+  if (!inputs_) {
+    status.summary(DiagnosticStatus::OK, "loading");
+    return;
+  }
+  status.summary(DiagnosticStatus::OK, "all instruments have fresh input");
+  if (!statistics_.missing.empty()) {
+    status.summary(DiagnosticStatus::WARN,
+                   "no input has come yet for " + joinNames(statistics_.missing));
+  } else if (!statistics_.stale.empty()) {
+    status.summary(DiagnosticStatus::WARN, "input stopped for " + joinNames(statistics_.stale));
+  }
+  for (const auto& input : *inputs_) {
+    const std::string problem = input->problem();
+    if (!problem.empty()) status.mergeSummary(DiagnosticStatus::WARN, problem);
+    status.add(input->source(), problem.empty() ? "ok" : problem);
+  }
+}
+
+void Diagnostics::haptic(Status& status) {
+  if (!haptic_) {
+    status.summary(DiagnosticStatus::OK, "loading");
+    return;
+  }
+  const HapticStatistics& s = haptic_->statistics();
+  const Steady::time_point now = Steady::now();
+  const long cycles = s.cycles;
+  const double rate = static_cast<double>(cycles - haptic_cycles_) / inSeconds(now - haptic_since_);
+  haptic_cycles_ = cycles;
+  haptic_since_ = now;
+  status.summary(DiagnosticStatus::OK, s.realtime ? "real-time priority (SCHED_FIFO)"
+                                                  : "ordinary priority: SCHED_FIFO is not allowed "
+                                                    "here (see ulimit -r)");
+  if (rate < kSlowShare * haptic_->rate()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "the force loop is late");
+  }
+  status.add("rate reached [Hz]", rate);
+  status.add("rate wanted [Hz]", haptic_->rate());
+  status.add("late cycles", s.late.load());
+  status.add("peak force [N]", s.peak_force.load());
+}
+
+}  // namespace palpate::node

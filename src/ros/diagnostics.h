@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include <mutex>
+#include <string>
+
+#include "channels.h"
+#include "haptic_loop.h"
+#include "live_cycle.h"
+
+namespace palpate::node {
+
+/// /diagnostics: "simulation", "input" and "haptic loop". Only the publishing thread calls
+/// update(), and only it may once running() was called.
+class Diagnostics {
+ public:
+  Diagnostics();
+
+  /// While the scene loads: what is being done.
+  void loading(const std::string& what);
+  /// From now on there is a simulation to report on.
+  void running(const Inputs* inputs, const HapticLoop* haptic);
+
+  void update(const ReportFrame& frame, const Statistics& statistics);
+
+ private:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void simulation(Status& status);
+  void input(Status& status);
+  void haptic(Status& status);
+
+  diagnostic_updater::Updater updater_;
+  std::string loading_;
+  const Inputs* inputs_ = nullptr;
+  const HapticLoop* haptic_ = nullptr;
+  ReportFrame frame_;
+  Statistics statistics_;
+  long haptic_cycles_ = 0;
+  Steady::time_point haptic_since_ = Steady::now();
+};
+
+}  // namespace palpate::node

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptic_loop.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+
+#include "conversions.h"
+#include "topics.h"
+
+namespace palpate::node {
+namespace {
+
+haptics::WrenchFilterSettings filterSettings(const sim::Scene& scene) {
+  haptics::WrenchFilterSettings s;
+  s.max_force = scene.haptics.max_force;
+  s.max_torque = scene.haptics.max_torque;
+  s.max_force_rate = scene.haptics.max_force_rate;
+  // Both go from nothing to their limit in the same time.
+  s.max_torque_rate =
+      scene.haptics.max_force_rate * scene.haptics.max_torque / scene.haptics.max_force;
+  s.ramp = scene.rates.ramp;
+  s.smoothing = 0.5 / scene.rates.simulation;
+  return s;
+}
+
+/// Real-time priority for this thread, if the system lets us.
+bool becomeRealtime() {
+  sched_param param{};
+  param.sched_priority = sched_get_priority_min(SCHED_FIFO) + 10;
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0;
+}
+
+}  // namespace
+
+HapticLoop::HapticLoop(ros::NodeHandle handle, const sim::Scene& scene, Channels* channels)
+    : channels_(*channels),
+      period_(seconds(1.0 / scene.rates.haptic)),
+      silence_(seconds(std::max(scene.rates.stale_after, 5.0 / scene.rates.simulation))) {
+  for (const sim::InstrumentConfig& instrument : scene.instruments) {
+    const auto advertise = [&](const char* topic) {
+      return handle.advertise<geometry_msgs::WrenchStamped>(instrumentTopic(instrument.name, topic),
+                                                            1);
+    };
+    hands_.push_back({haptics::WrenchFilter(filterSettings(scene)), advertise(kSpatialWrench),
+                      advertise(kBodyWrench), instrument.tf_prefix + instrument.control_frame});
+  }
+}
+
+HapticLoop::~HapticLoop() { stop(); }
+
+void HapticLoop::start() { thread_ = std::thread(&HapticLoop::loop, this); }
+
+void HapticLoop::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void HapticLoop::loop() {
+  statistics_.realtime = becomeRealtime();
+  Steady::time_point last = Steady::now();
+  Steady::time_point next = last + period_;
+  while (!stopping_) {
+    std::this_thread::sleep_until(next);
+    const Steady::time_point now = Steady::now();
+    for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
+    last = now;
+    ++statistics_.cycles;
+    next += period_;
+    if (next + period_ < now) {
+      ++statistics_.late;
+      next = now;
+    }
+  }
+}
+
+void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
+  const HapticTarget& target = channels_.haptic[i].read();
+  Hand& hand = hands_[i];
+  const bool live = target.live && now - target.made < silence_;
+  const Wrench& spatial = hand.filter.update(target.spatial, live, dt);
+  if (!target.valid) return;
+
+  if (hand.spatial.getNumSubscribers() > 0) {
+    hand.spatial.publish(toMsg(spatial, target.stamp, kWorldFrame));
+  }
+  if (hand.body.getNumSubscribers() > 0) {
+    const Mat3 R_CW = target.R_WC.transpose();
+    hand.body.publish(
+        toMsg({R_CW * spatial.force, R_CW * spatial.torque}, target.stamp, hand.body_frame));
+  }
+  const double force = spatial.force.norm();
+  if (force > statistics_.peak_force) statistics_.peak_force = force;
+}
+
+}  // namespace palpate::node

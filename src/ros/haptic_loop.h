@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "channels.h"
+#include "palpate/haptics/wrench_filter.h"
+#include "palpate/sim/scene.h"
+
+namespace palpate::node {
+
+/// What the force loop tells /diagnostics. Written by the loop, read by the publishing thread.
+struct HapticStatistics {
+  std::atomic<bool> realtime{false};  ///< Runs under SCHED_FIFO.
+  std::atomic<long> cycles{0};        ///< Since the start.
+  std::atomic<long> late{0};          ///< Cycles that began more than one period late.
+  std::atomic<double> peak_force{0};  ///< Largest |F| sent since the start [N].
+};
+
+/// The force thread: at rates.haptic, the newest wrench of each instrument through its filter to
+/// spatial/measured_cf and body/measured_cf. The stamp is that of the input that caused it.
+/// Silent until the first cycle of the simulation.
+class HapticLoop {
+ public:
+  HapticLoop(ros::NodeHandle handle, const sim::Scene& scene, Channels* channels);
+  ~HapticLoop();
+
+  void start();
+  void stop();
+
+  const HapticStatistics& statistics() const { return statistics_; }
+  double rate() const { return 1.0 / inSeconds(period_); }  ///< Wanted [Hz].
+
+ private:
+  struct Hand {
+    haptics::WrenchFilter filter;
+    ros::Publisher spatial, body;
+    std::string body_frame;
+  };
+
+  void loop();
+  void update(std::size_t i, Steady::time_point now, double dt);
+
+  Channels& channels_;
+  std::vector<Hand> hands_;
+  Steady::duration period_;
+  Steady::duration silence_;  // of the simulation, after which the wrench fades
+  HapticStatistics statistics_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace palpate::node

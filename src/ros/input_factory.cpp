@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input_factory.h"
+
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <vector>
+
+#include "conversions.h"
+#include "joint_input.h"
+#include "tf_input.h"
+#include "topics.h"
+
+namespace palpate::node {
+
+struct InputFactory::Tf {
+  std::shared_ptr<tf2_ros::Buffer> buffer = std::make_shared<tf2_ros::Buffer>();
+  // Its own thread fills the buffer.
+  tf2_ros::TransformListener listener{*buffer, true, ros::TransportHints().tcpNoDelay()};
+};
+
+InputFactory::InputFactory() = default;
+InputFactory::~InputFactory() = default;
+
+Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulator) {
+  Inputs inputs;
+  for (int i = 0; i < simulator.numInstruments(); ++i) {
+    const sim::InstrumentConfig& config =
+        simulator.scene().instruments[static_cast<std::size_t>(i)];
+    if (config.input == "tf") {
+      if (!tf_) tf_ = std::make_unique<Tf>();
+      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, simulator.instrument(i), config));
+    } else {
+      inputs.push_back(
+          std::make_unique<JointInput>(handle, jointTopic(config), config.name, simulator, i));
+    }
+  }
+  return inputs;
+}
+
+void broadcastBases(const sim::Simulator& simulator) {
+  std::vector<geometry_msgs::TransformStamped> bases;
+  for (int i = 0; i < simulator.numInstruments(); ++i) {
+    const sim::InstrumentConfig& config =
+        simulator.scene().instruments[static_cast<std::size_t>(i)];
+    const std::string root = config.tf_prefix + simulator.instrument(i).linkNames().front();
+    if (config.input != "joints" || root == kWorldFrame) continue;
+    bases.push_back(toMsg(config.base.pose(), kWorldFrame, root, ros::Time::now()));
+  }
+  if (bases.empty()) return;
+  static tf2_ros::StaticTransformBroadcaster broadcaster;  // latched: lives as long as the node
+  broadcaster.sendTransform(bases);
+}
+
+}  // namespace palpate::node

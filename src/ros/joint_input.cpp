@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint_input.h"
+
+#include <ros/console.h>
+
+namespace palpate::node {
+
+JointInput::JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
+                       const sim::Simulator& simulator, int index)
+    : name_(name),
+      simulator_(simulator),
+      index_(index),
+      reader_(simulator.instrument(index)),
+      latest_(Joints{Eigen::VectorXd::Zero(reader_.numJoints()), ros::Time(), Steady::now()}) {
+  scratch_.q = Eigen::VectorXd::Zero(reader_.numJoints());
+  subscriber_ =
+      handle.subscribe(topic, 1, &JointInput::receive, this, ros::TransportHints().tcpNoDelay());
+}
+
+void JointInput::receive(const sensor_msgs::JointState::ConstPtr& message) {
+  const std::string problem = reader_.read(*message, &scratch_.q);
+  {
+    std::lock_guard<std::mutex> lock(problem_mutex_);
+    problem_ = problem;
+  }
+  if (!problem.empty()) {
+    if (warning_.due()) ROS_WARN_STREAM(name_ << ": JointState dropped: " << problem);
+    return;
+  }
+  scratch_.stamp = message->header.stamp.isZero() ? ros::Time::now() : message->header.stamp;
+  scratch_.received = Steady::now();
+  latest_.write(scratch_);
+}
+
+bool JointInput::poll(InputSample* sample) {
+  if (!latest_.hasNew()) return false;
+  const Joints& joints = latest_.read();
+  sample->valid = true;
+  sample->stamp = joints.stamp;
+  sample->received = joints.received;
+  sample->poses = simulator_.linkPoses(index_, joints.q);
+  return true;
+}
+
+void JointInput::forget() { latest_.read(); }
+
+std::string JointInput::source() const { return "topic " + subscriber_.getTopic(); }
+
+std::string JointInput::problem() const {
+  std::lock_guard<std::mutex> lock(problem_mutex_);
+  return problem_;
+}
+
+}  // namespace palpate::node

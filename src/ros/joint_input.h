@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+
+#include <atomic>
+#include <mutex>
+#include <string>
+
+#include "input.h"
+#include "joint_state_reader.h"
+#include "palpate/base/latest_value.h"
+
+namespace palpate::node {
+
+/// Joint positions from a JointState topic. A message that does not fit is dropped with a
+/// throttled warning and counts as no input.
+class JointInput : public Input {
+ public:
+  /// Subscribes in `handle`'s callback queue, which one thread must serve. `simulator` outlives
+  /// this; its forward kinematics is used.
+  JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
+             const sim::Simulator& simulator, int index);
+
+  bool poll(InputSample* sample) override;
+  void forget() override;
+  std::string source() const override;
+  std::string problem() const override;
+
+ private:
+  struct Joints {
+    Eigen::VectorXd q;
+    ros::Time stamp;
+    Steady::time_point received;
+  };
+
+  void receive(const sensor_msgs::JointState::ConstPtr& message);
+
+  std::string name_;
+  const sim::Simulator& simulator_;
+  int index_;
+  JointStateReader reader_;
+  Joints scratch_;  // the callback's
+  LatestValue<Joints> latest_;
+  Throttle warning_{5.0};
+  mutable std::mutex problem_mutex_;
+  std::string problem_ = "no message yet";
+  ros::Subscriber subscriber_;  // last: its callback uses the rest
+};
+
+}  // namespace palpate::node

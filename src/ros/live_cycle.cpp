@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_cycle.h"
+
+#include <ros/console.h>
+#include <ros/time.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace palpate::node {
+
+LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels)
+    : simulator_(*simulator),
+      inputs_(*inputs),
+      channels_(*channels),
+      samples_(inputs->size()),
+      live_(inputs->size(), false),
+      poses_(inputs->size()),
+      targets_(inputs->size()),
+      picture_(1.0 / simulator->scene().rates.markers) {}
+
+void LiveCycle::run() {
+  const Steady::time_point start = Steady::now();
+  checkClock();
+  pollInputs();
+
+  facts_ = CycleFacts();
+  facts_.any_live = samples_.empty();  // nobody to wait for
+  facts_.all_seen = std::all_of(samples_.begin(), samples_.end(),
+                                [](const InputSample& sample) { return sample.valid; });
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    live_[i] = live(i, start);
+    facts_.any_live |= live_[i];
+  }
+  if (facts_.all_seen && facts_.any_live) step(start);
+
+  const Steady::time_point now = Steady::now();
+  machine_.update(facts_, inSeconds(now.time_since_epoch()));
+  ++window_ticks_;
+  writeHaptic(now);
+  writeReport(now);
+  writePicture(now);
+  writeStatistics(now);
+}
+
+void LiveCycle::reset() {
+  simulator_.reset();
+  result_ = nullptr;
+  ++resets_;
+}
+
+void LiveCycle::restart() {
+  reset();
+  for (InputSample& sample : samples_) sample.valid = false;
+}
+
+void LiveCycle::checkClock() {
+  if (!ros::Time::isSimTime()) return;  // the wall clock may be adjusted at any time
+  const ros::Time now = ros::Time::now();
+  if (now < last_now_) {
+    ROS_INFO("time went back from %.3f to %.3f s: reset", last_now_.toSec(), now.toSec());
+    for (const auto& input : inputs_) input->forget();
+    restart();
+  }
+  last_now_ = now;
+}
+
+void LiveCycle::pollInputs() {
+  const ros::Duration reordered(simulator_.scene().rates.stale_after);
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (!inputs_[i]->poll(&polled_)) continue;
+    InputSample& sample = samples_[i];
+    if (sample.valid && polled_.stamp < sample.stamp) {
+      if (sample.stamp - polled_.stamp < reordered) continue;  // a late one: the newer counts
+      ROS_INFO("stamps of %s went back from %.3f to %.3f s: reset", inputs_[i]->source().c_str(),
+               sample.stamp.toSec(), polled_.stamp.toSec());
+      restart();
+    }
+    std::swap(sample, polled_);
+  }
+}
+
+bool LiveCycle::live(std::size_t i, Steady::time_point now) const {
+  return samples_[i].valid &&
+         now - samples_[i].received < seconds(simulator_.scene().rates.stale_after);
+}
+
+void LiveCycle::step(Steady::time_point start) {
+  stamp_ = ros::Time();
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    poses_[i] = samples_[i].poses;
+    stamp_ = std::max(stamp_, samples_[i].stamp);
+  }
+  result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
+  cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
+  cycle_times_.push_back(cycle_ms_);
+
+  facts_.stepped = true;
+  facts_.solved = result_->report.ok();
+  ++steps_;
+  ++window_steps_;
+  skipped_ += result_->report.skipped.total();
+  if (!facts_.solved) {
+    ++unsolved_;
+    if (fault_warning_.due()) {
+      ROS_WARN("the solver says %s (residual %.2e N of %.2e N): the wrench fades out",
+               std::string(solver::toString(result_->report.status)).c_str(),
+               result_->report.residual, result_->report.tolerance);
+    }
+  }
+}
+
+// After a reset the last wrench stays as a target that is not live, so that it fades.
+void LiveCycle::writeHaptic(Steady::time_point now) {
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    HapticTarget& target = targets_[i];
+    target.made = now;
+    target.live = facts_.stepped && facts_.solved && live_[i];
+    if (facts_.stepped) {
+      const sim::InstrumentResult& result = result_->instruments[i];
+      target.valid = true;
+      target.stamp = samples_[i].stamp;
+      target.spatial = result.spatial;
+      target.R_WC = result.X_WC.linear();
+    }
+    channels_.haptic[i].write(target);
+  }
+}
+
+// Every step, every change of state, and once a second otherwise.
+void LiveCycle::writeReport(Steady::time_point now) {
+  const bool changed = machine_.state() != reported_;
+  if (!facts_.stepped && !changed && !idle_report_.due(now)) return;
+  reported_ = machine_.state();
+  ReportFrame frame;
+  frame.state = reported_;
+  frame.stamp = stamp_;
+  if (result_) frame.report = result_->report;
+  if (!facts_.stepped) frame.report.skipped = sim::SkipCounters();
+  frame.cycle_ms = facts_.stepped ? cycle_ms_ : 0.0;
+  channels_.report.write(frame);
+  channels_.news.notify_one();
+}
+
+void LiveCycle::writePicture(Steady::time_point now) {
+  if (!channels_.picture_wanted.load(std::memory_order_relaxed)) return;
+  if (!(facts_.stepped ? picture_.due(now) : idle_picture_.due(now))) return;
+  Picture picture;
+  picture.stamp = stamp_;
+  for (int i = 0; i < simulator_.numOrgans(); ++i) {
+    picture.positions.push_back(simulator_.positions(i));
+  }
+  if (result_) {
+    picture.contacts = result_->contacts;
+    for (const sim::InstrumentResult& result : result_->instruments) {
+      picture.spatial.push_back(result.spatial);
+      picture.X_WC.push_back(result.X_WC);
+    }
+  }
+  channels_.picture.write(picture);
+  channels_.news.notify_one();
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "channels.h"
+#include "input.h"
+#include "node_state.h"
+#include "palpate/sim/simulator.h"
+#include "throttle.h"
+
+namespace palpate::node {
+
+using Inputs = std::vector<std::unique_ptr<Input>>;
+
+/// One cycle of the live node: newest inputs, state, a step of fixed length, results to the
+/// channels. The simulation thread owns it; nothing in it waits.
+class LiveCycle {
+ public:
+  /// `inputs`: one an instrument. The references outlive this.
+  LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels);
+
+  void run();
+
+  /// Rest state; the tools count as placed where the next input says.
+  void reset();
+
+  NodeState state() const { return machine_.state(); }
+  long cycles() const { return steps_; }
+
+ private:
+  void checkClock();
+  void pollInputs();
+  void restart();
+  bool live(std::size_t i, Steady::time_point now) const;
+  void step(Steady::time_point start);
+  void writeHaptic(Steady::time_point now);
+  void writeReport(Steady::time_point now);
+  void writePicture(Steady::time_point now);
+  void writeStatistics(Steady::time_point now);
+  void warnWaiting(const Statistics& statistics);
+  void warnSlow(const Statistics& statistics);
+
+  sim::Simulator& simulator_;
+  Inputs& inputs_;
+  Channels& channels_;
+  StateMachine machine_;
+
+  std::vector<InputSample> samples_;
+  InputSample polled_;
+  std::vector<bool> live_;  // whose input was fresh at the start of the cycle
+  std::vector<sim::LinkPoses> poses_;
+  std::vector<HapticTarget> targets_;
+  const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
+  CycleFacts facts_;
+  ros::Time stamp_;     // of the newest input used
+  ros::Time last_now_;  // to see simulated time go back
+  double cycle_ms_ = 0.0;
+  bool said_anything_ = false;
+  NodeState reported_ = NodeState::kWaiting;
+
+  long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, skipped_ = 0;
+  std::vector<double> cycle_times_;  // of this second [ms]
+  long window_ticks_ = 0, window_steps_ = 0;
+  Steady::time_point window_start_ = Steady::now();
+  Throttle idle_report_{1.0}, picture_, idle_picture_{1.0};
+  Throttle waiting_warning_{5.0}, slow_warning_{5.0}, fault_warning_{5.0};
+};
+
+}  // namespace palpate::node

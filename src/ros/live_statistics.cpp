@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the live cycle says about itself once a second.
+#include <ros/console.h>
+
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+#include "live_cycle.h"
+#include "percentiles.h"
+
+namespace palpate::node {
+
+std::string slowAdvice(const Statistics& s) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "the simulation reaches " << s.rate_reached << " of "
+       << s.rate_wanted << " Hz (median cycle " << s.cycle_p50 << " ms), so simulated time runs at "
+       << s.sim_speed
+       << " of real time; raise the organs' edge_length, or raise solver.step and lower "
+          "rates.simulation together";
+  return text.str();
+}
+
+void LiveCycle::writeStatistics(Steady::time_point now) {
+  const double elapsed = inSeconds(now - window_start_);
+  const bool first = !said_anything_;  // who is missing cannot wait
+  if (elapsed < 1.0 && !first) return;
+  said_anything_ = true;
+  const sim::Scene& scene = simulator_.scene();
+  Statistics s;
+  s.rate_wanted = scene.rates.simulation;
+  if (!first) {
+    s.rate_reached = static_cast<double>(window_ticks_) / elapsed;
+    s.sim_speed = static_cast<double>(window_steps_) * scene.solver.step / elapsed;
+  }
+  const Percentiles p = percentiles(&cycle_times_);
+  s.cycle_p50 = p.p50;
+  s.cycle_p99 = p.p99;
+  s.cycle_max = p.max;
+  s.cycles = steps_;
+  s.unsolved = unsolved_;
+  s.resets = resets_;
+  s.skipped = skipped_;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const std::string& name = scene.instruments[i].name;
+    if (!samples_[i].valid) {
+      s.missing.push_back(name + " (" + inputs_[i]->source() + ")");
+    } else if (!live(i, now)) {
+      s.stale.push_back(name + " (" + inputs_[i]->source() + ")");
+    }
+  }
+  if (!first) {
+    warnWaiting(s);
+    warnSlow(s);
+  }
+  channels_.statistics.write(s);
+  channels_.news.notify_one();
+
+  window_start_ = now;
+  window_ticks_ = window_steps_ = 0;
+  cycle_times_.clear();
+}
+
+void LiveCycle::warnWaiting(const Statistics& s) {
+  if (s.missing.empty() || !waiting_warning_.due()) return;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (samples_[i].valid) continue;
+    ROS_WARN_STREAM("WAITING for the input of " << simulator_.scene().instruments[i].name << " on "
+                                                << inputs_[i]->source() << ": "
+                                                << inputs_[i]->problem());
+  }
+}
+
+void LiveCycle::warnSlow(const Statistics& s) {
+  if (s.rate_reached >= kSlowShare * s.rate_wanted || !slow_warning_.due()) return;
+  ROS_WARN_STREAM(slowAdvice(s));
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "channels.h"
+#include "palpate/sim/simulator.h"
+
+namespace palpate::node {
+
+/// Builds the MarkerArray of a picture, in world:
+///  - namespace "organs", id = organ: lit TRIANGLE_LIST of one colour, always the same number of
+///    triangles, so that rviz reuses its buffers;
+///  - namespace "contacts", id = organ: the touching points (SPHERE_LIST);
+///  - namespace "wrench", id = instrument: the force as an arrow from the control frame.
+/// Keeps the message between calls, so that nothing is allocated twice.
+class SceneMarkers {
+ public:
+  /// `arrow_scale` [m/N].
+  SceneMarkers(const sim::Simulator& simulator, double arrow_scale);
+
+  const visualization_msgs::MarkerArray& update(const Picture& picture);
+
+ private:
+  void updateOrgan(const Points& positions, std::size_t organ);
+  void updateContacts(const Picture& picture);
+  void updateArrow(const Picture& picture, std::size_t instrument);
+
+  std::vector<Eigen::Matrix3Xi> triangles_;
+  std::size_t num_instruments_;
+  double arrow_scale_;
+  visualization_msgs::MarkerArray message_;  // organs, contacts, arrows
+};
+
+}  // namespace palpate::node

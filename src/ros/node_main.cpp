@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate_node: an instrument driven by ROS touches the organs of a scene.
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <ros/spinner.h>
+
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+
+#include "diagnostics.h"
+#include "haptic_loop.h"
+#include "input_factory.h"
+#include "palpate/base/error.h"
+#include "palpate/io/state_file.h"
+#include "params.h"
+#include "publishing_loop.h"
+#include "services.h"
+#include "simulation_loop.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr int kBadInput = 2;
+
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted while loading") {}
+};
+
+/// Loads, and says on the way what takes so long. Meshing can take minutes the first time.
+std::unique_ptr<sim::Simulator> load(const sim::Scene& scene, Diagnostics* diagnostics) {
+  Throttle said(1.0);
+  std::string last;
+  auto simulator =
+      std::make_unique<sim::Simulator>(scene, [&](const std::string& what, double fraction) {
+        if (!ros::ok()) throw Interrupted();
+        const bool due = said.due();
+        if (what == last && !due) return;
+        last = what;
+        ROS_INFO("loading: %s, %.0f %%", what.c_str(), 100.0 * fraction);
+        diagnostics->loading(what);
+      });
+  for (const std::string& warning : simulator->warnings()) ROS_WARN_STREAM(warning);
+  return simulator;
+}
+
+void sayHello(const sim::Simulator& simulator) {
+  const sim::Scene& scene = simulator.scene();
+  for (int i = 0; i < simulator.numOrgans(); ++i) {
+    ROS_INFO("organ %s: %ld nodes", simulator.organName(i).c_str(),
+             static_cast<long>(simulator.positions(i).cols()));
+  }
+  const double speed = scene.rates.simulation * scene.solver.step;
+  if (std::abs(speed - 1.0) > 0.01) {
+    ROS_WARN("rates.simulation x solver.step = %.3g: simulated time will run at %.3g of real time",
+             speed, speed);
+  }
+}
+
+int run() {
+  ros::NodeHandle handle, private_handle("~");
+  Diagnostics diagnostics;
+  const NodeParams params = readParams(private_handle);
+  const sim::Scene scene = readScene(sceneFile(params.scene), private_handle);
+  diagnostics.loading(scene.file);
+  const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
+  if (!params.initial_state.empty()) {
+    simulator->restore(io::readState(params.initial_state, organNames(*simulator)));
+  }
+  sayHello(*simulator);
+
+  InputFactory factory;
+  Inputs inputs = factory.make(handle, *simulator);
+  broadcastBases(*simulator);
+  Channels channels(inputs.size());
+  LiveCycle cycle(simulator.get(), &inputs, &channels);
+  SimulationLoop simulation(&cycle, scene.rates.simulation);
+  HapticLoop haptic(handle, scene, &channels);
+  diagnostics.running(&inputs, &haptic);
+  PublishingLoop publishing(handle, *simulator, params.arrow_scale, &channels, &diagnostics);
+
+  // Requests wait for the simulation; joint positions must not wait for requests.
+  ros::CallbackQueue requests;
+  private_handle.setCallbackQueue(&requests);
+  Services services(private_handle, simulator.get(), &cycle, &simulation, params.state_directory);
+  ros::AsyncSpinner request_spinner(1, &requests);
+  ros::AsyncSpinner input_spinner(1);
+
+  publishing.start();
+  haptic.start();
+  simulation.start();
+  request_spinner.start();
+  input_spinner.start();
+  ros::waitForShutdown();
+
+  input_spinner.stop();
+  request_spinner.stop();
+  simulation.stop();
+  haptic.stop();
+  publishing.stop();
+  return 0;
+}
+
+}  // namespace
+}  // namespace palpate::node
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "palpate");
+  const ros::NodeHandle alive;  // so that the last words get out
+  try {
+    return palpate::node::run();
+  } catch (const palpate::InputError& e) {
+    ROS_FATAL_STREAM(e.what());
+    return palpate::node::kBadInput;
+  } catch (const palpate::node::Interrupted& e) {
+    ROS_WARN_STREAM(e.what());
+    return 1;
+  } catch (const std::exception& e) {
+    ROS_FATAL_STREAM(e.what());
+    return 1;
+  }
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "param_fields.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace palpate::node {
+
+using sim::Field;
+using sim::Range;
+using XmlRpc::XmlRpcValue;
+
+namespace {
+
+std::string shown(const XmlRpcValue& value) {
+  std::ostringstream s;
+  value.write(s);
+  return s.str();
+}
+
+}  // namespace
+
+ParamFields::ParamFields(const ros::NodeHandle& handle) : handle_(handle) {}
+
+void ParamFields::check() const {
+  if (!problems_.empty()) throw InputError("parameters of " + handle_.getNamespace(), problems_);
+}
+
+void ParamFields::begin(const std::string& path) {
+  open_ = {path};
+  known_.clear();
+}
+
+// What is set below the section but was not visited is a mistyped key.
+void ParamFields::end() {
+  const std::string prefix = handle_.resolveName(open_.front()) + "/";
+  std::vector<std::string> all;
+  handle_.getParamNames(all);
+  const std::vector<std::string> known(known_.begin(), known_.end());
+  for (const std::string& name : all) {
+    if (name.rfind(prefix, 0) != 0) continue;
+    const std::string key = open_.front() + "/" + name.substr(prefix.size());
+    const bool visited = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
+      return key == k || key.rfind(k + "/", 0) == 0;
+    });
+    if (visited) continue;
+    const std::string near = nearestName(key, known);
+    refuse(key, "",
+           near.empty() ? "is unknown; known: " + joinNames(known)
+                        : "is unknown; did you mean " + near + "?");
+  }
+  open_.clear();
+}
+
+std::string ParamFields::path(const std::string& key) const {
+  std::string p;
+  for (const std::string& section : open_) p += section + "/";
+  return p + key;
+}
+
+bool ParamFields::given(const std::string& key, XmlRpcValue* value) {
+  known_.insert(path(key));
+  return handle_.getParam(path(key), *value);
+}
+
+void ParamFields::refuse(const std::string& key, const std::string& value,
+                         const std::string& allowed) {
+  problems_.push_back({key, value, allowed});
+}
+
+bool ParamFields::toNumber(const std::string& key, XmlRpcValue& value, const Range& range,
+                           double* number) {
+  const bool whole = value.getType() == XmlRpcValue::TypeInt;
+  if (!whole && value.getType() != XmlRpcValue::TypeDouble) {
+    refuse(path(key), shown(value), "must be a number");
+    return false;
+  }
+  const double x = whole ? static_cast<int>(value) : static_cast<double>(value);
+  if (!range.contains(x)) {
+    refuse(path(key), shown(value), "must be " + range.text());
+    return false;
+  }
+  *number = x;
+  return true;
+}
+
+bool ParamFields::number(const Field& field, double& value, const Range& range) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  toNumber(field.key, v, range, &value);
+  return true;
+}
+
+bool ParamFields::integer(const Field& field, int& value, const Range& range) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  double x = 0.0;
+  if (v.getType() != XmlRpcValue::TypeInt) {
+    refuse(path(field.key), shown(v), "must be a whole number");
+  } else if (toNumber(field.key, v, range, &x)) {
+    value = static_cast<int>(x);
+  }
+  return true;
+}
+
+bool ParamFields::flag(const Field& field, bool& value) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  if (v.getType() == XmlRpcValue::TypeBoolean) {
+    value = static_cast<bool>(v);
+  } else {
+    refuse(path(field.key), shown(v), "must be true or false");
+  }
+  return true;
+}
+
+bool ParamFields::text(const Field& field, std::string& value) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  if (v.getType() == XmlRpcValue::TypeString) {
+    value = static_cast<std::string>(v);
+  } else {
+    refuse(path(field.key), shown(v), "must be a text");
+  }
+  return true;
+}
+
+// A name is how things are found: it stays.
+bool ParamFields::name(const Field&, std::string&) { return true; }
+
+bool ParamFields::choice(const Field& field, std::string& value,
+                         const std::vector<std::string>& allowed) {
+  std::string chosen = value;
+  if (!text(field, chosen)) return false;
+  if (std::find(allowed.begin(), allowed.end(), chosen) == allowed.end()) {
+    refuse(path(field.key), chosen, "must be one of " + joinNames(allowed));
+  } else {
+    value = chosen;
+  }
+  return true;
+}
+
+bool ParamFields::vector3(const Field& field, Vec3& value, const Range& range) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  if (v.getType() != XmlRpcValue::TypeArray || v.size() != 3) {
+    refuse(path(field.key), shown(v), "must be three numbers");
+    return true;
+  }
+  Vec3 x;
+  bool good = true;
+  for (int i = 0; i < 3; ++i) good &= toNumber(field.key, v[i], range, &x[i]);
+  if (good) value = x;
+  return true;
+}
+
+bool ParamFields::integers3(const Field& field, Eigen::Vector3i& value, const Range& range) {
+  Vec3 x = value.cast<double>();
+  if (!vector3(field, x, range)) return false;
+  value = x.cast<int>();
+  return true;
+}
+
+// These stand in lists of organs only, which parameters do not reach.
+bool ParamFields::partialVector3(const Field&, sim::PartialVec3&, const Range&) { return false; }
+void ParamFields::materialConstants(const std::string&, material::Constants&) {}
+int ParamFields::enterList(const Field&, int) { return 0; }
+bool ParamFields::enterItem(const Field&, int) { return false; }
+
+void ParamFields::rule(bool holds, const std::string& key, const std::string& text) {
+  if (!holds) refuse(path(key), "", text);
+}
+
+sim::FieldVisitor::Entered ParamFields::enterSection(const Field& field) {
+  const bool there = handle_.hasParam(path(field.key));
+  open_.push_back(field.key);
+  return {there, true};
+}
+
+void ParamFields::leaveSection() { open_.pop_back(); }
+void ParamFields::beginAlternative(bool, const std::string&) {}
+void ParamFields::endAlternative() {}
+
+}  // namespace palpate::node

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "params.h"
+
+#include <ros/package.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "palpate/base/error.h"
+#include "param_fields.h"
+
+namespace palpate::node {
+namespace {
+
+/// Where ROS keeps a user's files.
+std::string rosHome() {
+  if (const char* home = std::getenv("ROS_HOME")) return home;
+  const char* home = std::getenv("HOME");
+  return std::string(home ? home : ".") + "/.ros";
+}
+
+}  // namespace
+
+NodeParams readParams(const ros::NodeHandle& handle) {
+  NodeParams p;
+  const std::string where = "parameters of " + handle.getNamespace();
+  if (!handle.getParam("scene", p.scene) || p.scene.empty()) {
+    throw InputError(where, "scene", p.scene,
+                     "must be a scene file or the name of a shipped scene (liver_palpation)");
+  }
+  p.state_directory = handle.param("state_directory", rosHome() + "/palpate");
+  p.initial_state = handle.param("initial_state", std::string());
+  p.arrow_scale = handle.param("arrow_scale", p.arrow_scale);
+  if (!std::isfinite(p.arrow_scale) || p.arrow_scale <= 0.0) {
+    throw InputError(where, "arrow_scale", std::to_string(p.arrow_scale),
+                     "must be finite and > 0 [m/N]");
+  }
+  return p;
+}
+
+std::string sceneFile(const std::string& name) {
+  constexpr char kPackage[] = "package://";
+  if (name.rfind(kPackage, 0) == 0) {
+    const std::string rest = name.substr(sizeof(kPackage) - 1);
+    const std::size_t slash = rest.find('/');
+    const std::string path = ros::package::getPath(rest.substr(0, slash));
+    return path.empty() || slash == std::string::npos ? name : path + rest.substr(slash);
+  }
+  if (name.find('/') != std::string::npos || name.find('.') != std::string::npos) return name;
+  return ros::package::getPath("palpate") + "/config/scenes/" + name + ".yaml";
+}
+
+sim::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
+  sim::Scene scene = sim::readScene(file);
+  ParamFields fields(handle);
+  fields.apply("contact", scene.contact);
+  fields.apply("solver", scene.solver);
+  fields.apply("rates", scene.rates);
+  fields.apply("haptics", scene.haptics);
+  for (sim::InstrumentConfig& instrument : scene.instruments) {
+    fields.apply("instruments/" + instrument.name, instrument);
+  }
+  fields.check();
+  return scene;
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "palpate/sim/scene.h"
+
+namespace palpate::node {
+
+/// Private parameters of the node that are not keys of the scene.
+struct NodeParams {
+  std::string scene;            ///< ~scene: a file, or the name of a shipped scene.
+  std::string state_directory;  ///< ~state_directory: where ~save_state writes.
+  std::string initial_state;    ///< ~initial_state: a file of ~save_state to start from; "": rest.
+  double arrow_scale = 0.02;    ///< ~arrow_scale: length of the wrench arrow [m/N].
+};
+
+/// @throws InputError naming the parameter.
+NodeParams readParams(const ros::NodeHandle& handle);
+
+/// "liver_palpation" becomes the file of the shipped scene of that name, "package://name/rest" a
+/// path; anything else stays.
+std::string sceneFile(const std::string& name);
+
+/// Reads the scene, then lets parameters replace single keys: ~contact/..., ~solver/...,
+/// ~rates/..., ~haptics/... and ~instruments/<name>/... mean the scene's keys of that name.
+/// @throws InputError for the file, or for all parameters that are unknown or out of range.
+sim::Scene readScene(const std::string& file, const ros::NodeHandle& handle);
+
+}  // namespace palpate::node

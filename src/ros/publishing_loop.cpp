@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "publishing_loop.h"
+
+#include "conversions.h"
+#include "topics.h"
+
+namespace palpate::node {
+
+PublishingLoop::PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator,
+                               double arrow_scale, Channels* channels, Diagnostics* diagnostics)
+    : channels_(*channels),
+      diagnostics_(*diagnostics),
+      markers_(simulator, arrow_scale),
+      organs_(handle.advertise<visualization_msgs::MarkerArray>(kOrgansTopic, 1)),
+      report_(handle.advertise<palpate::StepReport>(kStepReportTopic, 1)) {}
+
+PublishingLoop::~PublishingLoop() { stop(); }
+
+void PublishingLoop::start() { thread_ = std::thread(&PublishingLoop::loop, this); }
+
+void PublishingLoop::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void PublishingLoop::loop() {
+  // A wake-up that is lost between two waits costs no more than this.
+  constexpr double kLongestWait = 0.02;  // [s]
+  Throttle diagnostics_due(1.0);
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stopping_) {
+    channels_.news.wait_for(lock, seconds(kLongestWait));
+    channels_.picture_wanted = organs_.getNumSubscribers() > 0;
+    if (channels_.report.hasNew()) {
+      const ReportFrame& frame = channels_.report.read();
+      report_.publish(toMsg(frame.report, frame.state, frame.stamp, frame.cycle_ms));
+    }
+    if (channels_.picture.hasNew()) {
+      const Picture& picture = channels_.picture.read();
+      if (organs_.getNumSubscribers() > 0) organs_.publish(markers_.update(picture));
+    }
+    if (diagnostics_due.due()) {
+      diagnostics_.update(channels_.report.read(), channels_.statistics.read());
+    }
+  }
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "channels.h"
+#include "diagnostics.h"
+#include "markers.h"
+
+namespace palpate::node {
+
+/// The publishing thread: step reports as they come, markers while somebody subscribes,
+/// diagnostics once a second.
+class PublishingLoop {
+ public:
+  PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator, double arrow_scale,
+                 Channels* channels, Diagnostics* diagnostics);
+  ~PublishingLoop();
+
+  void start();
+  void stop();
+
+ private:
+  void loop();
+
+  Channels& channels_;
+  Diagnostics& diagnostics_;
+  SceneMarkers markers_;
+  ros::Publisher organs_, report_;
+  std::mutex mutex_;  // for waiting only; nobody else takes it
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace palpate::node

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate_replay_bag: a recorded motion through the simulation, every input, as fast as it goes.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "bag_inputs.h"
+#include "palpate/base/error.h"
+#include "palpate/sim/lockstep.h"
+#include "params.h"
+#include "replay_outputs.h"
+#include "replay_summary.h"
+#include "throttle.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr int kBadInput = 2;
+
+struct Options {
+  std::string in, scene, out, csv, trajectory;
+};
+
+/// A line on stderr that counts up in place.
+class ProgressLine {
+ public:
+  void show(const std::string& what, double fraction) {
+    if (!due_.due()) return;
+    std::fprintf(stderr, "\r%-40.40s %3.0f %%", what.c_str(), 100.0 * fraction);
+    shown_ = true;
+  }
+  ~ProgressLine() {
+    if (shown_) std::fputc('\n', stderr);
+  }
+
+ private:
+  Throttle due_{0.5};
+  bool shown_ = false;
+};
+
+void replay(const Options& options) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.in, options.out, ignored)) {
+    throw InputError(options.out, "--out", "", "must be another file than the input");
+  }
+  const sim::Scene scene = sim::readScene(sceneFile(options.scene));
+  std::unique_ptr<sim::Simulator> simulator;
+  {
+    ProgressLine line;
+    simulator = std::make_unique<sim::Simulator>(
+        scene, [&](const std::string& what, double f) { line.show(what, f); });
+  }
+  for (const std::string& warning : simulator->warnings()) std::cerr << warning << '\n';
+
+  BagInputs inputs(options.in, *simulator);
+  ReplayBag bag(options.out, simulator->scene());
+  std::unique_ptr<TrajectoryCsv> trajectory;
+  if (!options.trajectory.empty()) {
+    trajectory = std::make_unique<TrajectoryCsv>(options.trajectory, *simulator);
+  }
+  std::unique_ptr<ResultCsv> csv;
+  if (!options.csv.empty()) csv = std::make_unique<ResultCsv>(options.csv, *simulator);
+
+  sim::Lockstep lockstep(simulator.get());
+  ReplaySummary summary(simulator->scene());
+  bool started = false;
+  ros::Time first;
+  double last = 0.0;
+  const Steady::time_point begin = Steady::now();
+  {
+    ProgressLine line;
+    inputs.walk([&](const rosbag::MessageInstance& message,
+                    const ros::Time& stamp) { bag.copy(message, stamp); },
+                [&](const BagCycle& cycle) {
+                  if (!started) first = cycle.stamp;
+                  started = true;
+                  last = bagTime(cycle.stamp, first);
+                  const Steady::time_point start = Steady::now();
+                  const sim::StepResult& result = lockstep.advance(last, cycle.poses);
+                  const double ms = 1e3 * inSeconds(Steady::now() - start);
+                  bag.write(cycle.stamp, result);
+                  if (trajectory) trajectory->write(last, cycle.joints);
+                  if (csv) csv->write(last, result, ms);
+                  summary.add(result, ms);
+                  line.show("replay", cycle.progress);
+                });
+  }
+  if (!started) {
+    const std::string& why = inputs.firstProblem();
+    throw InputError(options.in, "", "", "has no usable input" + (why.empty() ? "" : ": " + why));
+  }
+  bag.finish();
+  if (trajectory) trajectory->finish();
+  if (csv) csv->finish();
+  if (inputs.dropped() > 0) {
+    std::cerr << inputs.dropped() << " messages dropped; the first: " << inputs.firstProblem()
+              << '\n';
+  }
+  summary.print(std::cout, last, inSeconds(Steady::now() - begin), inputs.dropped());
+}
+
+}  // namespace
+}  // namespace palpate::node
+
+int main(int argc, char** argv) {
+  palpate::node::Options options;
+  CLI::App app{"Replays a bag of instrument motion through a scene, in lockstep and repeatably"};
+  app.add_option("bag", options.in, "bag with the motion (JointState topics or tf)")->required();
+  app.add_option("--scene", options.scene, "scene file, or the name of a shipped scene")
+      ->required();
+  app.add_option("--out", options.out, "bag to write: wrenches, reports, the input")->required();
+  app.add_option("--csv", options.csv, "also write results as palpate replay does");
+  app.add_option("--trajectory", options.trajectory,
+                 "also write the joints as a trajectory for palpate replay");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : palpate::node::kBadInput;
+  }
+  try {
+    palpate::node::replay(options);
+    return 0;
+  } catch (const palpate::InputError& e) {
+    std::cerr << e.what() << '\n';
+    return palpate::node::kBadInput;
+  } catch (const std::exception& e) {
+    std::cerr << "palpate_replay_bag: " << e.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "bag_inputs.h"
+#include "palpate/sim/simulator.h"
+
+namespace palpate::node {
+
+/// A file that appears under its name only when it is whole.
+class PartFile {
+ public:
+  explicit PartFile(std::string file) : file_(std::move(file)) {}
+  ~PartFile();
+  std::string part() const { return file_ + ".part"; }
+  /// @throws InputError if it cannot be given its name.
+  void finish();
+
+ private:
+  std::string file_;
+  bool finished_ = false;
+};
+
+/// The output bag: wrenches in both frames and reports with the stamp of the cycle, and a copy of
+/// the input messages. Record times are stamps and cycle_ms is 0, so that the same input gives the
+/// same messages.
+class ReplayBag {
+ public:
+  /// @throws InputError if the file cannot be written.
+  ReplayBag(const std::string& file, const sim::Scene& scene);
+  void copy(const rosbag::MessageInstance& message, const ros::Time& stamp);
+  void write(const ros::Time& stamp, const sim::StepResult& result);
+  void finish();
+
+ private:
+  PartFile file_;
+  const sim::Scene& scene_;
+  rosbag::Bag bag_;
+};
+
+/// The joints of the cycles as `palpate replay` reads them: t [s] and one column a joint.
+class TrajectoryCsv {
+ public:
+  /// @throws InputError if it cannot be written or an instrument comes by tf.
+  TrajectoryCsv(const std::string& file, const sim::Simulator& simulator);
+  void write(double t, const std::vector<Eigen::VectorXd>& joints);
+  void finish();
+
+ private:
+  PartFile file_;
+  std::ofstream out_;
+};
+
+/// The wrenches and reports as `palpate replay` writes them.
+class ResultCsv {
+ public:
+  /// @throws InputError if it cannot be written.
+  ResultCsv(const std::string& file, const sim::Simulator& simulator);
+  void write(double t, const sim::StepResult& result, double step_ms);
+  void finish();
+
+ private:
+  PartFile file_;
+  std::ofstream out_;
+};
+
+}  // namespace palpate::node

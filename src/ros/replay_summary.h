@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "palpate/sim/simulator.h"
+
+namespace palpate::node {
+
+/// What a replay was like, as a table.
+class ReplaySummary {
+ public:
+  explicit ReplaySummary(const sim::Scene& scene);
+
+  void add(const sim::StepResult& result, double cycle_ms);
+  void print(std::ostream& out, double simulated, double wall, long dropped);
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<double> peak_force_;  // [N]
+  int contacts_ = 0;
+  long unsolved_ = 0, skipped_ = 0;
+  std::vector<double> cycle_ms_;
+};
+
+}  // namespace palpate::node

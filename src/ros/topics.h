@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "palpate/sim/scene.h"
+
+namespace palpate::node {
+
+// Names that the node gives to the ROS graph. Relative ones are in the node's namespace.
+
+inline constexpr char kWorldFrame[] = "world";
+
+inline constexpr char kOrgansTopic[] = "organs";           ///< visualization_msgs/MarkerArray
+inline constexpr char kStepReportTopic[] = "step_report";  ///< palpate/StepReport
+inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/JointState, default
+inline constexpr char kSpatialWrench[] = "spatial/measured_cf";  ///< geometry_msgs/WrenchStamped
+inline constexpr char kBodyWrench[] = "body/measured_cf";        ///< geometry_msgs/WrenchStamped
+
+inline constexpr char kResetService[] = "reset";           ///< std_srvs/Trigger, private
+inline constexpr char kSaveStateService[] = "save_state";  ///< std_srvs/Trigger, private
+
+// Namespaces of the markers in kOrgansTopic.
+inline constexpr char kOrganMarkers[] = "organs";
+inline constexpr char kContactMarkers[] = "contacts";
+inline constexpr char kWrenchMarkers[] = "wrench";
+
+/// "<instrument>/<name>".
+inline std::string instrumentTopic(const std::string& instrument, const char* name) {
+  return instrument + "/" + name;
+}
+
+/// Where the joint positions of an instrument come from.
+inline std::string jointTopic(const sim::InstrumentConfig& instrument) {
+  return instrument.joint_topic.empty() ? instrumentTopic(instrument.name, kMeasuredJoints)
+                                        : instrument.joint_topic;
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the node's tests share: a hand that moves the probe, ears for what the node says."""
+import math
+import threading
+import time
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import WrenchStamped
+from palpate.msg import StepReport
+from sensor_msgs.msg import JointState
+
+JOINTS = ["x", "y", "z", "roll", "pitch", "yaw"]
+# Heights of the ball's centre over the base's frame [m], see scenes/block.yaml: the block's top is
+# at 0.03, the base at 0.1, the ball has a radius of 0.005.
+ABOVE = -0.05
+TOUCHING = -0.068
+
+
+class Ear:
+    """Keeps all messages of a topic with the time of arrival."""
+
+    def __init__(self, topic, kind):
+        self.lock = threading.Lock()
+        self.heard = []
+        self.subscriber = rospy.Subscriber(topic, kind, self._hear, queue_size=1000, tcp_nodelay=True)
+
+    def _hear(self, message):
+        with self.lock:
+            self.heard.append((time.monotonic(), message))
+
+    def all(self):
+        with self.lock:
+            return [m for _, m in self.heard]
+
+    def timed(self):
+        with self.lock:
+            return list(self.heard)
+
+    def last(self):
+        with self.lock:
+            return self.heard[-1][1] if self.heard else None
+
+    def clear(self):
+        with self.lock:
+            self.heard = []
+
+    def wait(self, condition, timeout=10.0):
+        """The first message (heard or to come) for which the condition holds, or None."""
+        end = time.monotonic() + timeout
+        seen = 0
+        while time.monotonic() < end:
+            messages = self.all()
+            for m in messages[seen:]:
+                if condition(m):
+                    return m
+            seen = len(messages)
+            time.sleep(0.01)
+        return None
+
+
+def joint_state(z, stamp=None, names=None, positions=None):
+    m = JointState()
+    m.header.stamp = rospy.Time.now() if stamp is None else stamp
+    m.name = list(JOINTS) if names is None else names
+    m.position = [0.0, 0.0, z, 0.0, 0.6, 0.0] if positions is None else positions
+    return m
+
+
+class Hand:
+    """Publishes a message a hundred times a second while it holds one."""
+
+    def __init__(self, topic="probe/measured_js"):
+        self.publisher = rospy.Publisher(topic, JointState, queue_size=1, tcp_nodelay=True)
+        self.make = None
+        self.thread = threading.Thread(target=self._run, daemon=True)
+        self.thread.start()
+
+    def _run(self):
+        while not rospy.is_shutdown():
+            make = self.make
+            if make:
+                self.publisher.publish(make())
+            time.sleep(0.01)
+
+    def hold(self, z):
+        self.make = lambda: joint_state(z)
+
+    def send(self, make):
+        self.make = make
+
+    def stop(self):
+        self.make = None
+
+
+def force(m):
+    f = m.wrench.force
+    return math.sqrt(f.x * f.x + f.y * f.y + f.z * f.z)
+
+
+def numbers(m):
+    f, t = m.wrench.force, m.wrench.torque
+    return [f.x, f.y, f.z, t.x, t.y, t.z]
+
+
+def wrench_ear(kind="spatial"):
+    return Ear("probe/%s/measured_cf" % kind, WrenchStamped)
+
+
+def report_ear():
+    return Ear("step_report", StepReport)
+
+
+def diagnostics_ear():
+    return Ear("/diagnostics", DiagnosticArray)
+
+
+def status(diagnostics, name):
+    """The status `name` of a DiagnosticArray of the node under test, or None."""
+    for s in diagnostics.status:
+        if s.name.endswith(": " + name):
+            return s
+    return None

@@ -1,0 +1,214 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The live node with joint positions as input."""
+import math
+import os
+import sys
+import time
+import unittest
+
+import rospy
+import rostest
+from std_srvs.srv import Trigger
+from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from helpers import (  # noqa: E402
+    ABOVE, JOINTS, TOUCHING, Ear, Hand, diagnostics_ear, force, joint_state, numbers, report_ear,
+    status, wrench_ear)
+
+
+class Joints(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.wait_for_service("/palpate/reset", 30)
+        cls.hand = Hand()
+        cls.spatial, cls.body = wrench_ear("spatial"), wrench_ear("body")
+        cls.reports, cls.diagnostics = report_ear(), diagnostics_ear()
+
+    def setUp(self):
+        self.hand.hold(ABOVE)
+        self.assertIsNotNone(self.reports.wait(lambda m: m.state == "RUNNING"))
+        self.wait_for_force(lambda f: f == 0.0)
+        self.clear()
+
+    def tearDown(self):
+        for m in self.spatial.all() + self.body.all():
+            self.assertTrue(all(math.isfinite(x) for x in numbers(m)), m)
+
+    def clear(self):
+        for ear in (self.spatial, self.body, self.reports):
+            ear.clear()
+
+    def wait_for_force(self, condition, timeout=5.0):
+        self.spatial.clear()
+        m = self.spatial.wait(lambda w: condition(force(w)), timeout)
+        last = self.spatial.last()
+        self.assertIsNotNone(m, "last force: %s" % (force(last) if last else None))
+        return m
+
+    def touch(self):
+        self.hand.hold(TOUCHING)
+        self.wait_for_force(lambda f: f > 0.02)
+        time.sleep(0.3)  # the ramp is over
+
+    def test_contact_pushes_the_tool_up_in_both_frames(self):
+        self.touch()
+        self.clear()
+        time.sleep(0.3)
+        spatial, body = self.spatial.all(), self.body.all()
+        self.assertEqual({m.header.frame_id for m in spatial}, {"world"})
+        self.assertEqual({m.header.frame_id for m in body}, {"tip"})
+        self.assertGreater(spatial[-1].wrench.force.z, 0.02)
+        self.assertAlmostEqual(force(spatial[-1]), force(body[-1]), delta=0.02 * force(body[-1]))
+        # The tip is pitched by 0.6 rad: x of the tip sees -sin of a force along world's z.
+        f = body[-1].wrench.force
+        self.assertAlmostEqual(f.x / f.z, -math.tan(0.6), delta=0.1)
+        self.assertGreater(self.reports.last().contacts, 0)
+        self.assertGreater(self.reports.last().max_penetration, 0.0)
+        self.assertEqual(self.reports.last().state, "RUNNING")
+
+    def test_the_stamp_is_that_of_the_input(self):
+        sent = []
+
+        def make():
+            sent.append(joint_state(TOUCHING))
+            return sent[-1]
+
+        self.hand.send(make)
+        time.sleep(0.5)
+        self.clear()
+        time.sleep(0.3)
+        stamps = {m.header.stamp.to_nsec() for m in sent}
+        heard = [m.header.stamp.to_nsec() for m in self.spatial.all()]
+        self.assertGreater(len(heard), 50)
+        self.assertTrue(set(heard) <= stamps)
+        self.assertEqual(heard, sorted(heard))
+        self.assertGreater(len(set(heard)), 10)
+
+    def test_input_that_stops_ramps_to_zero_pauses_and_recovers(self):
+        self.touch()
+        before = force(self.spatial.last())
+        self.hand.stop()
+        stopped = time.monotonic()
+        self.clear()
+        self.wait_for_force(lambda f: f == 0.0, 2.0)
+        took = time.monotonic() - stopped
+        self.assertGreater(took, 0.15)  # stale_after is 0.2 s
+        self.assertLess(took, 1.0)
+        forces = [force(m) for m in self.spatial.all()]
+        steps = [abs(a - b) for a, b in zip(forces, forces[1:])]
+        self.assertLess(max(steps), 0.5 * before)  # a ramp, not a jump
+        paused = self.reports.wait(lambda m: m.state == "PAUSED", 2.0)
+        self.assertIsNotNone(paused)
+        self.clear()
+        self.hand.hold(TOUCHING)
+        self.wait_for_force(lambda f: f > 0.5 * before)
+        self.assertIsNotNone(self.reports.wait(lambda m: m.state == "RUNNING", 2.0))
+
+    def test_bad_joint_states_count_as_no_input(self):
+        nan = float("nan")
+        bad = {
+            "z": dict(names=[n for n in JOINTS if n != "z"], positions=[0.0] * 5),  # missing
+            "pitch": dict(positions=[0.0, 0.0, TOUCHING, 0.0, nan, 0.0]),
+            "5": dict(positions=[0.0] * 5),  # six names
+        }
+        for word, fields in bad.items():
+            self.hand.hold(TOUCHING)
+            self.assertIsNotNone(self.reports.wait(lambda m: m.state == "RUNNING"))
+            self.reports.clear()
+            self.diagnostics.clear()
+            self.hand.send(lambda: joint_state(0.0, **fields))
+            self.assertIsNotNone(self.reports.wait(lambda m: m.state == "PAUSED", 3.0), word)
+            said = self.diagnostics.wait(
+                lambda d: status(d, "input") and word in status(d, "input").message, 3.0)
+            self.assertIsNotNone(said, word)
+            self.assertGreater(status(said, "input").level, 0)
+
+    def test_reordered_and_extra_joints_are_fine(self):
+        names = ["gripper"] + JOINTS[::-1]
+        positions = [9.0] + [0.0, 0.6, 0.0, TOUCHING, 0.0, 0.0]
+        self.hand.send(lambda: joint_state(0.0, names=names, positions=positions))
+        self.wait_for_force(lambda f: f > 0.02)
+        f = self.body.last().wrench.force
+        self.assertAlmostEqual(f.x / f.z, -math.tan(0.6), delta=0.1)
+
+    def test_stamps_that_go_back_reset(self):
+        self.touch()
+        before = self.reports.last().time
+        self.assertGreater(before, 0.1)
+        self.reports.clear()
+        past = rospy.Time(100)
+        began = time.monotonic()
+
+        def make():
+            return joint_state(ABOVE, past + rospy.Duration(time.monotonic() - began))
+
+        self.hand.send(make)
+        reset = self.reports.wait(lambda m: m.header.stamp.to_sec() < 200, 3.0)
+        self.assertIsNotNone(reset)
+        self.assertLess(reset.time, before)
+        self.assertEqual(self.reports.last().state, "RUNNING")
+
+    def test_services(self):
+        self.touch()
+        saved = rospy.ServiceProxy("/palpate/save_state", Trigger)()
+        self.assertTrue(saved.success, saved.message)
+        self.assertTrue(os.path.isfile(saved.message), saved.message)
+        with open(saved.message) as f:
+            lines = f.read().splitlines()
+        os.remove(saved.message)
+        self.assertEqual(lines[0], "# palpate state 1")
+        self.assertTrue(lines[3].startswith("block,0,"))
+        self.hand.stop()
+        self.assertIsNotNone(self.reports.wait(lambda m: m.state == "PAUSED", 3.0))
+        self.assertTrue(rospy.ServiceProxy("/palpate/reset", Trigger)().success)
+        self.reports.clear()
+        self.hand.hold(ABOVE)
+        first = self.reports.wait(lambda m: m.state == "RUNNING", 3.0)
+        self.assertIsNotNone(first)
+        self.assertLess(first.time, 0.2)
+
+    def test_markers_come_while_somebody_subscribes(self):
+        self.touch()
+        organs = Ear("organs", MarkerArray)
+        self.assertIsNotNone(organs.wait(
+            lambda m: any(k.ns == "contacts" and k.action == Marker.ADD for k in m.markers)))
+        time.sleep(1.0)
+        timed = organs.timed()
+        organs.subscriber.unregister()
+        rate = (len(timed) - 1) / (timed[-1][0] - timed[0][0])
+        self.assertGreater(rate, 10.0)
+        self.assertLess(rate, 33.0)
+        sizes = set()
+        for _, m in timed:
+            block = m.markers[0]
+            self.assertEqual((block.ns, block.id, block.type), ("organs", 0, Marker.TRIANGLE_LIST))
+            self.assertEqual(len(block.colors), 0)
+            sizes.add(len(block.points))
+        self.assertEqual(len(sizes), 1)
+        self.assertEqual(sizes.pop() % 3, 0)
+        for marker in timed[-1][1].markers:
+            if marker.action == Marker.ADD and marker.type != Marker.TRIANGLE_LIST:
+                self.assertGreater(len(marker.points), 0)
+            for p in marker.points:
+                self.assertTrue(math.isfinite(p.x + p.y + p.z))
+        arrow = [m for m in timed[-1][1].markers if m.ns == "wrench"][0]
+        self.assertEqual(arrow.action, Marker.ADD)
+        self.assertGreater(arrow.points[1].z, arrow.points[0].z)
+
+    def test_the_force_loop_is_fast_and_says_so(self):
+        self.touch()
+        self.diagnostics.clear()
+        said = self.diagnostics.wait(lambda d: status(d, "haptic loop") is not None, 3.0)
+        values = {v.key: v.value for v in status(said, "haptic loop").values}
+        self.assertGreater(float(values["rate reached [Hz]"]), 500.0)
+        self.assertEqual(float(values["rate wanted [Hz]"]), 1000.0)
+        values = {v.key: v.value for v in status(said, "simulation").values}
+        self.assertEqual(values["state"], "RUNNING")
+        self.assertGreater(float(values["rate reached [Hz]"]), 50.0)
+
+
+if __name__ == "__main__":
+    rospy.init_node("joints_test")
+    rostest.rosrun("palpate", "joints_test", Joints)

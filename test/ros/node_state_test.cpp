@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "node_state.h"
+
+#include <gtest/gtest.h>
+
+#include "percentiles.h"
+
+namespace palpate::node {
+namespace {
+
+CycleFacts facts(bool seen, bool live, bool stepped, bool solved) {
+  CycleFacts f;
+  f.all_seen = seen;
+  f.any_live = live;
+  f.stepped = stepped;
+  f.solved = solved;
+  return f;
+}
+
+TEST(NodeState, WaitsRunsPausesAndComesBack) {
+  StateMachine machine;
+  EXPECT_EQ(machine.state(), NodeState::kWaiting);
+  EXPECT_EQ(machine.update(facts(false, false, false, false), 0.0), NodeState::kWaiting);
+  EXPECT_EQ(machine.update(facts(false, true, false, false), 0.1), NodeState::kWaiting);
+  EXPECT_EQ(machine.update(facts(true, true, true, true), 0.2), NodeState::kRunning);
+  EXPECT_EQ(machine.update(facts(true, false, false, false), 0.3), NodeState::kPaused);
+  EXPECT_EQ(machine.update(facts(true, true, true, true), 0.4), NodeState::kRunning);
+  EXPECT_EQ(machine.update(facts(false, false, false, false), 0.5), NodeState::kWaiting);
+}
+
+TEST(NodeState, FaultIsAFailureThatLasts) {
+  StateMachine machine;
+  const CycleFacts good = facts(true, true, true, true), bad = facts(true, true, true, false);
+  EXPECT_EQ(machine.update(bad, 0.0), NodeState::kRunning);
+  EXPECT_EQ(machine.update(bad, 0.9 * kFaultAfter), NodeState::kRunning);
+  EXPECT_EQ(machine.update(good, 0.95 * kFaultAfter), NodeState::kRunning);
+  EXPECT_EQ(machine.update(bad, 1.0 * kFaultAfter), NodeState::kRunning);
+  EXPECT_EQ(machine.update(bad, 2.1 * kFaultAfter), NodeState::kFault);
+  EXPECT_EQ(machine.update(good, 2.2 * kFaultAfter), NodeState::kRunning);
+}
+
+TEST(NodeState, APauseEndsAFault) {
+  StateMachine machine;
+  const CycleFacts bad = facts(true, true, true, false);
+  machine.update(bad, 0.0);
+  EXPECT_EQ(machine.update(bad, 1.0), NodeState::kFault);
+  EXPECT_EQ(machine.update(facts(true, false, false, false), 1.1), NodeState::kPaused);
+  EXPECT_EQ(machine.update(bad, 1.2), NodeState::kRunning);
+}
+
+TEST(Percentiles, NearestRank) {
+  std::vector<double> none;
+  EXPECT_EQ(percentiles(&none).max, 0.0);
+  std::vector<double> one = {3.0};
+  EXPECT_EQ(percentiles(&one).p50, 3.0);
+  EXPECT_EQ(percentiles(&one).p99, 3.0);
+  std::vector<double> hundred;
+  for (int i = 100; i >= 1; --i) hundred.push_back(i);
+  const Percentiles p = percentiles(&hundred);
+  EXPECT_EQ(p.p50, 50.0);
+  EXPECT_EQ(p.p99, 99.0);
+  EXPECT_EQ(p.max, 100.0);
+}
+
+}  // namespace
+}  // namespace palpate::node

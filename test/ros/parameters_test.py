@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Starts the node with parameters: bad ones end it with a message, good ones replace keys."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import rospkg
+import roslib.packages
+import rospy
+import rostest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from helpers import TOUCHING, Hand, diagnostics_ear, report_ear, status  # noqa: E402
+
+SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scenes")
+NODE = roslib.packages.find_node("palpate", "palpate_node")[0]
+
+
+def run(*arguments):
+    """Exit status and all that was said, of a node that should end by itself."""
+    name = "__name:=node_%d" % run.count
+    run.count += 1
+    done = subprocess.run([NODE, name] + list(arguments), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=30, universal_newlines=True)
+    return done.returncode, done.stdout
+
+
+run.count = 0
+
+
+class Parameters(unittest.TestCase):
+    def refused(self, words, *arguments):
+        code, said = run(*arguments)
+        self.assertEqual(code, 2, said)
+        for word in words:
+            self.assertIn(word, said)
+
+    def test_no_scene(self):
+        self.refused(["scene"])
+        self.refused(["nowhere.yaml"], "_scene:=/nowhere.yaml")
+        self.refused(["no_such_scene"], "_scene:=no_such_scene")
+
+    def test_overrides_are_checked_all_at_once(self):
+        scene = "_scene:=" + os.path.join(SCENES, "block.yaml")
+        self.refused(["rates/simulation", "-3", "solver/stepp", "did you mean solver/step",
+                      "instruments/probe/input", "joints, tf", "contact/stiffness"],
+                     scene, "_rates/simulation:=-3", "_solver/stepp:=0.1",
+                     "_instruments/probe/input:=hands", "_contact/stiffness:=soft")
+        self.refused(["arrow_scale"], scene, "_arrow_scale:=-1.0")
+
+    def test_bad_state_file(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as f:
+            f.write("nonsense\n")
+            f.flush()
+            self.refused([f.name, "line 1"], "_scene:=" + os.path.join(SCENES, "block.yaml"),
+                         "_initial_state:=" + f.name)
+
+    def test_overrides_count(self):
+        node = subprocess.Popen([NODE, "__name:=overridden",
+                                 "_scene:=" + os.path.join(SCENES, "block.yaml"),
+                                 "_rates/simulation:=50", "_solver/step:=0.02",
+                                 "_instruments/probe/joint_topic:=other_js"])
+        try:
+            reports, diagnostics, hand = report_ear(), diagnostics_ear(), Hand("other_js")
+            hand.hold(TOUCHING)
+            running = reports.wait(lambda m: m.state == "RUNNING", 20.0)
+            self.assertIsNotNone(running)
+            self.assertEqual(running.step, 0.02)
+
+            def wanted(d):
+                s = status(d, "simulation")
+                values = {v.key: v.value for v in s.values} if s else {}
+                return float(values.get("rate wanted [Hz]", 0.0)) == 50.0
+
+            self.assertIsNotNone(diagnostics.wait(wanted, 5.0))
+        finally:
+            node.send_signal(2)
+            self.assertEqual(node.wait(10), 0)
+
+
+if __name__ == "__main__":
+    rospy.init_node("parameters_test")
+    rostest.rosrun("palpate", "parameters_test", Parameters)
