@@ -5,6 +5,7 @@
 #include <set>
 
 #include "palpate/base/error.h"
+#include "palpate/io/replay_table.h"
 
 namespace palpate::io {
 namespace {
@@ -66,35 +67,10 @@ const sim::StepResult& Replay::next() {
   return result;
 }
 
-std::vector<std::string> Replay::columns() const {
-  std::vector<std::string> names{"t"};
-  const bool several = simulator_->numInstruments() > 1;
-  for (int i = 0; i < simulator_->numInstruments(); ++i) {
-    const std::string prefix = several ? prefixOf(*simulator_, i) : "";
-    for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration"}) {
-      names.push_back(prefix + part);
-    }
-  }
-  for (const char* name : {"newton_iterations", "cg_iterations", "residual", "min_jacobian",
-                           "kinetic_energy", "elastic_energy", "status", "step_ms", "skipped"}) {
-    names.emplace_back(name);
-  }
-  return names;
-}
+std::vector<std::string> Replay::columns() const { return replayColumns(simulator_->scene()); }
 
 void Replay::writeRow(double step_ms, CsvWriter* csv) const {
-  const sim::StepResult& result = lockstep_.result();
-  *csv << trajectory_.t[row_ - 1];
-  for (const sim::InstrumentResult& tool : result.instruments) {
-    for (int c = 0; c < 3; ++c) *csv << tool.spatial.force[c];
-    for (int c = 0; c < 3; ++c) *csv << tool.spatial.torque[c];
-    *csv << tool.contacts << tool.max_penetration;
-  }
-  const sim::StepReport& r = result.report;
-  *csv << r.newton_iterations << r.cg_iterations << r.residual << r.min_jacobian << r.kinetic_energy
-       << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
-       << r.skipped.total();
-  csv->endRow();
+  writeReplayRow(trajectory_.t[row_ - 1], lockstep_.result(), step_ms, csv);
 }
 
 }  // namespace palpate::io

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/state_file.h"
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
-#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "palpate/base/error.h"
+#include "palpate/base/number.h"
 
 namespace palpate::io {
 namespace {
@@ -23,15 +21,14 @@ constexpr char kEnd[] = "# end";
 
 void writeTo(std::ostream& out, const std::vector<std::string>& organs,
              const sim::SimulatorState& state) {
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  out << kMagic << '\n' << kTime << state.time << '\n' << kHeader << '\n';
+  out << kMagic << '\n' << kTime << formatNumber(state.time) << '\n' << kHeader << '\n';
   for (std::size_t i = 0; i < organs.size(); ++i) {
     const Points& x = state.positions[i];
     const Points& v = state.velocities[i];
     for (Eigen::Index n = 0; n < x.cols(); ++n) {
       out << organs[i] << ',' << n;
-      for (int k = 0; k < 3; ++k) out << ',' << x(k, n);
-      for (int k = 0; k < 3; ++k) out << ',' << v(k, n);
+      for (int k = 0; k < 3; ++k) out << ',' << formatNumber(x(k, n));
+      for (int k = 0; k < 3; ++k) out << ',' << formatNumber(v(k, n));
       out << '\n';
     }
   }
@@ -39,9 +36,9 @@ void writeTo(std::ostream& out, const std::vector<std::string>& organs,
 }
 
 bool toNumber(const std::string& text, double* value) {
-  char* end = nullptr;
-  *value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(*value);
+  const std::optional<double> number = parseNumber(text);
+  if (number) *value = *number;
+  return number.has_value();
 }
 
 struct Row {

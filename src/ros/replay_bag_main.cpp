@@ -63,7 +63,7 @@ void replay(const Options& options) {
     trajectory = std::make_unique<TrajectoryCsv>(options.trajectory, *simulator);
   }
   std::unique_ptr<ResultCsv> csv;
-  if (!options.csv.empty()) csv = std::make_unique<ResultCsv>(options.csv, *simulator);
+  if (!options.csv.empty()) csv = std::make_unique<ResultCsv>(options.csv, simulator->scene());
 
   sim::Lockstep lockstep(simulator.get());
   ReplaySummary summary(simulator->scene());

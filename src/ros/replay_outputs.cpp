@@ -3,31 +3,14 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <iomanip>
-#include <limits>
 #include <system_error>
 
 #include "conversions.h"
 #include "palpate/base/error.h"
+#include "palpate/io/replay_table.h"
 #include "topics.h"
 
 namespace palpate::node {
-namespace {
-
-void openCsv(const std::string& part, std::ofstream* out) {
-  out->open(part);
-  if (!*out) throw InputError(part, "", "", "cannot be written");
-  *out << std::setprecision(std::numeric_limits<double>::max_digits10);
-}
-
-void closeCsv(std::ofstream* out, PartFile* file) {
-  out->close();
-  if (!*out) throw InputError(file->part(), "", "", "cannot be written: disk full?");
-  file->finish();
-}
-
-}  // namespace
-
 PartFile::~PartFile() {
   if (!finished_) std::remove(part().c_str());
 }
@@ -72,9 +55,9 @@ void ReplayBag::finish() {
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::string& file, const sim::Simulator& simulator)
-    : file_(file) {
+    : file_(file), part_(file) {
   const bool several = simulator.numInstruments() > 1;
-  std::string header = "t";
+  std::vector<std::string> header = {"t"};
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const sim::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
@@ -83,51 +66,42 @@ TrajectoryCsv::TrajectoryCsv(const std::string& file, const sim::Simulator& simu
                        "comes by tf, which has no joints to write");
     }
     for (const std::string& joint : simulator.instrument(i).jointNames()) {
-      header += "," + (several ? config.name + "/" + joint : joint);
+      header.push_back(several ? config.name + "/" + joint : joint);
     }
   }
-  openCsv(file_.part(), &out_);
-  out_ << header << '\n';
+  csv_ = std::make_unique<io::CsvWriter>(part_.part(), header);
 }
 
 void TrajectoryCsv::write(double t, const std::vector<Eigen::VectorXd>& joints) {
-  out_ << t;
+  if (begun_ && t == last_) return;
+  if (begun_ && t < last_) {
+    throw InputError(file_, "--trajectory", "",
+                     "time goes back in the bag, which a trajectory cannot; cut the bag there");
+  }
+  begun_ = true;
+  last_ = t;
+  *csv_ << t;
   for (const Eigen::VectorXd& q : joints) {
-    for (Eigen::Index k = 0; k < q.size(); ++k) out_ << ',' << q[k];
+    for (Eigen::Index k = 0; k < q.size(); ++k) *csv_ << q[k];
   }
-  out_ << '\n';
+  csv_->endRow();
 }
 
-void TrajectoryCsv::finish() { closeCsv(&out_, &file_); }
-
-ResultCsv::ResultCsv(const std::string& file, const sim::Simulator& simulator) : file_(file) {
-  openCsv(file_.part(), &out_);
-  const bool several = simulator.numInstruments() > 1;
-  out_ << "t";
-  for (const sim::InstrumentConfig& instrument : simulator.scene().instruments) {
-    const std::string prefix = several ? instrument.name + "/" : "";
-    for (const char* column : {"fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration"}) {
-      out_ << ',' << prefix << column;
-    }
-  }
-  out_ << ",newton_iterations,cg_iterations,residual,min_jacobian,kinetic_energy,elastic_energy,"
-          "status,step_ms,skipped\n";
+void TrajectoryCsv::finish() {
+  csv_->close();
+  part_.finish();
 }
+
+ResultCsv::ResultCsv(const std::string& file, const sim::Scene& scene)
+    : part_(file), csv_(part_.part(), io::replayColumns(scene)) {}
 
 void ResultCsv::write(double t, const sim::StepResult& result, double step_ms) {
-  out_ << t;
-  for (const sim::InstrumentResult& r : result.instruments) {
-    for (int k = 0; k < 3; ++k) out_ << ',' << r.spatial.force[k];
-    for (int k = 0; k < 3; ++k) out_ << ',' << r.spatial.torque[k];
-    out_ << ',' << r.contacts << ',' << r.max_penetration;
-  }
-  const sim::StepReport& report = result.report;
-  out_ << ',' << report.newton_iterations << ',' << report.cg_iterations << ',' << report.residual
-       << ',' << report.min_jacobian << ',' << report.kinetic_energy << ',' << report.elastic_energy
-       << ',' << solver::toString(report.status) << ',' << step_ms << ',' << report.skipped.total()
-       << '\n';
+  io::writeReplayRow(t, result, step_ms, &csv_);
 }
 
-void ResultCsv::finish() { closeCsv(&out_, &file_); }
+void ResultCsv::finish() {
+  csv_.close();
+  part_.finish();
+}
 
 }  // namespace palpate::node

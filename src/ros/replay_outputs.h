@@ -3,11 +3,12 @@
 
 #include <rosbag/bag.h>
 
-#include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bag_inputs.h"
+#include "palpate/io/csv_writer.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::node {
@@ -48,25 +49,30 @@ class TrajectoryCsv {
  public:
   /// @throws InputError if it cannot be written or an instrument comes by tf.
   TrajectoryCsv(const std::string& file, const sim::Simulator& simulator);
+  /// @throws InputError if time goes back, which a trajectory cannot. The same time again, which
+  /// makes no step, is left out.
   void write(double t, const std::vector<Eigen::VectorXd>& joints);
   void finish();
 
  private:
-  PartFile file_;
-  std::ofstream out_;
+  std::string file_;
+  PartFile part_;
+  std::unique_ptr<io::CsvWriter> csv_;
+  bool begun_ = false;
+  double last_ = 0.0;
 };
 
 /// The wrenches and reports as `palpate replay` writes them.
 class ResultCsv {
  public:
   /// @throws InputError if it cannot be written.
-  ResultCsv(const std::string& file, const sim::Simulator& simulator);
+  ResultCsv(const std::string& file, const sim::Scene& scene);
   void write(double t, const sim::StepResult& result, double step_ms);
   void finish();
 
  private:
-  PartFile file_;
-  std::ofstream out_;
+  PartFile part_;
+  io::CsvWriter csv_;
 };
 
 }  // namespace palpate::node

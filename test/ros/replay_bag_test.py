@@ -144,6 +144,10 @@ class ReplayBag(unittest.TestCase):
         self.assertEqual(wrenches[500][0], wrenches[1000][0])
         forces = [struct.unpack("6d", w)[2] for w in wrenches[500]]
         self.assertGreater(max(forces), 0.02)
+        code, _, errors = self.replay("in.bag", "--trajectory", self.path("t.csv"))
+        self.assertEqual(code, 2)
+        self.assertIn("time goes back", errors)
+        self.assertFalse(os.path.exists(self.path("t.csv")))
 
     def test_tf_in_the_bag(self):
         with rosbag.Bag(self.path("in.bag"), "w") as bag:

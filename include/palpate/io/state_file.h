@@ -15,7 +15,7 @@ namespace palpate::io {
 ///     organ,node,x,y,z,vx,vy,vz
 ///     liver,0,0.01,...                       positions [m] and velocities [m/s], world
 ///
-/// Numbers have 17 digits, so that reading gives the same bits. `organs`: one name an organ.
+/// Numbers have as many digits as bring back the same bits. `organs`: one name an organ.
 /// @throws std::runtime_error naming the file if it cannot be written, or if a number is not
 /// finite.
 void writeState(const std::string& file, const std::vector<std::string>& organs,

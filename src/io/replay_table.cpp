@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/io/replay_table.h"
+
+namespace palpate::io {
+
+std::vector<std::string> replayColumns(const sim::Scene& scene) {
+  std::vector<std::string> names{"t"};
+  for (const sim::InstrumentConfig& instrument : scene.instruments) {
+    const std::string prefix = scene.instruments.size() > 1 ? instrument.name + "/" : "";
+    for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration"}) {
+      names.push_back(prefix + part);
+    }
+  }
+  for (const char* name : {"newton_iterations", "cg_iterations", "residual", "min_jacobian",
+                           "kinetic_energy", "elastic_energy", "status", "step_ms", "skipped"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+void writeReplayRow(double t, const sim::StepResult& result, double step_ms, CsvWriter* csv) {
+  *csv << t;
+  for (const sim::InstrumentResult& tool : result.instruments) {
+    for (int c = 0; c < 3; ++c) *csv << tool.spatial.force[c];
+    for (int c = 0; c < 3; ++c) *csv << tool.spatial.torque[c];
+    *csv << tool.contacts << tool.max_penetration;
+  }
+  const sim::StepReport& r = result.report;
+  *csv << r.newton_iterations << r.cg_iterations << r.residual << r.min_jacobian << r.kinetic_energy
+       << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
+       << r.skipped.total();
+  csv->endRow();
+}
+
+}  // namespace palpate::io
