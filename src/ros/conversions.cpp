@@ -63,7 +63,6 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.skipped_far_bodies = report.skipped.far_bodies;
   m.skipped_sleeping_organs = report.skipped.sleeping_organs;
   m.skipped_satisfied_solves = report.skipped.satisfied_solves;
-  m.skipped_reused_hessians = report.skipped.reused_hessians;
   m.cycle_ms = finite(cycle_ms);
   return m;
 }

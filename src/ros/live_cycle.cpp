@@ -97,16 +97,17 @@ void LiveCycle::step(Steady::time_point start) {
   cycle_times_.push_back(cycle_ms_);
 
   facts_.stepped = true;
-  facts_.solved = result_->report.ok();
+  facts_.solved = result_->report.usable();
   ++steps_;
   ++window_steps_;
   skipped_ += result_->report.skipped.total();
-  if (!facts_.solved) {
+  if (!result_->report.ok()) {
     ++unsolved_;
     if (fault_warning_.due()) {
-      ROS_WARN("the solver says %s (residual %.2e N of %.2e N): the wrench fades out",
+      ROS_WARN("the solver says %s (residual %.2e N, asked for %.2e N)%s",
                std::string(solver::toString(result_->report.status)).c_str(),
-               result_->report.residual, result_->report.tolerance);
+               result_->report.residual, result_->report.tolerance,
+               facts_.solved ? "" : ": the wrench fades out");
     }
   }
 }

@@ -20,7 +20,7 @@ struct CycleFacts {
   bool all_seen = false;  ///< Every instrument has had an input since the last reset.
   bool any_live = false;  ///< Some instrument's newest input is fresh enough.
   bool stepped = false;   ///< The simulation made a step in this cycle ...
-  bool solved = false;    ///< ... and it converged.
+  bool solved = false;    ///< ... and the tissue took its state.
 };
 
 /// Turns the facts of the cycles into a state. No clock: the caller says the time.

@@ -45,7 +45,7 @@ void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
     bag_.write("/" + instrumentTopic(config.name, kBodyWrench), stamp,
                toMsg(r.body, stamp, config.tf_prefix + config.control_frame));
   }
-  const NodeState state = result.report.ok() ? NodeState::kRunning : NodeState::kFault;
+  const NodeState state = result.report.usable() ? NodeState::kRunning : NodeState::kFault;
   bag_.write(std::string("/") + kStepReportTopic, stamp, toMsg(result.report, state, stamp, 0.0));
 }
 
