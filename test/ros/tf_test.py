@@ -22,7 +22,7 @@ from helpers import (  # noqa: E402
 class Tf(unittest.TestCase):
     def test_waits_by_name_then_follows_the_frames(self):
         rospy.wait_for_service("/palpate/reset", 30)
-        log, diagnostics = Ear("/rosout_agg", Log), diagnostics_ear()
+        log, diagnostics = Ear("/rosout", Log), diagnostics_ear()
         reports, spatial, body = report_ear(), wrench_ear("spatial"), wrench_ear("body")
 
         # Nothing comes: it says for what it waits, and stays silent on the force.
