@@ -17,9 +17,10 @@
 
 namespace palpate::node {
 
-/// Time of a cycle on the simulation's clock [s]: exact difference of stamps, then a double.
+/// Time of a cycle on the simulation's clock [s]: the double nearest to the exact difference, as a
+/// decimal number of seconds in a file would be read (Duration::toSec() is not always).
 inline double bagTime(const ros::Time& stamp, const ros::Time& first) {
-  return (stamp - first).toSec();
+  return static_cast<double>((stamp - first).toNSec()) / 1e9;
 }
 
 /// What the instruments did at one stamp.

@@ -117,6 +117,8 @@ class ReplayBag(unittest.TestCase):
         self.assertEqual(rows[0], rows[1])
         wrenches = messages(self.path("out.bag"), "/probe/spatial/measured_cf")
         self.assertEqual([m.wrench.force.z for m in wrenches], [float(r["fz"]) for r in rows[1]])
+        # Times are those that a person would write, not 0.090900000000000009.
+        self.assertEqual([r["t"] for r in rows[0][:4]], ["0", "0.0303", "0.0606", "0.0909"])
 
     def test_bad_messages_are_dropped_and_counted(self):
         write_joints(self.path("in.bag"), bad=(3, 50))
