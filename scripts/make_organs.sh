@@ -9,8 +9,11 @@ scripts/build.sh palpate
 . scripts/env.sh
 
 declare -A edge=([liver]=0.006 [kidney]=0.004 [gallbladder]=0.003 [slab]=0.005)  # [m]
+for palpate in build/devel/lib/palpate/palpate build/src/cli/palpate; do  # with and without catkin
+  if [ -x "$palpate" ]; then break; fi
+done
 mkdir -p config/organs
 for organ in liver kidney gallbladder slab; do
-  build/devel/lib/palpate/palpate organ "$organ" --edge-length "${1:-${edge[$organ]}}" \
+  "$palpate" organ "$organ" --edge-length "${1:-${edge[$organ]}}" \
     --out "config/organs/$organ.obj"
 done

@@ -73,7 +73,7 @@ run_ctest() {
   log=$(mktemp)
   status=0
   (cd "$BUILD_DIR" && ctest --output-on-failure --timeout 600 "$@" </dev/null 2>&1) |
-    tee "$log" || status=$?
+    grep --line-buffered -vE '^ +Start +[0-9]+:' | tee "$log" || status=$?
   local counts
   counts=$(sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* \.\.+ *(Passed|\*\*\*)/\1/p' "$log" | awk '
     /^Passed/ { p++; next }
