@@ -110,12 +110,11 @@ if $checks; then
   echo "tidy took $((SECONDS - start)) s"
 fi
 
-# ROS graphs one at a time: each brings its own master, and they measure time.
-# shellcheck disable=SC1091
+# Tests with a ROS graph are marked RUN_SERIAL: each brings its own master, and they measure time.
 unset ROS_MASTER_URI
+# shellcheck disable=SC1091
 . scripts/env.sh
 start=$SECONDS
-run_ctest -j "$(nproc)" --no-tests=error -E '^_ctest_' ${only:+-R "$only"}
-if ! $sanitize; then run_ctest -j 1 -R "${only:-^_ctest_}" ${only:+-E '^[^_]'}; fi
+run_ctest -j "$(nproc)" --no-tests=error ${only:+-R "$only"}
 echo "tests took $((SECONDS - start)) s"
 finish
