@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 import rosbag  # noqa: E402
 
-SKIPS = ["far_bodies", "sleeping_organs", "satisfied_solves", "reused_hessians"]
+SKIP = "skipped_"  # what the counters of skipped work begin with
 BLUE, RED, GREEN, GREY = "#1f4e79", "#b5322a", "#3a7d44", "#777777"
 
 
@@ -160,8 +160,9 @@ def main():
     contacts, depth = column(reports, "contacts"), column(reports, "max_penetration")
     failed = sum(message.status != "converged" for _, message in reports)
     rate = (len(wrench) - 1) / (wrench[-1, 0] - wrench[0, 0])
-    skips = "  ".join("%s %d" % (name.replace("_", " "), column(reports, "skipped_" + name).sum())
-                      for name in SKIPS)
+    skips = ", ".join(
+        "%s %d" % (name[len(SKIP):].replace("_", " "), column(reports, name).sum())
+        for name in reports[0][1].__slots__ if name.startswith(SKIP))
     rows = [
         ("peak force", "%.3f N" % size.max()),
         ("contacts, most at once", "%d" % contacts.max()),
