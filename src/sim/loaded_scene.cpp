@@ -40,13 +40,13 @@ void loadInstruments(const Scene& scene, LoadedScene* loaded) {
   }
 }
 
-// Neighbouring samples closer than the thinnest tool is wide, so that none slips between them.
+// Samples so close that the thinnest tool cannot push its way between them.
 double sampleSpacing(const Scene& scene, const LoadedScene& loaded) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
   double spacing = std::numeric_limits<double>::infinity();
   for (const instrument::Instrument& tool : loaded.instruments) {
     for (const instrument::CollisionBody& body : tool.bodies()) {
-      spacing = std::min(spacing, contact::inscribedRadius(body.geometry));
+      spacing = std::min(spacing, 0.5 * contact::inscribedRadius(body.geometry));
     }
   }
   return std::isfinite(spacing) ? spacing : 0.0;

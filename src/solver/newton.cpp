@@ -33,7 +33,7 @@ bool Newton::lineSearch(const Potential& potential, double value, Points* x, dou
   const double slope = g_.cwiseProduct(d_).sum();
   const double norm = freeNorm(g_, potential.free);
   const bool conservative = potential.conservative();
-  double alpha = 1.0;
+  double alpha = potential.maxStep(*x, d_);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
     x_trial_ = *x + alpha * d_;
     *next_value = potential.gradient(x_trial_, &g_trial_);

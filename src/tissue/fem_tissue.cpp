@@ -16,7 +16,7 @@ namespace palpate::tissue {
 namespace {
 
 // A body at rest moves less than this part of its size in a cycle.
-constexpr double kRestMotion = 1e-7;
+constexpr double kRestMotion = 1e-6;
 // Stages before the last one need not be solved as well.
 constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
@@ -41,7 +41,7 @@ class FemTissue final : public TissueModel {
     size_ = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
     // Force of a small strain on one element: keeps the tolerance above zero in a scene at rest.
     const double element_area = std::pow(elasticity_->nodalVolumes().mean(), 2.0 / 3.0);
-    force_floor_ = 0.01 * material::moduli(material).mu * element_area;
+    force_floor_ = 0.1 * material::moduli(material).mu * element_area;
     settleUnderGravity();
     FemTissue::reset();
   }
@@ -69,7 +69,6 @@ class FemTissue final : public TissueModel {
       reportSleep();
       return out_;
     }
-    if (contact_.hasCandidates()) out_.sweep_stages = sweepStages(near_);
     const Points x_begin = x_, v_begin = v_;
     inertia_.beginStep(x_ + dt * v_, dt);
     startFromPredictor(dt);
@@ -141,15 +140,15 @@ class FemTissue final : public TissueModel {
     contact_.setBodies(placed_);
   }
 
-  // Candidates at the present positions for the whole sweep.
+  // Candidates at the present positions for the whole sweep, wherever on it the bodies are.
   void searchCandidates() {
-    placeBodies(1.0);
-    std::vector<double> reach;
+    reach_.clear();
     for (const ToolBody& body : near_) {
-      reach.push_back(margin_ +
-                      contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end));
+      reach_.push_back(margin_ +
+                       contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end));
     }
-    contact_.findCandidates(x_, reach);
+    placeBodies(1.0);
+    contact_.findCandidates(x_, reach_);
     searched_at_ = x_;
   }
 
@@ -158,9 +157,10 @@ class FemTissue final : public TissueModel {
   }
 
   void startFromPredictor(double dt) {
-    placeBodies(1.0 / out_.sweep_stages);
+    placeBodies(0.0);
     const double value_here = potential_.value(x_);
-    predicted_ = x_ + dt * v_;
+    const Points way = dt * v_;
+    predicted_ = x_ + potential_.maxStep(x_, way) * way;
     const double value_there = potential_.value(predicted_);
     if (value_there < value_here) x_.swap(predicted_);  // false for NaN
   }
@@ -170,28 +170,39 @@ class FemTissue final : public TissueModel {
     return settings_.tolerance * std::max({weight, contact_force_, force_floor_});
   }
 
+  // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
   void solveStages() {
     out_.tolerance = tolerance();
+    out_.sweep_stages = 0;
     solver::NewtonReport solved;
-    for (int stage = 1; stage <= out_.sweep_stages; ++stage) {
-      const bool last = stage == out_.sweep_stages;
-      solver::NewtonSettings newton_settings;
-      newton_settings.linear_tolerance = settings_.linear_tolerance;
-      newton_settings.tolerance = (last ? 1.0 : kStageTolerance) * out_.tolerance;
-      newton_settings.max_iterations = last ? settings_.max_newton_iterations : kStageIterations;
-      for (int search = 0; search < kMaxSearches; ++search) {
-        placeBodies(static_cast<double>(stage) / out_.sweep_stages);
-        solved = newton_.minimize(potential_, newton_settings, &linear_, &x_);
-        out_.newton_iterations += solved.iterations;
-        out_.linear_iterations += solved.linear_iterations;
-        if (near_.empty() || candidatesStillHold()) break;
-        searchCandidates();
-      }
+    for (double s = 0.0; s < 1.0;) {
+      s = contact_.hasCandidates() ? nextSweepStage(near_, contact_.relativeDepths(x_), s) : 1.0;
+      ++out_.sweep_stages;
+      placeBodies(s);
+      solved = solveStage(s < 1.0);
     }
     out_.status = solved.status;
     out_.residual = solved.residual;
     out_.satisfied =
         out_.newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
+  }
+
+  solver::NewtonReport solveStage(bool on_the_way) {
+    solver::NewtonSettings newton_settings;
+    newton_settings.linear_tolerance = settings_.linear_tolerance;
+    newton_settings.tolerance = (on_the_way ? kStageTolerance : 1.0) * out_.tolerance;
+    newton_settings.max_iterations =
+        on_the_way ? kStageIterations : settings_.max_newton_iterations;
+    solver::NewtonReport solved;
+    for (int search = 0; search < kMaxSearches; ++search) {
+      solved = newton_.minimize(potential_, newton_settings, &linear_, &x_);
+      out_.newton_iterations += solved.iterations;
+      out_.linear_iterations += solved.linear_iterations;
+      if (near_.empty() || candidatesStillHold()) break;
+      contact_.findCandidates(x_, reach_);
+      searched_at_ = x_;
+    }
+    return solved;
   }
 
   // A state to go on from. One that only ran out of iterations is: each of them lowered the energy.
@@ -257,6 +268,7 @@ class FemTissue final : public TissueModel {
   std::vector<contact::RigidBody> placed_;
   std::vector<contact::Contact> contacts_;
   double margin_ = 0.0;
+  std::vector<double> reach_;  // of each near body [m]
   Points searched_at_, predicted_;
   TissueStep out_, last_;
 };

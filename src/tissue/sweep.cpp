@@ -2,7 +2,6 @@
 #include "sweep.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "palpate/contact/signed_distance.h"
 
@@ -15,13 +14,17 @@ bool sweepReaches(const ToolBody& body, const Vec3& low, const Vec3& high, doubl
          (begin.cwiseMax(end).array() + reach >= low.array()).all();
 }
 
-int sweepStages(const std::vector<ToolBody>& bodies) {
-  double stages = 1.0;
-  for (const ToolBody& body : bodies) {
-    const double way = contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end);
-    stages = std::max(stages, std::ceil(way / (0.5 * contact::inscribedRadius(*body.geometry))));
+double nextSweepStage(const std::vector<ToolBody>& bodies, const std::vector<double>& depths,
+                      double s) {
+  double part = 1.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const instrument::Geometry& geometry = *bodies[b].geometry;
+    const double way = contact::sweepLength(geometry, bodies[b].X_WG_begin, bodies[b].X_WG_end);
+    const double allowed = 0.5 * (1.0 - depths[b]) * contact::inscribedRadius(geometry);
+    if (part * way > allowed) part = allowed / way;
   }
-  return static_cast<int>(std::min(stages, double{kMaxSweepStages}));
+  const double next = s + std::max(part, 1.0 / kMaxSweepStages);
+  return next > 1.0 - 1e-9 ? 1.0 : next;
 }
 
 }  // namespace palpate::tissue

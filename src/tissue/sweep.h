@@ -11,10 +11,13 @@ namespace palpate::tissue {
 /// Never a false no.
 bool sweepReaches(const ToolBody& body, const Vec3& low, const Vec3& high, double margin);
 
-/// Into how many parts to cut a cycle so that no body moves by more than half its inscribed radius
-/// in one: the tissue in front of it then always sees the side that it came from. At most
-/// kMaxSweepStages; a tool that leaps farther was not moved by a hand.
-int sweepStages(const std::vector<ToolBody>& bodies);
+/// How far along the rest of the sweep, from `s` in [0, 1), the bodies may go before the tissue is
+/// solved again: no body moves by more than half of what is left between the deepest sample and its
+/// middle, so that the tissue in front always sees the side that it came from. `depths`: deepest
+/// penetration into each body in parts of its inscribed radius. At least 1 / kMaxSweepStages: a
+/// tool that leaps farther was not moved by a hand.
+double nextSweepStage(const std::vector<ToolBody>& bodies, const std::vector<double>& depths,
+                      double s);
 
 constexpr int kMaxSweepStages = 64;
 

@@ -14,7 +14,7 @@ using instrument::Capsule;
 using instrument::Geometry;
 using instrument::Sphere;
 
-const Geometry kShapes[] = {Sphere{0.03}, Capsule{0.02, 0.03}, Box{Vec3(0.02, 0.03, 0.025)}};
+const Geometry kShapes[] = {Sphere{0.03}, Capsule{0.02, 0.01}, Box{Vec3(0.02, 0.03, 0.025)}};
 
 class ContactWithEveryShape : public ::testing::TestWithParam<int> {
  protected:

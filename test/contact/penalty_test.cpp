@@ -7,23 +7,30 @@ namespace palpate::contact {
 namespace {
 
 constexpr Penalty kPenalty{3.0e7, 1.0e-4};
+constexpr double kRadius = 2.0e-3;
 
 TEST(Penalty, IsSilentOutside) {
   for (const double p : {0.0, -1e-9, -1.0}) {
-    EXPECT_EQ(kPenalty.energy(p), 0.0);
-    EXPECT_EQ(kPenalty.pressure(p), 0.0);
-    EXPECT_EQ(kPenalty.slope(p), 0.0);
+    EXPECT_EQ(kPenalty.energy(p, kRadius), 0.0);
+    EXPECT_EQ(kPenalty.pressure(p, kRadius), 0.0);
+    EXPECT_EQ(kPenalty.slope(p, kRadius), 0.0);
   }
 }
 
 TEST(Penalty, DerivativesAgreeAndJoinSmoothly) {
   constexpr double h = 1e-9;
   for (const double p : {1e-6, 5e-5, 0.99999e-4, 1.00001e-4, 2e-4, 1e-3}) {
-    EXPECT_NEAR(kPenalty.pressure(p), (kPenalty.energy(p + h) - kPenalty.energy(p - h)) / (2 * h),
-                1e-4 * kPenalty.pressure(p));
-    EXPECT_NEAR(kPenalty.slope(p), (kPenalty.pressure(p + h) - kPenalty.pressure(p - h)) / (2 * h),
+    EXPECT_NEAR(kPenalty.pressure(p, kRadius), (kPenalty.energy(p + h, kRadius) - kPenalty.energy(p - h, kRadius)) / (2 * h),
+                1e-4 * kPenalty.pressure(p, kRadius));
+    EXPECT_NEAR(kPenalty.slope(p, kRadius), (kPenalty.pressure(p + h, kRadius) - kPenalty.pressure(p - h, kRadius)) / (2 * h),
                 1e-4 * kPenalty.stiffness);
   }
+}
+
+TEST(Penalty, HardensTowardsTheMiddleOfTheBodyOnly) {
+  const double shallow = kPenalty.pressure(kRadius / 20.0, kRadius);
+  EXPECT_NEAR(shallow, kPenalty.pressure(kRadius / 20.0, 1.0), 0.02 * shallow);
+  EXPECT_GT(kPenalty.pressure(kRadius, kRadius), 50.0 * kPenalty.pressure(kRadius, 1.0));
 }
 
 }  // namespace

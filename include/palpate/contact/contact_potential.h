@@ -33,13 +33,12 @@ struct Contact {
 /// ran.
 class ContactPotential final : public fem::EnergyTerm {
  public:
-  ContactPotential(std::vector<SurfaceSample> samples, Penalty penalty)
-      : samples_(std::move(samples)), penalty_(penalty) {}
+  ContactPotential(std::vector<SurfaceSample> samples, Penalty penalty);
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
 
   /// Places the bodies. Same number and order as at the last findCandidates(), or call that next.
-  void setBodies(const std::vector<RigidBody>& bodies) { bodies_ = bodies; }
+  void setBodies(const std::vector<RigidBody>& bodies);
 
   /// Takes as candidates of body b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
@@ -50,6 +49,13 @@ class ContactPotential final : public fem::EnergyTerm {
   /// The projected form leaves out the shapes' curvature, the only part that is not semidefinite.
   void addHessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const override;
 
+  /// No sample may go deeper into a body than half its way to the body's middle, so that it stays
+  /// on the side from which it came.
+  double maxStep(const Points& x, const Points& d) const override;
+
+  /// Deepest penetration into each body at x, in parts of its inscribed radius.
+  std::vector<double> relativeDepths(const Points& x) const;
+
   /// All candidates inside a body at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;
 
@@ -57,12 +63,19 @@ class ContactPotential final : public fem::EnergyTerm {
   struct Candidate {
     int sample, body;
   };
+  struct Patch {  // samples of one triangle, which follow one another
+    Eigen::Vector3i nodes;
+    int begin, end;
+  };
+  double radius(const Candidate& c) const { return radius_[c.body]; }
   template <class Visit>
   void forEachPenetrating(const Points& x, const Visit& visit) const;
 
   std::vector<SurfaceSample> samples_;
+  std::vector<Patch> patches_;
   Penalty penalty_;
   std::vector<RigidBody> bodies_;
+  std::vector<double> radius_;  // inscribed, of each body [m]
   std::vector<Candidate> candidates_;
 };
 

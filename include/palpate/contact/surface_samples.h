@@ -26,6 +26,6 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 
-constexpr int kMaxDivisions = 16;
+constexpr int kMaxDivisions = 32;
 
 }  // namespace palpate::contact

@@ -19,6 +19,9 @@ class EnergyTerm {
   virtual double addGradient(const Points& x, Points* g) const = 0;
   /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks.
   virtual void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const = 0;
+  /// Largest part in [0, 1] of the step d from x that this term can be trusted over; a line search
+  /// begins there.
+  virtual double maxStep(const Points& /*x*/, const Points& /*d*/) const { return 1.0; }
   /// Whether the gradient is that of the value; a follower pressure on an open patch has none.
   virtual bool conservative() const { return true; }
 };

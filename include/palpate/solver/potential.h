@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "palpate/fem/elasticity.h"
@@ -29,6 +30,11 @@ struct Potential {
   void hessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const {
     elasticity->hessian(x, tangent, K);
     for (const fem::EnergyTerm* term : terms) term->addHessian(x, tangent, K);
+  }
+  double maxStep(const Points& x, const Points& d) const {
+    double largest = 1.0;
+    for (const fem::EnergyTerm* term : terms) largest = std::min(largest, term->maxStep(x, d));
+    return largest;
   }
   bool conservative() const {
     for (const fem::EnergyTerm* term : terms) {

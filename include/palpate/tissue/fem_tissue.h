@@ -17,7 +17,7 @@ struct FemSettings {
   std::string element = "tet4";
   double density = 1000.0;      ///< [kg/m^3]
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
-  contact::Penalty penalty{3.0e7, 1.0e-4};
+  contact::Penalty penalty{3.0e8, 1.0e-4};
   double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
   double tolerance = 1.0e-4;    ///< Of the residual, relative to the forces.
   int max_newton_iterations = 20;
