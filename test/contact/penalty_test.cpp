@@ -28,8 +28,8 @@ TEST(Penalty, DerivativesAgreeAndJoinSmoothly) {
 }
 
 TEST(Penalty, HardensTowardsTheMiddleOfTheBodyOnly) {
-  const double shallow = kPenalty.pressure(kRadius / 20.0, kRadius);
-  EXPECT_NEAR(shallow, kPenalty.pressure(kRadius / 20.0, 1.0), 0.02 * shallow);
+  const double shallow = kPenalty.pressure(kRadius / 40.0, kRadius);
+  EXPECT_NEAR(shallow, kPenalty.pressure(kRadius / 40.0, 1.0), 0.02 * shallow);
   EXPECT_GT(kPenalty.pressure(kRadius, kRadius), 50.0 * kPenalty.pressure(kRadius, 1.0));
 }
 
