@@ -22,7 +22,7 @@ std_msgs::ColorRGBA colour(float r, float g, float b) {
 
 std_msgs::ColorRGBA organColour(const std::string& name, std::size_t index) {
   const auto is = [&](const char* word) { return name.find(word) != std::string::npos; };
-  if (is("liver")) return colour(0.56F, 0.20F, 0.15F);
+  if (is("liver")) return colour(0.66F, 0.26F, 0.20F);
   if (is("kidney")) return colour(0.63F, 0.27F, 0.24F);
   if (is("gall")) return colour(0.33F, 0.47F, 0.22F);
   if (is("spleen")) return colour(0.45F, 0.16F, 0.26F);
@@ -60,7 +60,7 @@ SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
   }
   for (std::size_t i = 0; i < num_organs; ++i) {
     Marker m = marker(kContactMarkers, i, Marker::SPHERE_LIST);
-    m.scale.x = m.scale.y = m.scale.z = 0.0025;
+    m.scale.x = m.scale.y = m.scale.z = 0.0035;
     m.color = colour(1.0F, 0.85F, 0.2F);
     message_.markers.push_back(m);
   }

@@ -14,7 +14,7 @@ struct NodeParams {
   std::string scene;            ///< ~scene: a file, or the name of a shipped scene.
   std::string state_directory;  ///< ~state_directory: where ~save_state writes.
   std::string initial_state;    ///< ~initial_state: a file of ~save_state to start from; "": rest.
-  double arrow_scale = 0.02;    ///< ~arrow_scale: length of the wrench arrow [m/N].
+  double arrow_scale = 0.04;    ///< ~arrow_scale: length of the wrench arrow [m/N].
 };
 
 /// @throws InputError naming the parameter.
