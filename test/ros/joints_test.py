@@ -158,6 +158,7 @@ class Joints(unittest.TestCase):
         with open(saved.message) as f:
             lines = f.read().splitlines()
         os.remove(saved.message)
+        os.rmdir(os.path.dirname(saved.message))
         self.assertEqual(lines[0], "# palpate state 1")
         self.assertTrue(lines[3].startswith("block,0,"))
         self.hand.stop()
