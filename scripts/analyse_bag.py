@@ -46,15 +46,15 @@ def column(reports, name):
 
 
 def phases(times, touching):
-    """Intervals in which `touching` holds; gaps below 0.1 s are bridged."""
+    """Intervals of contact: a report holds until the next one. Gaps below 0.1 s are bridged."""
     spans = []
-    for t, touch in zip(times, touching):
+    for t, end, touch in zip(times, list(times[1:]) + [times[-1]], touching):
         if not touch:
             continue
         if spans and t - spans[-1][1] < 0.1:
-            spans[-1][1] = t
+            spans[-1][1] = end
         else:
-            spans.append([t, t])
+            spans.append([t, end])
     return spans
 
 
@@ -99,12 +99,12 @@ def plot(path, topic, wrench, reports, start, running):
     top.set_title("%s, expressed in world" % topic, loc="left", fontsize=10, color=GREY)
     plt.setp(top.get_xticklabels(), visible=False)
 
-    middle.plot(times, 1e3 * depth, color=BLUE, lw=1.2)
+    middle.step(times, 1e3 * depth, color=BLUE, lw=1.2, where="post")
     middle.set_ylabel("deepest sample\nin the tool [mm]")
     middle.set_xlabel("time [s]")
     middle.set_ylim(bottom=0)
     count = middle.twinx()
-    count.plot(times, contacts, color=RED, lw=0.9)
+    count.step(times, contacts, color=RED, lw=0.9, where="post")
     count.set_ylabel("contacts", color=RED)
     count.set_ylim(bottom=0)
     count.grid(False)
@@ -117,16 +117,16 @@ def plot(path, topic, wrench, reports, start, running):
         value = np.percentile(cycle, q)
         left.axvline(value, color=RED, ls=style, lw=1.2, label="p%d = %.2f ms" % (q, value))
     left.set_xlim(0, limit)
-    right.set_xlim(left=0)
-    left.set_xlabel("cycle time [ms] (longer ones in the last bar)")
+    left.set_xlabel("cycle time [ms]\n(longer ones in the last bar)")
     left.set_ylabel("cycles")
     left.legend(framealpha=0.9)
 
     gaps = 1e3 * np.diff(wrench[:, 0])
-    limit = max(3.0 * np.median(gaps), np.percentile(gaps, 99))
+    limit = max(3.0, 1.5 * np.percentile(gaps, 99))
     right.hist(np.minimum(gaps, limit), bins=60, range=(0, limit), color=GREEN)
+    right.set_xlim(0, limit)
     right.set_yscale("log")
-    right.set_xlabel("time between two wrenches, as recorded [ms]")
+    right.set_xlabel("time between two wrenches, as recorded [ms]\n(longer ones in the last bar)")
     right.set_ylabel("messages")
     figure.savefig(path, dpi=110)
 
