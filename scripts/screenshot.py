@@ -4,9 +4,10 @@
 
     scripts/screenshot.py FILE
 
-Looks at the screen (of DISPLAY) whenever the force has grown, until it is stopped: the last picture
-is the one that stays. The force comes from the first topic that ends in spatial/measured_cf.
+Looks at the screen (of DISPLAY) whenever the force has grown and rests, until it is stopped: the last
+picture is the one that stays. The force comes from the first topic that ends in spatial/measured_cf.
 """
+import collections
 import os
 import signal
 import subprocess
@@ -18,26 +19,34 @@ from geometry_msgs.msg import WrenchStamped
 
 
 class Photographer:
-    """Remembers how large the force was in the last picture."""
+    """Takes a picture when the force is larger than in the last one and rests.
+
+    It must rest because the screen lags behind the topic by a few frames.
+    """
+
+    REST = 0.3  # [s] for which the force must have been within 5 %
 
     def __init__(self, path):
         self.path = path
-        self.force = 0.0
-        self.best = 0.3  # [N], less is not worth a picture
+        self.recent = collections.deque()  # (time received [s], force [N])
+        self.best = 0.1  # [N], less is not worth a picture
 
     def receive(self, message):
         f = message.wrench.force
-        self.force = (f.x**2 + f.y**2 + f.z**2) ** 0.5
+        now = time.monotonic()
+        self.recent.append((now, (f.x**2 + f.y**2 + f.z**2) ** 0.5))
+        while self.recent[0][0] < now - self.REST:
+            self.recent.popleft()
 
     def look(self):
-        force = self.force
-        if force < 1.01 * self.best:
+        forces = [force for _, force in list(self.recent)]
+        if len(forces) < 10 or min(forces) < 0.95 * max(forces) or forces[-1] < 1.02 * self.best:
             return
         new = self.path + ".new.png"
         subprocess.run(["import", "-window", "root", new], check=True)
         os.replace(new, self.path)
-        self.best = force
-        print("screenshot.py: %s at %.2f N" % (self.path, force), flush=True)
+        self.best = forces[-1]
+        print("screenshot.py: %s at %.2f N" % (self.path, self.best), flush=True)
 
 
 def find_topic():
@@ -54,7 +63,7 @@ def main():
         sys.exit(__doc__)
     rospy.init_node("screenshot", anonymous=True, disable_signals=False)
     photographer = Photographer(os.path.abspath(sys.argv[1]))
-    rospy.Subscriber(find_topic(), WrenchStamped, photographer.receive, queue_size=1, tcp_nodelay=True)
+    rospy.Subscriber(find_topic(), WrenchStamped, photographer.receive, queue_size=100, tcp_nodelay=True)
     while not rospy.is_shutdown():
         photographer.look()
         time.sleep(0.1)
