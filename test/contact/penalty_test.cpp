@@ -28,9 +28,10 @@ TEST(Penalty, DerivativesAgreeAndJoinSmoothly) {
 }
 
 TEST(Penalty, HardensTowardsTheMiddleOfTheBodyOnly) {
-  const double shallow = kPenalty.pressure(kRadius / 40.0, kRadius);
-  EXPECT_NEAR(shallow, kPenalty.pressure(kRadius / 40.0, 1.0), 0.02 * shallow);
-  EXPECT_GT(kPenalty.pressure(kRadius, kRadius), 50.0 * kPenalty.pressure(kRadius, 1.0));
+  constexpr Penalty kSharp{3.0e7, 1.0e-9};
+  const double shallow = kSharp.pressure(kRadius / 40.0, kRadius);
+  EXPECT_NEAR(shallow, kSharp.pressure(kRadius / 40.0, 1.0), 0.01 * shallow);
+  EXPECT_GT(kSharp.pressure(kRadius, kRadius), 500.0 * kSharp.pressure(kRadius, 1.0));
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "palpate/io/trajectory.h"
+#include "run_cli.h"
+#include "sim/slab_scene.h"
+#include "support/contains.h"
+
+namespace palpate {
+namespace {
+
+using test::contains;
+using test::runCli;
+
+// The table without its column of wall times.
+std::string withoutTimes(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line, result;
+  int skip = -1;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int column = 0; std::getline(cells, cell, ','); ++column) {
+      if (cell == "step_ms") skip = column;
+      if (column != skip) result += cell + ",";
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+class ReplayCommand : public ::testing::Test {
+ protected:
+  ReplayCommand() {
+    io::Trajectory trajectory;
+    trajectory.columns = {"x", "y", "z", "roll", "pitch", "yaw"};
+    const auto press = test::SlabScene::press();
+    trajectory.values.resize(6, static_cast<Eigen::Index>(press.size()));
+    for (std::size_t k = 0; k < press.size(); ++k) {
+      trajectory.t.push_back(0.01 * static_cast<double>(k));
+      trajectory.values.col(static_cast<Eigen::Index>(k)) = press[k];
+    }
+    io::writeTrajectory(file("T.csv"), trajectory);
+  }
+  std::string file(const std::string& name) const { return slab.folder().path(name); }
+  test::CliResult replay(const std::string& out, const std::string& more = "") const {
+    return runCli("replay '" + slab.file() + "' --trajectory '" + file("T.csv") + "' --out '" +
+                  file(out) + "' " + more);
+  }
+  test::SlabScene slab;
+};
+
+TEST_F(ReplayCommand, SameInputsSameBytesWhateverTheThreads) {
+  ASSERT_EQ(replay("a.csv").status, 0);
+  ASSERT_EQ(replay("b.csv").status, 0);
+  ASSERT_EQ(replay("c.csv", "--threads 2").status, 0);
+  const std::string a = withoutTimes(test::fileBytes(file("a.csv")));
+  EXPECT_EQ(a, withoutTimes(test::fileBytes(file("b.csv"))));
+  EXPECT_EQ(a, withoutTimes(test::fileBytes(file("c.csv"))));
+  EXPECT_EQ(a.substr(0, a.find('\n')),
+            "t,fx,fy,fz,tx,ty,tz,contacts,max_penetration,newton_iterations,cg_iterations,residual,"
+            "min_jacobian,kinetic_energy,elastic_energy,status,skipped,");
+  EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 152);
+}
+
+TEST_F(ReplayCommand, WritesPictures) {
+  ASSERT_EQ(replay("a.csv", "--vtu '" + file("pictures") + "' --every 50").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("pictures/slab_000050.vtu")));
+  EXPECT_TRUE(std::filesystem::exists(file("pictures/slab_000150.vtu")));
+}
+
+TEST_F(ReplayCommand, SaysWhichJointsAreMissingOrUnknown) {
+  slab.folder().write("T.csv", "t,x,y,z,roll,pitch,jaw\n0,0,0,0,0,0,0\n");
+  const test::CliResult result = replay("a.csv");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(contains(result.err, "yaw: this joint has no column"));
+  EXPECT_TRUE(contains(result.err, "column jaw"));
+  EXPECT_TRUE(contains(result.err, "did you mean yaw?"));
+}
+
+TEST_F(ReplayCommand, BadFilesAreBadInput) {
+  EXPECT_EQ(runCli("replay nowhere.yaml --trajectory x.csv --out y.csv").status, 2);
+  slab.folder().write("T.csv", "t,x,y,z,roll,pitch,yaw\n0,0,0,nan,0,0,0\n");
+  EXPECT_EQ(replay("a.csv").status, 2);
+}
+
+}  // namespace
+}  // namespace palpate

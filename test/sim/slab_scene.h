@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/vtu_writer.h"
+#include "palpate/sim/simulator.h"
+#include "support/temp_folder.h"
+
+namespace palpate::test {
+
+/// A slab 100 x 100 x 40 mm under the shipped probe, whose ball of 5 mm is at [x, y, z + 0.1] for
+/// joints x, y, z.
+class SlabScene {
+ public:
+  SlabScene() {
+    mesh::writeVtu(folder_.path("slab.vtu"),
+                   mesh::boxMesh(Vec3(0.1, 0.1, 0.04), Eigen::Vector3i(6, 6, 3)), {}, {});
+  }
+
+  /// The scene file's path; `extra` are further top-level lines, `organ` further ones of the organ.
+  std::string file(const std::string& extra = "", const std::string& organ = "") const {
+    return folder_.write("slab.yaml", R"(
+name: slab
+organs:
+  - name: slab
+    tetrahedra: slab.vtu
+    pose: {position: [-0.05, -0.05, 0]}
+    material: {law: stable_neo_hookean, young_modulus: 6.0e3, poisson_ratio: 0.45, density: 1060}
+    supports: [{select: {plane: {axis: z, at: 0}}}]
+)" + organ + R"(
+instruments:
+  - name: probe
+    urdf: )" + PALPATE_SOURCE_DIR + R"(/config/instruments/probe.urdf
+    base: {position: [0, 0, 0.1]}
+    control_frame: tip
+)" + extra);
+  }
+  sim::Scene scene(const std::string& extra = "") const { return sim::readScene(file(extra)); }
+
+  /// Down 10 mm into the slab, aside and up, at 100 Hz for 1.5 s: joints x y z roll pitch yaw.
+  static std::vector<Eigen::VectorXd> press() {
+    std::vector<Eigen::VectorXd> joints;
+    for (int k = 0; k <= 150; ++k) {
+      const double t = 0.01 * k;
+      Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+      q[0] = 0.02 * std::clamp(t - 0.5, 0.0, 0.5);
+      q[2] = -0.05 - 0.03 * std::min(t, 0.5) + 0.04 * std::max(t - 1.0, 0.0);
+      joints.push_back(q);
+    }
+    return joints;
+  }
+
+  const TempFolder& folder() const { return folder_; }
+
+ private:
+  TempFolder folder_;
+};
+
+}  // namespace palpate::test
