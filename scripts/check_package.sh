@@ -35,5 +35,6 @@ for problem in problems:
     print(problem, file=sys.stderr)
 sys.exit(1 if problems else 0)
 PYTHON
+if command -v catkin_lint >/dev/null; then catkin_lint -q -W0 .; fi # errors only
 for script in scripts/*.sh .ci/run; do bash -n "$script"; done
 echo "package.xml, launch files and scripts are well-formed."
