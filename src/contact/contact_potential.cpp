@@ -2,8 +2,18 @@
 #include "palpate/contact/contact_potential.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace palpate::contact {
+namespace {
+
+// How far a point at `distance` [m] may come nearer to a body of inscribed radius r before the next
+// look: up to the surface, and half of what is left from there to the middle.
+double allowedApproach(double distance, double r) {
+  return distance >= 0.0 ? distance + 0.5 * r : 0.5 * std::max(distance + r, 0.0);
+}
+
+}  // namespace
 
 ContactPotential::ContactPotential(std::vector<SurfaceSample> samples, Penalty penalty)
     : samples_(std::move(samples)), penalty_(penalty) {
@@ -108,8 +118,7 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     const double length = motion.norm();
     const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
     const Distance distance = signedDistance(*body.geometry, p_G);
-    const double allowed =
-        distance.value >= 0.0 ? distance.value + 0.5 * r : 0.5 * std::max(distance.value + r, 0.0);
+    const double allowed = allowedApproach(distance.value, r);
     if (length * largest <= allowed) continue;
     const double approach = -(body.X_WG.linear() * distance.normal_G).dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
@@ -118,12 +127,15 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
   return std::max(largest, 1e-3);
 }
 
-std::vector<double> ContactPotential::relativeDepths(const Points& x) const {
-  std::vector<double> depths(bodies_.size(), 0.0);
-  forEachPenetrating(x, [&](const Candidate& c, const Vec3&, const Vec3&, double p) {
-    depths[c.body] = std::max(depths[c.body], p / radius(c));
-  });
-  return depths;
+std::vector<double> ContactPotential::allowedMotions(const Points& x) const {
+  std::vector<double> allowed(bodies_.size(), std::numeric_limits<double>::infinity());
+  for (const Candidate& c : candidates_) {
+    const RigidBody& body = bodies_[c.body];
+    const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
+    const double distance = signedDistanceValue(*body.geometry, p_G);
+    allowed[c.body] = std::min(allowed[c.body], allowedApproach(distance, radius(c)));
+  }
+  return allowed;
 }
 
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {

@@ -64,7 +64,7 @@ double FollowerPressure::addGradient(const Points& x, Points* g) const {
 }
 
 void FollowerPressure::addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const {
-  if (tangent == Tangent::kProjected) return;  // indefinite; left out where safety is asked for
+  if (tangent != Tangent::kExact) return;  // indefinite; left out where safety is asked for
   const double s = factor_ * pressure_ / 6.0;
   for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
     const Eigen::Vector3i f = faces_.col(t);

@@ -188,8 +188,15 @@ std::string_view Cursor::bytes(std::size_t size, const char* what) {
 
 std::string Cursor::where() const {
   if (binary_) return "byte " + std::to_string(last_);
+  if (last_ < counted_to_) {
+    counted_to_ = 0;
+    line_ = 1;
+  }
   const auto begin = bytes_.begin();
-  return "line " + std::to_string(1 + std::count(begin, begin + static_cast<long>(last_), '\n'));
+  line_ +=
+      std::count(begin + static_cast<long>(counted_to_), begin + static_cast<long>(last_), '\n');
+  counted_to_ = last_;
+  return "line " + std::to_string(line_);
 }
 
 void Cursor::fail(std::string_view value, const std::string& allowed) const {

@@ -67,8 +67,10 @@ class Cursor {
   std::string_view bytes_;
   Syntax syntax_;
   std::size_t position_ = 0;
-  std::size_t last_ = 0;  // start of what was read last
-  bool binary_ = false;   // was read by bytes()
+  std::size_t last_ = 0;                // start of what was read last
+  bool binary_ = false;                 // was read by bytes()
+  mutable std::size_t counted_to_ = 0;  // lines are counted on from where they were counted last
+  mutable std::ptrdiff_t line_ = 1;     // the one that counted_to_ is in
 };
 
 /// A word as a finite number in the C locale, whatever the process's is; false if it is none

@@ -18,7 +18,8 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
                                LinearSolver* linear, NewtonReport* report) {
   right_ = -g_.cwiseProduct(potential.free);
   LinearReport solved;
-  for (const fem::Tangent tangent : {fem::Tangent::kExact, fem::Tangent::kProjected}) {
+  for (const fem::Tangent tangent :
+       {fem::Tangent::kExact, fem::Tangent::kConvexTerms, fem::Tangent::kProjected}) {
     potential.hessian(x, tangent, &A_);
     A_.constrain(potential.free);
     solved = linear->solve(A_, right_, linear_tolerance, &d_);

@@ -176,7 +176,7 @@ class FemTissue final : public TissueModel {
     out_.sweep_stages = 0;
     solver::NewtonReport solved;
     for (double s = 0.0; s < 1.0;) {
-      s = contact_.hasCandidates() ? nextSweepStage(near_, contact_.relativeDepths(x_), s) : 1.0;
+      s = contact_.hasCandidates() ? nextSweepStage(near_, contact_.allowedMotions(x_), s) : 1.0;
       ++out_.sweep_stages;
       placeBodies(s);
       solved = solveStage(s < 1.0);

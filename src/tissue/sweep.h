@@ -12,11 +12,10 @@ namespace palpate::tissue {
 bool sweepReaches(const ToolBody& body, const Vec3& low, const Vec3& high, double margin);
 
 /// How far along the rest of the sweep, from `s` in [0, 1), the bodies may go before the tissue is
-/// solved again: no body moves by more than half of what is left between the deepest sample and its
-/// middle, so that the tissue in front always sees the side that it came from. `depths`: deepest
-/// penetration into each body in parts of its inscribed radius. At least 1 / kMaxSweepStages: a
-/// tool that leaps farther was not moved by a hand.
-double nextSweepStage(const std::vector<ToolBody>& bodies, const std::vector<double>& depths,
+/// solved again, so that the tissue in front always sees the side that it came from. `allowed`: how
+/// far each body may move [m]. At least 1 / kMaxSweepStages: a tool that leaps farther was not
+/// moved by a hand.
+double nextSweepStage(const std::vector<ToolBody>& bodies, const std::vector<double>& allowed,
                       double s);
 
 constexpr int kMaxSweepStages = 64;

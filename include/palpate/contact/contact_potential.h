@@ -49,12 +49,14 @@ class ContactPotential final : public fem::EnergyTerm {
   /// The projected form leaves out the shapes' curvature, the only part that is not semidefinite.
   void addHessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const override;
 
-  /// No sample may go deeper into a body than half its way to the body's middle, so that it stays
-  /// on the side from which it came.
+  /// No sample may go deeper into a body than half of what is left to its
+  /// middle, so that it stays on the side from
+  /// which it came.
   double maxStep(const Points& x, const Points& d) const override;
 
-  /// Deepest penetration into each body at x, in parts of its inscribed radius.
-  std::vector<double> relativeDepths(const Points& x) const;
+  /// How far each body may move at once [m] until its nearest candidate at x is as deep
+  /// as that.
+  std::vector<double> allowedMotions(const Points& x) const;
 
   /// All candidates inside a body at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;

@@ -17,8 +17,9 @@ using mesh::TetMesh;
 
 /// What the tangent of an element is used for.
 enum class Tangent {
-  kExact,      ///< d2W/dx2.
-  kProjected,  ///< The same where it is positive semidefinite, its nearest such matrix elsewhere.
+  kExact,        ///< d2W/dx2 of the elements and of every term.
+  kConvexTerms,  ///< Exact in the elements; terms leave out what is not positive semidefinite.
+  kProjected,    ///< Elements too: their nearest positive semidefinite matrices.
 };
 
 /// Elastic energy of a body of one kind of element, with its derivatives. One virtual call an
