@@ -9,14 +9,11 @@
 #include <sstream>
 
 namespace palpate {
-namespace {
 
 double toDouble(const char* text, char** end) {
-  static const locale_t classic = newlocale(LC_ALL_MASK, "C", nullptr);
-  return strtod_l(text, end, classic);
+  static const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
+  return strtod_l(text, end, kClassic);
 }
-
-}  // namespace
 
 std::optional<double> parseNumber(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return {};

@@ -25,15 +25,15 @@ std::string linkOf(const Element& joint, const char* side, std::vector<Problem>*
 }
 
 void checkType(const Element& joint, std::vector<Problem>* problems) {
-  static const std::vector<std::string> supported = {"revolute", "continuous", "prismatic",
-                                                     "fixed"};
+  static const std::vector<std::string> kSupported = {"revolute", "continuous", "prismatic",
+                                                      "fixed"};
   const std::string type = text(joint, "type");
-  if (std::find(supported.begin(), supported.end(), type) != supported.end()) return;
+  if (std::find(kSupported.begin(), kSupported.end(), type) != kSupported.end()) return;
   const bool known = type == "planar" || type == "floating";
-  const std::string nearest = nearestName(type, supported);
+  const std::string nearest = nearestName(type, kSupported);
   problems->push_back({whereIs(joint, "type"), "'" + type + "'",
                        (known ? "is not supported; must be " : "must be ") +
-                           std::string("one of ") + joinNames(supported) +
+                           std::string("one of ") + joinNames(kSupported) +
                            (nearest.empty() ? "" : "; did you mean " + nearest + "?")});
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cursor.h"
 
-#include <locale.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/number.h"
 
 namespace palpate::mesh {
 namespace {
@@ -26,13 +25,12 @@ std::string shown(std::string_view word) {
 }  // namespace
 
 bool parseNumber(std::string_view word, double* value, bool* is_number) {
-  static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", static_cast<locale_t>(nullptr));
   char text[128];
   bool whole = false;
   if (!word.empty() && word.size() < sizeof text) {
     text[word.copy(text, sizeof text - 1)] = '\0';
     char* end = nullptr;
-    *value = strtod_l(text, &end, c_locale);
+    *value = toDouble(text, &end);
     whole = end == text + word.size();
   }
   if (is_number) *is_number = whole;

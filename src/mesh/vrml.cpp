@@ -119,9 +119,10 @@ class Parser {
 
 }  // namespace
 
-std::vector<double> VrmlNode::numbers(std::string_view name, std::vector<double> fallback) const {
+std::vector<double> VrmlNode::numbers(std::string_view name,
+                                      const std::vector<double>& fallback) const {
   const auto found = fields.find(name);
-  return found == fields.end() ? std::move(fallback) : found->second.numbers;
+  return found == fields.end() ? fallback : found->second.numbers;
 }
 
 std::vector<NodePointer> VrmlNode::nodes(std::string_view name) const {

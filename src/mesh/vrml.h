@@ -27,7 +27,8 @@ struct VrmlNode {
   std::map<std::string, VrmlField, std::less<>> fields;
 
   /// The numbers of field `name`; `fallback` where it is absent.
-  std::vector<double> numbers(std::string_view name, std::vector<double> fallback = {}) const;
+  std::vector<double> numbers(std::string_view name,
+                              const std::vector<double>& fallback = {}) const;
   /// The nodes of field `name`.
   std::vector<std::shared_ptr<const VrmlNode>> nodes(std::string_view name) const;
 };

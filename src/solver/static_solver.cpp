@@ -42,8 +42,7 @@ StaticReport solveStatic(const Potential& potential, const std::function<Points(
       NewtonSettings newton_settings;
       newton_settings.max_iterations = settings.max_newton_iterations;
       const double scale = forceScale(potential, trial, &g);
-      newton_settings.tolerance =
-          std::max(settings.tolerance * scale, newton.roundoffForce(trial));
+      newton_settings.tolerance = std::max(settings.tolerance * scale, newton.roundoffForce(trial));
       solved = newton.minimize(potential, newton_settings, &linear, &trial);
       report.newton_iterations += solved.iterations + 1;
       if (solved.status == SolveStatus::kConverged) {

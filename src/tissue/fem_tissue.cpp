@@ -57,7 +57,7 @@ class FemTissue final : public TissueModel {
     x_ = positions;
     v_ = velocities;
     at_rest_ = false;
-    contact_force_ = 0.0;
+    contact_force_ = support_force_ = 0.0;
     out_ = TissueStep();
   }
 
@@ -167,7 +167,7 @@ class FemTissue final : public TissueModel {
 
   double tolerance() const {
     const double weight = gravity_.forces().norm();
-    return settings_.tolerance * std::max({weight, contact_force_, force_floor_});
+    return settings_.tolerance * std::max({weight, contact_force_, support_force_, force_floor_});
   }
 
   // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
@@ -213,8 +213,9 @@ class FemTissue final : public TissueModel {
   void reportForces(const Points& v_begin, double dt) {
     out_.gravity_force = gravity_.forces().rowwise().sum();
     out_.inertia_force = -(v_ - v_begin) / dt * inertia_.masses();
-    out_.support_force =
-        (newton_.gradient().array() * (1.0 - potential_.free.array())).matrix().rowwise().sum();
+    const Points support = newton_.gradient().array() * (1.0 - potential_.free.array());
+    out_.support_force = support.rowwise().sum();
+    support_force_ = support.norm();
     contact_.collect(x_, &contacts_);
     Points nodal = Points::Zero(3, x_.cols());
     for (const contact::Contact& c : contacts_) {
@@ -261,7 +262,7 @@ class FemTissue final : public TissueModel {
 
   Points x_, v_;
   bool at_rest_ = false;
-  double contact_force_ = 0.0;  // norm of the nodal contact forces of the last cycle [N]
+  double contact_force_ = 0.0, support_force_ = 0.0;  // nodal norms of the last cycle [N]
 
   // One cycle's.
   std::vector<ToolBody> near_;

@@ -7,6 +7,7 @@
 #include "palpate/material/material.h"
 #include "run_cli.h"
 #include "support/contains.h"
+#include "support/uniaxial.h"
 
 namespace palpate {
 namespace {
@@ -35,21 +36,6 @@ class SolveCommand : public ::testing::Test {
   test::CliResult result;
 };
 
-// Nominal stress of uniaxial stretch along z: the transverse stretch by bisection on the law.
-double uniaxialStress(const std::string& law, double lambda) {
-  const material::Material m = material::makeMaterial(law, {{"mu", {1.0e4}}, {"kappa", {1.0e5}}});
-  const auto stress = [&](double t) {
-    const Mat3 F = Vec3(t, t, lambda).asDiagonal();
-    return std::visit([&](const auto& l) { return l.firstPiolaKirchhoff(F); }, m);
-  };
-  double low = 0.5, high = 1.5;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (low + high);
-    (stress(middle)(0, 0) < 0.0 ? low : high) = middle;
-  }
-  return stress(low)(2, 2);
-}
-
 TEST_F(SolveCommand, StretchedBarAgreesWithTheClosedFormForEveryLaw) {
   for (const std::string& law : material::materialNames()) {
     SCOPED_TRACE(law);
@@ -69,7 +55,11 @@ TEST_F(SolveCommand, StretchedBarAgreesWithTheClosedFormForEveryLaw) {
                     "  - {name: mid, point: [0.05, 0.05, 0.5]}\n"),
               0)
         << result.err;
-    const double force = 0.01 * uniaxialStress(law, 1.2);
+    double transverse;
+    const double force =
+        0.01 *
+        test::uniaxialStress(material::makeMaterial(law, {{"mu", {1.0e4}}, {"kappa", {1.0e5}}}),
+                             1.2, &transverse);
     EXPECT_NEAR(numbers("pull", "force")[2], force, 1e-8 * force);
     EXPECT_NEAR(numbers("mid", "displacement")[2], 0.1, 1e-9);
     EXPECT_TRUE(contains(json(), "\"status\": \"converged\""));

@@ -20,9 +20,11 @@ TEST(Penalty, IsSilentOutside) {
 TEST(Penalty, DerivativesAgreeAndJoinSmoothly) {
   constexpr double h = 1e-9;
   for (const double p : {1e-6, 5e-5, 0.99999e-4, 1.00001e-4, 2e-4, 1e-3}) {
-    EXPECT_NEAR(kPenalty.pressure(p, kRadius), (kPenalty.energy(p + h, kRadius) - kPenalty.energy(p - h, kRadius)) / (2 * h),
+    EXPECT_NEAR(kPenalty.pressure(p, kRadius),
+                (kPenalty.energy(p + h, kRadius) - kPenalty.energy(p - h, kRadius)) / (2 * h),
                 1e-4 * kPenalty.pressure(p, kRadius));
-    EXPECT_NEAR(kPenalty.slope(p, kRadius), (kPenalty.pressure(p + h, kRadius) - kPenalty.pressure(p - h, kRadius)) / (2 * h),
+    EXPECT_NEAR(kPenalty.slope(p, kRadius),
+                (kPenalty.pressure(p + h, kRadius) - kPenalty.pressure(p - h, kRadius)) / (2 * h),
                 1e-4 * kPenalty.stiffness);
   }
 }

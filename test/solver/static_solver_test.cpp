@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <variant>
 
 #include "palpate/fem/loads.h"
 #include "palpate/mesh/selection.h"
 #include "support/random.h"
+#include "support/uniaxial.h"
 
 namespace palpate::solver {
 namespace {
@@ -44,22 +44,6 @@ struct Body {
   }
 };
 
-// Transverse stretch at which the sides of a bar stretched by `lambda` along z are free, by
-// bisection on the law's own stress; then the nominal stress along z.
-double uniaxialStress(const material::Material& law, double lambda, double* transverse) {
-  const auto stress = [&](double t) {
-    const Mat3 F = Vec3(t, t, lambda).asDiagonal();
-    return std::visit([&](const auto& l) { return l.firstPiolaKirchhoff(F); }, law);
-  };
-  double low = 0.5, high = 1.5;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (low + high);
-    (stress(middle)(0, 0) < 0.0 ? low : high) = middle;
-  }
-  *transverse = 0.5 * (low + high);
-  return stress(*transverse)(2, 2);
-}
-
 class EveryLaw : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryLaw, UniaxialStretchOfABar) {
@@ -80,7 +64,7 @@ TEST_P(EveryLaw, UniaxialStretchOfABar) {
         {4, 1e-11, 50}, &x);
     ASSERT_EQ(report.status, SolveStatus::kConverged);
     double transverse;
-    const double P = uniaxialStress(bar.law, lambda, &transverse);
+    const double P = test::uniaxialStress(bar.law, lambda, &transverse);
     EXPECT_NEAR(bar.reaction(x, 2, 0.3).z(), P * 0.01, 1e-8 * std::abs(P * 0.01));
     EXPECT_NEAR(x.row(0).maxCoeff(), 0.1 * transverse, 1e-9);
     EXPECT_LT((bar.reaction(x, 2, 0.3) + bar.reaction(x, 2, 0.0)).norm(), 1e-9 * std::abs(P));

@@ -6,6 +6,9 @@
 
 namespace palpate {
 
+/// strtod() in the C locale, whatever the process's is.
+double toDouble(const char* text, char** end);
+
 /// The finite decimal number that `text` is from its first to its last character, else nothing:
 /// "nan", "inf", hexadecimal, blanks and numbers beyond the range of double are refused. The
 /// process's locale plays no part.

@@ -55,8 +55,8 @@ class TissueModel {
   virtual ~TissueModel() = default;
 
   virtual const mesh::TetMesh& restMesh() const = 0;  ///< World [m].
-  virtual const Points& positions() const = 0;      ///< World, 3 x n [m]; always finite.
-  virtual const Points& velocities() const = 0;     ///< World, 3 x n [m/s].
+  virtual const Points& positions() const = 0;        ///< World, 3 x n [m]; always finite.
+  virtual const Points& velocities() const = 0;       ///< World, 3 x n [m/s].
   virtual const Eigen::Matrix3Xi& surfaceTriangles() const = 0;  ///< Outward, into positions().
 
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
