@@ -38,8 +38,8 @@ demo=(
 # The picture: rviz, and what draws it where there is no screen.
 rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 
-# The checks of scripts/test.sh, and what only people who change the code want.
-dev=(clang-format-14 clang-tidy-14 catkin-lint git)
+# The checks of scripts/test.sh.
+dev=(clang-format-14 clang-tidy-14)
 
 readme="README.md, section 'Other ways to build'"
 
