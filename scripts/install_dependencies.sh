@@ -25,7 +25,7 @@ test=(
   libgtest-dev librostest-dev python3-rostest python3-roslaunch rosout
   ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
-  python3-visualization-msgs python3-diagnostic-msgs python3-numpy)
+  python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy)
 
 # A running graph without a screen, the recorded bag and its analysis.
 demo=(
@@ -75,6 +75,23 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   die "this system has no apt. Install by hand what package.xml names; see $readme."
 fi
 
+as_root=()
+# need_root WHAT: from here on as_root does something, or there is nobody to do it.
+need_root() {
+  if [ "$(id -u)" -eq 0 ]; then return 0; fi
+  command -v sudo >/dev/null || die "this is neither root nor is there sudo. As root, run:
+  $*"
+  as_root=(sudo)
+}
+
+# A bare chroot may have no /etc/hosts; ROS then finds no master.
+if [[ " ${sets[*]} " =~ \ (test|demo)\  ]] && ! getent hosts localhost >/dev/null; then
+  line="127.0.0.1 localhost"
+  need_root "echo '$line' >>/etc/hosts"
+  echo "install_dependencies.sh: the name localhost is unknown here; adding '$line' to /etc/hosts"
+  echo "$line" | "${as_root[@]}" tee -a /etc/hosts >/dev/null
+fi
+
 installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null | sed -n 's/^installed //p')
 mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}") <(sort -u <<<"$installed"))
 if [ ${#missing[@]} -eq 0 ]; then
@@ -93,13 +110,7 @@ PALPATE_NO_INSTALL=1." ;;
 installed in your own way, run the script that you wanted with PALPATE_NO_INSTALL=1." ;;
 esac
 
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || die "packages are missing, and this is neither root nor is there sudo.
-As root, run:
-  apt-get install --no-install-recommends ${missing[*]}"
-  as_root=(sudo)
-fi
+need_root "apt-get install --no-install-recommends ${missing[*]}"
 apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get \
     -q -y -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@"
