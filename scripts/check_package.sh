@@ -35,5 +35,11 @@ for problem in problems:
     print(problem, file=sys.stderr)
 sys.exit(1 if problems else 0)
 PYTHON
+# Errors only. Ignored: messages are no part of what we export (MISSING_CATKIN_DEPEND); libraries that
+# are found without catkin and roslaunch, an exec_depend that the tests use (the other two).
+if command -v catkin_lint >/dev/null; then
+  catkin_lint -q -W0 --ignore MISSING_CATKIN_DEPEND --ignore UNCONFIGURED_BUILD_DEPEND \
+    --ignore MISSING_DEPEND .
+fi
 for script in scripts/*.sh .ci/run; do bash -n "$script"; done
 echo "package.xml, launch files and scripts are well-formed."

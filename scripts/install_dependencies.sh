@@ -39,7 +39,7 @@ demo=(
 rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 
 # The checks of scripts/test.sh.
-dev=(clang-format-14 clang-tidy-14)
+dev=(clang-format-14 clang-tidy-14 catkin-lint)
 
 readme="README.md, section 'Other ways to build'"
 
