@@ -60,7 +60,7 @@ TEST_F(TrajectoryFile, ComesBackBitForBit) {
 }
 
 TEST_F(TrajectoryFile, FullDiskIsToldOf) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   EXPECT_TRUE(
       hasProblem(test::problemsOf([] {
                    writeTrajectory("/dev/full", {{"a"}, {0.0}, Eigen::MatrixXd::Zero(1, 1)});
