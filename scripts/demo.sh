@@ -110,7 +110,8 @@ master_port=${ROS_MASTER_URI##*:}
 echo "+ roslaunch palpate demo.launch rate:=$rate rviz:=$rviz   (log: $log)"
 set -m # a process group of its own, so that Ctrl-C reaches this script first
 roslaunch -p "${master_port%/}" palpate demo.launch \
-  bag_out:="$PWD/demo/output.bag" rate:="$rate" rviz:="$rviz" </dev/null >"$log" 2>&1 &
+  bag_out:="$PWD/demo/output.bag" rate:="$rate" rviz:="$rviz" \
+  ${screenshot:+rviz_args:=--fullscreen} </dev/null >"$log" 2>&1 &
 launch=$!
 set +m
 
