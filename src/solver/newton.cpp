@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/solver/newton.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::solver {
@@ -9,6 +10,14 @@ namespace {
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMaxHalvings = 30;
 constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
+
+// Near the end a linear solve to the last digit asked for is cheaper than another iteration with
+// its assembly; far from it, accuracy is lost on a model that is not good yet.
+double linearTolerance(const NewtonSettings& settings, double residual) {
+  const double last = 0.3 * settings.tolerance / residual;
+  const bool near_the_end = last >= 0.03 * settings.linear_tolerance;
+  return near_the_end ? std::min(settings.linear_tolerance, last) : settings.linear_tolerance;
+}
 
 double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
 
@@ -68,7 +77,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       return report;
     }
     const LinearReport solved =
-        direction(potential, *x, settings.linear_tolerance, linear, &report);
+        direction(potential, *x, linearTolerance(settings, report.residual), linear, &report);
     if (solved.status == SolveStatus::kNonFinite ||
         solved.status == SolveStatus::kNotPositiveDefinite) {
       report.status = solved.status;

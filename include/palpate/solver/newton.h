@@ -9,7 +9,7 @@ namespace palpate::solver {
 struct NewtonSettings {
   double tolerance = 0.0;  ///< Absolute [N], on the norm of the free gradient.
   int max_iterations = 20;
-  double linear_tolerance = 1e-2;  ///< Relative, of the linear solves.
+  double linear_tolerance = 1e-2;  ///< Relative, of the linear solves; tighter for the last.
 };
 
 struct NewtonReport {
