@@ -87,8 +87,8 @@ void describe(FieldVisitor& v, ContactConfig& contact) {
             "linearly."},
            contact.smoothing, Range::above(0.0, 0.1));
   v.number({"sample_spacing", "m",
-            "Largest distance between the points of the tissue surface that can touch; 0: chosen "
-            "from the mesh and the thinnest tool."},
+            "Largest distance between the points of the tissue surface that can touch; 0: half the "
+            "inscribed radius of the thinnest tool shape."},
            contact.sample_spacing, Range::closed(0.0, 1.0));
 }
 

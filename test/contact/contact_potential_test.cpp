@@ -108,6 +108,26 @@ TEST_P(ContactWithEveryShape, CandidatesWithinReachAreAllThatTouch) {
   EXPECT_GT(all.size(), 5u);
 }
 
+// Whatever step is proposed, no sample gets to the middle of a body, where its side would be lost.
+TEST_P(ContactWithEveryShape, LongestStepKeepsEverySampleOnItsSide) {
+  const double r = inscribedRadius(*body.geometry);
+  const Pose X_GW = body.X_WG.inverse();
+  for (int trial = 0; trial < 20; ++trial) {
+    Points d = random.points(mesh.numPoints(), 0.1);
+    d.row(2).array() += 0.1;  // up into the body
+    const double longest = potential.maxStep(mesh.points, d);
+    ASSERT_GT(longest, 0.0);
+    ASSERT_LT(longest, 1.0);
+    for (const SurfaceSample& s : potential.samples()) {
+      const double before = signedDistanceValue(*body.geometry, X_GW * s.position(mesh.points));
+      const double after =
+          signedDistanceValue(*body.geometry, X_GW * s.position(mesh.points + longest * d));
+      EXPECT_GE(after, (before >= 0.0 ? -0.5 * r : 0.5 * (before - r)) - 1e-12);
+    }
+  }
+  EXPECT_EQ(potential.maxStep(mesh.points, Points::Zero(3, mesh.numPoints())), 1.0);
+}
+
 TEST_P(ContactWithEveryShape, FarBodiesHaveNoCandidates) {
   body.X_WG.translation().z() += 1.0;
   potential.setBodies({body});

@@ -56,8 +56,8 @@ struct InstrumentConfig {
 struct ContactConfig {
   double stiffness = 3.0e8;     ///< Penalty pressure per penetration [Pa/m].
   double smoothing = 1.0e-4;    ///< Width of the blend between no contact and linear [m].
-  double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: nodes
-                                ///< only, refined to the thinnest tool.
+  double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
+                                ///< the inscribed radius of the thinnest tool shape.
 };
 
 struct SolverConfig {

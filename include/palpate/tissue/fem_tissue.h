@@ -28,7 +28,7 @@ struct FemSettings {
 /// Nonlinear finite elements stepped by backward Euler: each cycle minimises the incremental
 /// potential (inertia, elasticity, gravity, contact) by inexact Newton with block-Jacobi PCG. When
 /// tools move far within a cycle, the motion is swept in stages short against the thinnest tool,
-/// each solved before the next, so that no tool passes through.
+/// each solved before the next, so that no tool passes through (sweep.h).
 ///
 /// `mesh` is in world, `free` says what the supports leave (3 x n). `pool` may be null and must
 /// outlive the model. Starts from the equilibrium under gravity.
