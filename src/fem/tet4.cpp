@@ -75,7 +75,7 @@ double Tet4::energy(const Points& x) {
         forAll(pool_, volumes_.size(), [&](std::size_t begin, std::size_t end) {
           for (std::size_t e = begin; e < end; ++e) {
             energies_[e] =
-                volumes_[e] * law.energyDensity(deformation(x, tets_.col(e), gradients_[e]));
+                volumes_[e] * energyDensity(law, deformation(x, tets_.col(e), gradients_[e]));
           }
         });
       },
@@ -89,9 +89,9 @@ double Tet4::gradient(const Points& x, Points* g) {
         forAll(pool_, volumes_.size(), [&](std::size_t begin, std::size_t end) {
           for (std::size_t e = begin; e < end; ++e) {
             const Mat3 F = deformation(x, tets_.col(e), gradients_[e]);
-            energies_[e] = volumes_[e] * law.energyDensity(F);
+            energies_[e] = volumes_[e] * energyDensity(law, F);
             Eigen::Map<Eigen::Matrix<double, 3, 4>>(forces_.col(e).data()) =
-                volumes_[e] * law.firstPiolaKirchhoff(F) * gradients_[e];
+                volumes_[e] * firstPiolaKirchhoff(law, F) * gradients_[e];
           }
         });
       },
@@ -105,7 +105,7 @@ void Tet4::hessian(const Points& x, Tangent tangent, BlockMatrix* K) {
       [&](const auto& law) {
         forAll(pool_, volumes_.size(), [&](std::size_t begin, std::size_t end) {
           for (std::size_t e = begin; e < end; ++e) {
-            Mat9 C = law.tangent(deformation(x, tets_.col(e), gradients_[e]));
+            Mat9 C = material::tangent(law, deformation(x, tets_.col(e), gradients_[e]));
             if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&C);
             elementBlocks(C, gradients_[e], volumes_[e], blocks_.col(e).data());
           }

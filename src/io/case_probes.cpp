@@ -31,7 +31,7 @@ int findTet(const mesh::TetMesh& mesh, const Vec3& p, Eigen::Vector4d* weights) 
 }  // namespace
 
 Eigen::Matrix<double, 6, 1> cauchyStress(const material::Material& material, const Mat3& F) {
-  const Mat3 P = std::visit([&](const auto& law) { return law.firstPiolaKirchhoff(F); }, material);
+  const Mat3 P = std::visit([&](const auto& law) { return firstPiolaKirchhoff(law, F); }, material);
   const Mat3 sigma = P * F.transpose() / F.determinant();
   Eigen::Matrix<double, 6, 1> voigt;
   voigt << sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2), sigma(2, 0);

@@ -63,6 +63,20 @@ Material makeMaterial(const std::string& name, const Constants& constants) {
                               (nearest.empty() ? "" : " (did you mean " + nearest + "?)"));
 }
 
+Constants exampleConstants(const std::string& name) {
+  Constants constants;
+  forEachLaw([&](const auto* law) {
+    using Law = std::decay_t<decltype(*law)>;
+    if (name == Law::kName) constants = Law::example();
+  });
+  return constants;
+}
+
+bool needsFibres(const Material& material) {
+  return std::visit([](const auto& law) { return std::decay_t<decltype(law)>::kNeedsFibres; },
+                    material);
+}
+
 Moduli moduli(const Material& material) {
   return std::visit([](const auto& law) { return law.moduli(); }, material);
 }

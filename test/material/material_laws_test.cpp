@@ -15,8 +15,6 @@ struct AsTestTypes<std::variant<Laws...>> {
   using type = ::testing::Types<Laws...>;
 };
 
-const Constants kLiver{{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.4}}};
-
 template <class Law>
 class EveryLaw : public ::testing::Test {
  protected:
@@ -27,15 +25,15 @@ class EveryLaw : public ::testing::Test {
       if (F.determinant() > 0.3) return F;
     }
   }
-  const Law law{kLiver};
+  const Law law{Law::example()};
   const double scale = law.moduli().mu + law.moduli().kappa;  // [Pa]
   test::Random random;
 };
 TYPED_TEST_SUITE(EveryLaw, typename AsTestTypes<Material>::type, );
 
 TYPED_TEST(EveryLaw, RestIsEnergyAndStressFree) {
-  EXPECT_NEAR(this->law.energyDensity(Mat3::Identity()), 0.0, 1e-12 * this->scale);
-  EXPECT_LT(this->law.firstPiolaKirchhoff(Mat3::Identity()).norm(), 1e-12 * this->scale);
+  EXPECT_NEAR(energyDensity(this->law, Mat3::Identity()), 0.0, 1e-12 * this->scale);
+  EXPECT_LT(firstPiolaKirchhoff(this->law, Mat3::Identity()).norm(), 1e-12 * this->scale);
 }
 
 TYPED_TEST(EveryLaw, StressIsTheEnergyGradient) {
@@ -43,8 +41,9 @@ TYPED_TEST(EveryLaw, StressIsTheEnergyGradient) {
   for (int trial = 0; trial < 50; ++trial) {
     const Mat3 F = this->deformation(), dF = this->random.matrix(1.0);
     const double slope =
-        (this->law.energyDensity(F + h * dF) - this->law.energyDensity(F - h * dF)) / (2.0 * h);
-    EXPECT_NEAR(this->law.firstPiolaKirchhoff(F).cwiseProduct(dF).sum(), slope, 1e-8 * this->scale);
+        (energyDensity(this->law, F + h * dF) - energyDensity(this->law, F - h * dF)) / (2.0 * h);
+    EXPECT_NEAR(firstPiolaKirchhoff(this->law, F).cwiseProduct(dF).sum(), slope,
+                1e-8 * this->scale);
   }
 }
 
@@ -53,15 +52,15 @@ TYPED_TEST(EveryLaw, TangentIsTheStressGradient) {
   for (int trial = 0; trial < 50; ++trial) {
     const Mat3 F = this->deformation(), dF = this->random.matrix(1.0);
     const Mat3 slope =
-        (this->law.firstPiolaKirchhoff(F + h * dF) - this->law.firstPiolaKirchhoff(F - h * dF)) /
+        (firstPiolaKirchhoff(this->law, F + h * dF) - firstPiolaKirchhoff(this->law, F - h * dF)) /
         (2.0 * h);
-    EXPECT_LT((this->law.tangent(F) * vec(dF) - vec(slope)).norm(), 1e-7 * this->scale);
+    EXPECT_LT((tangent(this->law, F) * vec(dF) - vec(slope)).norm(), 1e-7 * this->scale);
   }
 }
 
 TYPED_TEST(EveryLaw, TangentIsSymmetric) {
   for (int trial = 0; trial < 20; ++trial) {
-    const Mat9 K = this->law.tangent(this->deformation());
+    const Mat9 K = tangent(this->law, this->deformation());
     EXPECT_LT((K - K.transpose()).norm(), 1e-13 * K.norm());
   }
 }
@@ -69,23 +68,24 @@ TYPED_TEST(EveryLaw, TangentIsSymmetric) {
 TYPED_TEST(EveryLaw, IsFrameIndifferent) {
   for (int trial = 0; trial < 20; ++trial) {
     const Mat3 F = this->deformation(), R = this->random.rotation();
-    EXPECT_NEAR(this->law.energyDensity(R * F), this->law.energyDensity(F), 1e-11 * this->scale);
-    EXPECT_LT((this->law.firstPiolaKirchhoff(R * F) - R * this->law.firstPiolaKirchhoff(F)).norm(),
-              1e-11 * this->scale);
+    EXPECT_NEAR(energyDensity(this->law, R * F), energyDensity(this->law, F), 1e-11 * this->scale);
+    EXPECT_LT(
+        (firstPiolaKirchhoff(this->law, R * F) - R * firstPiolaKirchhoff(this->law, F)).norm(),
+        1e-11 * this->scale);
   }
 }
 
 TYPED_TEST(EveryLaw, StressIsSymmetricInTheDeformedBody) {
   for (int trial = 0; trial < 20; ++trial) {
     const Mat3 F = this->deformation();
-    const Mat3 kirchhoff = this->law.firstPiolaKirchhoff(F) * F.transpose();
+    const Mat3 kirchhoff = firstPiolaKirchhoff(this->law, F) * F.transpose();
     EXPECT_LT((kirchhoff - kirchhoff.transpose()).norm(), 1e-11 * this->scale);
   }
 }
 
 TYPED_TEST(EveryLaw, ObeysHookeAtSmallStrain) {
   const Moduli m = this->law.moduli();
-  const Mat9 K = this->law.tangent(Mat3::Identity());
+  const Mat9 K = tangent(this->law, Mat3::Identity());
   for (int n = 0; n < 9; ++n) {
     Mat3 H = Mat3::Zero();
     H(n % 3, n / 3) = 1.0;
@@ -94,15 +94,9 @@ TYPED_TEST(EveryLaw, ObeysHookeAtSmallStrain) {
   }
 }
 
-TYPED_TEST(EveryLaw, ModuliAreThoseGiven) {
-  const Moduli given = moduliFromYoung(6.0e3, 0.4);
-  EXPECT_DOUBLE_EQ(this->law.moduli().mu, given.mu);
-  EXPECT_DOUBLE_EQ(this->law.moduli().kappa, given.kappa);
-}
-
 TYPED_TEST(EveryLaw, StretchingCostsEnergy) {
   for (const double stretch : {0.8, 1.2, 1.5}) {
-    EXPECT_GT(this->law.energyDensity(Vec3(stretch, 1.0, 1.0).asDiagonal()), 0.0);
+    EXPECT_GT(energyDensity(this->law, Vec3(stretch, 1.0, 1.0).asDiagonal()), 0.0);
   }
 }
 

@@ -12,7 +12,7 @@ namespace palpate::test {
 inline double uniaxialStress(const material::Material& law, double lambda, double* transverse) {
   const auto stress = [&](double t) {
     const Mat3 F = Vec3(t, t, lambda).asDiagonal();
-    return std::visit([&](const auto& l) { return l.firstPiolaKirchhoff(F); }, law);
+    return std::visit([&](const auto& l) { return firstPiolaKirchhoff(l, F); }, law);
   };
   double low = 0.5, high = 1.5;
   for (int k = 0; k < 200; ++k) {

@@ -15,14 +15,15 @@ namespace palpate::material {
 /// Every material law. To add one: write its header, add it here. The name lookup, the dispatch in
 /// the assembly, the documentation and the property tests all read this list.
 ///
-/// A law is a value type with
+/// A law is a value type that derives from FiniteStrainLaw (law.h) and has
 ///     static constexpr std::string_view kName;            its name in files
 ///     static std::vector<std::string> constantNames();    what its constructor reads
+///     static Constants example();                         constants of some tissue, for tests
 ///     explicit Law(const Constants&);                     throws std::invalid_argument
-///     Moduli moduli() const;                              at rest, for the Hooke limit
-///     double energyDensity(const Mat3& F) const;          psi [J/m^3]
-///     Mat3 firstPiolaKirchhoff(const Mat3& F) const;      P = d psi / d F [Pa]
-///     Mat9 tangent(const Mat3& F) const;                  d vec P / d vec F [Pa], symmetric
+///     Moduli moduli() const;                              at rest (of the matrix between fibres)
+///     double distortionalEnergy(const Mat3& F) const;     psi - kappa/2 theta^2 [J/m^3]
+///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
+///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
 using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean>;
 
 /// The names in the list, in its order.
@@ -34,6 +35,12 @@ std::vector<std::string> constantNames(const std::string& name);
 /// @throws std::invalid_argument for an unknown law (with the nearest known one), an unknown
 /// constant, or what the law's constructor refuses.
 Material makeMaterial(const std::string& name, const Constants& constants);
+
+/// The law's Law::example(); empty for an unknown name.
+Constants exampleConstants(const std::string& name);
+
+/// Whether the law needs fibre directions.
+bool needsFibres(const Material& material);
 
 /// Moduli of the law at rest.
 Moduli moduli(const Material& material);

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "palpate/material/constants.h"
-#include "palpate/material/tensor.h"
+#include "palpate/material/law.h"
 
 namespace palpate::material {
 
@@ -14,41 +13,43 @@ namespace palpate::material {
 ///
 ///   psi = mu/2 (I1 - 3) - mu (J - 1) + lambda'/2 (J - 1)^2,   I1 = tr F^T F,   J = det F
 ///
-/// lambda' = lambda + mu, so that small strains obey Hooke's law with the given constants.
-/// Defined for every F, inverted elements included.
-class StableNeoHookean {
+/// lambda' = lambda + mu, so that small strains obey Hooke's law with the given constants; that is
+/// kappa + mu/3, of which kappa is the volumetric part. Defined for every F, inverted elements
+/// included.
+class StableNeoHookean : public FiniteStrainLaw {
  public:
   static constexpr std::string_view kName = "stable_neo_hookean";
   static std::vector<std::string> constantNames() { return modulusNames(); }
+  static Constants example() { return {{"mu", {2.0e3}}, {"kappa", {1.0e4}}}; }
 
   /// @throws std::invalid_argument, see readModuli().
   explicit StableNeoHookean(const Constants& constants) : moduli_(readModuli(constants)) {}
 
   Moduli moduli() const { return moduli_; }
 
-  /// psi [J/m^3].
-  double energyDensity(const Mat3& F) const {
+  /// mu/2 (I1 - 3) - mu (J - 1) + mu/6 (J - 1)^2 [J/m^3].
+  double distortionalEnergy(const Mat3& F) const {
     const double dJ = F.determinant() - 1.0;
-    return 0.5 * moduli_.mu * (F.squaredNorm() - 3.0) - moduli_.mu * dJ +
-           0.5 * lambdaPrime() * dJ * dJ;
+    return moduli_.mu * (0.5 * (F.squaredNorm() - 3.0) - dJ + dJ * dJ / 6.0);
   }
 
-  /// P = mu F + (lambda' (J - 1) - mu) cof F [Pa].
-  Mat3 firstPiolaKirchhoff(const Mat3& F) const {
-    return moduli_.mu * F + (lambdaPrime() * (F.determinant() - 1.0) - moduli_.mu) * cofactor(F);
+  /// mu F + mu ((J - 1)/3 - 1) cof F [Pa].
+  Mat3 distortionalStress(const Mat3& F) const {
+    return moduli_.mu * (F + pressureFactor(F) * cofactor(F));
   }
 
-  /// d vec(P)/d vec(F) [Pa], 9 x 9, symmetric; indefinite for large compression.
-  Mat9 tangent(const Mat3& F) const {
+  /// The derivative of vec(distortionalStress) by vec(F) [Pa], 9 x 9, symmetric; indefinite for
+  /// large compression.
+  Mat9 distortionalTangent(const Mat3& F) const {
     const Mat3 cof = cofactor(F);
-    Mat9 K = lambdaPrime() * vec(cof) * vec(cof).transpose();
+    Mat9 K = moduli_.mu / 3.0 * vec(cof) * vec(cof).transpose();
     K.diagonal().array() += moduli_.mu;
-    addCofactorDerivative(F, lambdaPrime() * (F.determinant() - 1.0) - moduli_.mu, &K);
+    addCofactorDerivative(F, moduli_.mu * pressureFactor(F), &K);
     return K;
   }
 
  private:
-  double lambdaPrime() const { return moduli_.lambda() + moduli_.mu; }
+  static double pressureFactor(const Mat3& F) { return (F.determinant() - 1.0) / 3.0 - 1.0; }
 
   Moduli moduli_;  // [Pa]
 };

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/material/solid.h"
+
+namespace palpate::fem {
+
+/// What a body is made of, tetrahedron by tetrahedron.
+struct Composition {
+  std::vector<material::Solid> solids;  ///< At least one.
+  std::vector<int> solid_of;            ///< Of each tetrahedron, into `solids`; empty: all solids[0].
+  /// Material frame to reference frame of each tetrahedron: first column the fibre, second the
+  /// sheet, unit and orthogonal. Empty where no solid needs fibres.
+  std::vector<Mat3> frames;
+
+  const material::Solid& solid(int tet) const {
+    return solids[solid_of.empty() ? 0 : static_cast<std::size_t>(solid_of[tet])];
+  }
+};
+
+}  // namespace palpate::fem

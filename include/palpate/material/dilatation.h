@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/material/tensor.h"
+
+namespace palpate::material {
+
+// Measures theta(F) of how much a deformation changes the volume, zero at rest and the trace of
+// the strain at first order. Each law names the one of which its volumetric energy kappa/2 theta^2
+// is made; elements against locking average it over neighbours. A measure is a struct with
+//     static double value(const Mat3& F);
+//     static Mat3 gradient(const Mat3& F);                        d theta / d F
+//     static void addHessian(const Mat3& F, double s, Mat9* K);   K += s d2 theta / d vec F^2
+
+/// theta = J - 1, J = det F: the measure of finite strains.
+struct VolumeRatio {
+  static double value(const Mat3& F) { return F.determinant() - 1.0; }
+  static Mat3 gradient(const Mat3& F) { return cofactor(F); }
+  static void addHessian(const Mat3& F, double s, Mat9* K) { addCofactorDerivative(F, s, K); }
+};
+
+/// theta = tr E, E = (F^T F - I)/2: the trace of the Green strain.
+struct GreenStrainTrace {
+  static double value(const Mat3& F) { return 0.5 * (F.squaredNorm() - 3.0); }
+  static Mat3 gradient(const Mat3& F) { return F; }
+  static void addHessian(const Mat3&, double s, Mat9* K) { K->diagonal().array() += s; }
+};
+
+}  // namespace palpate::material
