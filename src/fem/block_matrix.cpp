@@ -35,6 +35,10 @@ int BlockMatrix::find(int i, int j) const {
 
 void BlockMatrix::setZero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
+void BlockMatrix::scale(double s) {
+  for (double& value : values_) value *= s;
+}
+
 void BlockMatrix::multiply(const Points& x, Points* y) const {
   y->resize(3, numNodes());
   const double* a = values_.data();

@@ -3,25 +3,55 @@
 
 #include "palpate/base/error.h"
 #include "palpate/fem/elasticity.h"
-#include "tet4.h"
+#include "solid_elasticity.h"
 
 namespace palpate::fem {
 namespace {
 
-template <class Element>
-std::unique_ptr<Elasticity> make(const TetMesh& mesh, const material::Material& material,
-                                 ThreadPool* pool) {
-  return std::make_unique<Element>(mesh, material, pool);
+// Part of the bulk modulus that `anp` leaves to the single tetrahedra. Without any, pressures can
+// alternate between neighbours at no cost in energy.
+constexpr double kElementShare = 0.05;
+
+constexpr VolumeTreatment kByElement{};
+constexpr VolumeTreatment kAveraged{kElementShare, NodalPressure::Kind::kAveraged};
+constexpr VolumeTreatment kStabilised{0.0, NodalPressure::Kind::kStabilised};
+
+template <int N>
+std::unique_ptr<Elasticity> make(const TetMesh& mesh, const Composition& composition,
+                                 ThreadPool* pool, const VolumeTreatment& treatment) {
+  return std::make_unique<SolidElasticity<N>>(mesh, composition, pool, treatment);
 }
 
 // Every element. To add one: write its header and source, add it here.
 struct Entry {
   const char* name;
-  decltype(&make<Tet4>) make;
+  decltype(&make<4>) make;
+  VolumeTreatment treatment;
+  bool quadratic;
 };
 constexpr Entry kElements[] = {
-    {"tet4", make<Tet4>},
+    {"anp", make<4>, kAveraged, false},
+    {"tet4", make<4>, kByElement, false},
+    {"tet10", make<10>, kByElement, true},
+    {"p1p1", make<4>, kStabilised, false},
 };
+
+void refuseFibresWithoutFrames(const Composition& composition) {
+  for (const material::Solid& solid : composition.solids) {
+    if (!composition.frames.empty() || !material::needsFibres(solid.law)) continue;
+    throw std::invalid_argument(
+        "law " + std::visit([](const auto& law) { return std::string(law.kName); }, solid.law) +
+        " has fibres and needs their directions");
+  }
+}
+
+const Entry& find(const std::string& element) {
+  for (const Entry& entry : kElements) {
+    if (element == entry.name) return entry;
+  }
+  throw std::invalid_argument("element = " + element + ": must be one of " +
+                              joinNames(elementNames()));
+}
 
 }  // namespace
 
@@ -31,13 +61,15 @@ std::vector<std::string> elementNames() {
   return names;
 }
 
+TetMesh meshFor(const std::string& element, const TetMesh& mesh) {
+  return find(element).quadratic && !mesh.quadratic() ? mesh::toQuadratic(mesh) : mesh;
+}
+
 std::unique_ptr<Elasticity> makeElasticity(const std::string& element, const TetMesh& mesh,
-                                           const material::Material& material, ThreadPool* pool) {
-  for (const Entry& entry : kElements) {
-    if (element == entry.name) return entry.make(mesh, material, pool);
-  }
-  throw std::invalid_argument("element = " + element + ": must be one of " +
-                              joinNames(elementNames()));
+                                           const Composition& composition, ThreadPool* pool) {
+  const Entry& entry = find(element);
+  refuseFibresWithoutFrames(composition);
+  return entry.make(mesh, composition, pool, entry.treatment);
 }
 
 }  // namespace palpate::fem

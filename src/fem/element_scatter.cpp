@@ -4,34 +4,24 @@
 namespace palpate::fem {
 namespace {
 
-BlockMatrix patternOf(const Eigen::Matrix4Xi& elements, int num_nodes) {
+template <int N>
+BlockMatrix patternOf(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements, int num_nodes) {
   std::vector<std::pair<int, int>> pairs;
-  pairs.reserve(6 * elements.cols());
+  pairs.reserve(static_cast<std::size_t>(N * (N - 1) / 2 * elements.cols()));
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
-    for (int a = 0; a < 4; ++a) {
-      for (int b = a + 1; b < 4; ++b) pairs.emplace_back(elements(a, e), elements(b, e));
+    for (int a = 0; a < N; ++a) {
+      for (int b = a + 1; b < N; ++b) pairs.emplace_back(elements(a, e), elements(b, e));
     }
   }
   return BlockMatrix(num_nodes, pairs);
 }
 
-// Counting sort of `sources` by `key`: start[k] .. start[k + 1] are those of key k, in order.
-template <class Source>
-void groupBy(const std::vector<int>& key, int num_keys, std::vector<Source>* sources,
-             std::vector<int>* start) {
-  start->assign(num_keys + 1, 0);
-  for (int k : key) ++(*start)[k + 1];
-  for (int k = 0; k < num_keys; ++k) (*start)[k + 1] += (*start)[k];
-  std::vector<int> next(start->begin(), start->end() - 1);
-  std::vector<Source> sorted(sources->size());
-  for (std::size_t s = 0; s < sources->size(); ++s) sorted[next[key[s]]++] = (*sources)[s];
-  *sources = std::move(sorted);
-}
-
 }  // namespace
 
-ElementScatter::ElementScatter(const Eigen::Matrix4Xi& elements, int num_nodes)
-    : pattern_(patternOf(elements, num_nodes)) {
+template <int N>
+ElementScatter<N>::ElementScatter(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements,
+                                  int num_nodes)
+    : pattern_(patternOf<N>(elements, num_nodes)) {
   std::vector<int> upper_number(pattern_.numBlocks(), -1);
   for (int i = 0; i < num_nodes; ++i) {
     for (int slot = pattern_.rowBegin(i); slot < pattern_.rowEnd(i); ++slot) {
@@ -41,47 +31,48 @@ ElementScatter::ElementScatter(const Eigen::Matrix4Xi& elements, int num_nodes)
       lower_slot_.push_back(pattern_.find(pattern_.column(slot), i));
     }
   }
-  std::vector<int> node_key, block_key;
+  std::vector<int> nodes, vectors, blocks;
+  std::vector<BlockSource> block_sources;
   for (Eigen::Index e = 0; e < elements.cols(); ++e) {
     int k = 0;
-    for (int a = 0; a < 4; ++a) {
-      node_key.push_back(elements(a, e));
-      node_source_.push_back({static_cast<int>(4 * e + a), false});
-      for (int b = a; b < 4; ++b, ++k) {
+    for (int a = 0; a < N; ++a) {
+      nodes.push_back(elements(a, e));
+      vectors.push_back(static_cast<int>(N * e + a));
+      for (int b = a; b < N; ++b, ++k) {
         const int i = elements(a, e), j = elements(b, e);
         const bool transposed = i > j;
-        block_key.push_back(upper_number[transposed ? pattern_.find(j, i) : pattern_.find(i, j)]);
-        block_source_.push_back({static_cast<int>(kBlocks * e + k), transposed});
+        blocks.push_back(upper_number[transposed ? pattern_.find(j, i) : pattern_.find(i, j)]);
+        block_sources.push_back({static_cast<int>(kBlocks * e + k), transposed});
       }
     }
   }
-  groupBy(node_key, num_nodes, &node_source_, &node_start_);
-  groupBy(block_key, static_cast<int>(upper_slot_.size()), &block_source_, &block_start_);
+  node_sources_ = Sources<int>(nodes, vectors, num_nodes);
+  block_sources_ =
+      Sources<BlockSource>(blocks, block_sources, static_cast<int>(upper_slot_.size()));
 }
 
-void ElementScatter::gatherNodes(const Eigen::Matrix<double, 12, Eigen::Dynamic>& local,
-                                 ThreadPool* pool, Points* g) const {
-  const std::size_t num_nodes = node_start_.size() - 1;
-  g->resize(3, num_nodes);
-  forAll(pool, num_nodes, [&](std::size_t begin, std::size_t end) {
+template <int N>
+void ElementScatter<N>::gatherNodes(const Vectors& local, ThreadPool* pool, Points* g) const {
+  g->resize(3, static_cast<Eigen::Index>(node_sources_.numTargets()));
+  forAll(pool, node_sources_.numTargets(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Vec3 sum = Vec3::Zero();
-      for (int s = node_start_[i]; s < node_start_[i + 1]; ++s) {
-        sum += Eigen::Map<const Vec3>(local.data() + 3 * node_source_[s].index);
+      for (const int* s = node_sources_.begin(i); s != node_sources_.end(i); ++s) {
+        sum += Eigen::Map<const Vec3>(local.data() + 3 * static_cast<std::ptrdiff_t>(*s));
       }
-      g->col(i) = sum;
+      g->col(static_cast<Eigen::Index>(i)) = sum;
     }
   });
 }
 
-void ElementScatter::gatherBlocks(const Eigen::Matrix<double, 90, Eigen::Dynamic>& local,
-                                  ThreadPool* pool, BlockMatrix* K) const {
+template <int N>
+void ElementScatter<N>::gatherBlocks(const Blocks& local, ThreadPool* pool, BlockMatrix* K) const {
   forAll(pool, upper_slot_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t u = begin; u < end; ++u) {
       Mat3 sum = Mat3::Zero();
-      for (int s = block_start_[u]; s < block_start_[u + 1]; ++s) {
-        const Eigen::Map<const Mat3> part(local.data() + 9 * block_source_[s].index);
-        if (block_source_[s].transposed) {
+      for (const BlockSource* s = block_sources_.begin(u); s != block_sources_.end(u); ++s) {
+        const Eigen::Map<const Mat3> part(local.data() + 9 * static_cast<std::ptrdiff_t>(s->index));
+        if (s->transposed) {
           sum += part.transpose();
         } else {
           sum += part;
@@ -92,5 +83,8 @@ void ElementScatter::gatherBlocks(const Eigen::Matrix<double, 90, Eigen::Dynamic
     }
   });
 }
+
+template class ElementScatter<4>;
+template class ElementScatter<10>;
 
 }  // namespace palpate::fem

@@ -3,21 +3,13 @@
 
 #include <algorithm>
 
+#include "face_rule.h"
 #include "palpate/material/tensor.h"
 
 namespace palpate::fem {
-namespace {
 
-// (b - a) x (c - a): twice the area, along the outward normal.
-Vec3 doubleArea(const Points& x, const Eigen::Vector3i& f) {
-  const Vec3 a = x.col(f[0]);
-  return (x.col(f[1]) - a).cross(x.col(f[2]) - a);
-}
-
-}  // namespace
-
-Eigen::Matrix3Xi selectFaces(const Eigen::Matrix3Xi& surface, const std::vector<int>& nodes) {
-  Eigen::Matrix3Xi faces(3, surface.cols());
+Eigen::MatrixXi selectFaces(const Eigen::MatrixXi& surface, const std::vector<int>& nodes) {
+  Eigen::MatrixXi faces(surface.rows(), surface.cols());
   Eigen::Index count = 0;
   const auto selected = [&](int i) { return std::binary_search(nodes.begin(), nodes.end(), i); };
   for (Eigen::Index t = 0; t < surface.cols(); ++t) {
@@ -25,15 +17,17 @@ Eigen::Matrix3Xi selectFaces(const Eigen::Matrix3Xi& surface, const std::vector<
       faces.col(count++) = surface.col(t);
     }
   }
-  faces.conservativeResize(3, count);
+  faces.conservativeResize(Eigen::NoChange, count);
   return faces;
 }
 
-Points tractionForces(const Points& X, const Eigen::Matrix3Xi& faces, const Vec3& traction) {
+Points tractionForces(const Points& X, const Eigen::MatrixXi& faces, const Vec3& traction) {
   Points forces = Points::Zero(3, X.cols());
-  for (Eigen::Index t = 0; t < faces.cols(); ++t) {
-    const Vec3 share = doubleArea(X, faces.col(t)).norm() / 6.0 * traction;
-    for (int a = 0; a < 3; ++a) forces.col(faces(a, t)) += share;
+  for (const FacePoint& q : faceRule(faces.rows())) {
+    for (Eigen::Index t = 0; t < faces.cols(); ++t) {
+      const Vec3 force = q.weight * q.areaVector(X, faces.col(t)).norm() * traction;
+      for (Eigen::Index a = 0; a < faces.rows(); ++a) forces.col(faces(a, t)) += q.N[a] * force;
+    }
   }
   return forces;
 }
@@ -49,35 +43,40 @@ double FollowerPressure::value(const Points& x) const {
   if (faces_.cols() == 0) return 0.0;
   const Vec3 origin = x.col(faces_(0, 0));  // near the faces, against cancellation
   double volume = 0.0;
-  for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-    volume += (x.col(faces_(0, t)) - origin).dot(doubleArea(x, faces_.col(t))) / 6.0;
+  for (const FacePoint& q : faceRule(faces_.rows())) {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+      const Vec3 area = q.weight * q.areaVector(x, faces_.col(t));
+      volume += (q.interpolate(x, faces_.col(t), q.N) - origin).dot(area) / 3.0;
+    }
   }
   return factor_ * pressure_ * volume;
 }
 
 double FollowerPressure::addGradient(const Points& x, Points* g) const {
-  for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-    const Vec3 push = factor_ * pressure_ / 6.0 * doubleArea(x, faces_.col(t));
-    for (int a = 0; a < 3; ++a) g->col(faces_(a, t)) += push;
+  for (const FacePoint& q : faceRule(faces_.rows())) {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+      const Vec3 push = factor_ * pressure_ * q.weight * q.areaVector(x, faces_.col(t));
+      for (Eigen::Index a = 0; a < faces_.rows(); ++a) g->col(faces_(a, t)) += q.N[a] * push;
+    }
   }
   return value(x);
 }
 
 void FollowerPressure::addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const {
   if (tangent != Tangent::kExact) return;  // indefinite; left out where safety is asked for
-  const double s = factor_ * pressure_ / 6.0;
-  for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-    const Eigen::Vector3i f = faces_.col(t);
-    // d/dx_b of (b - a) x (c - a) is [v - u]x, u and v the next two corners.
-    Mat3 derivative[3];
-    for (int b = 0; b < 3; ++b) {
-      const Vec3 opposite = x.col(f[(b + 2) % 3]) - x.col(f[(b + 1) % 3]);
-      derivative[b] = s * material::crossMatrix(opposite);
-    }
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) {
-        // Symmetric part of the block matrix whose (a, b) block is derivative[b].
-        K->block(K->find(f[a], f[b])) += 0.5 * (derivative[b] + derivative[a].transpose());
+  for (const FacePoint& q : faceRule(faces_.rows())) {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+      const auto f = faces_.col(t);
+      const double s = factor_ * pressure_ * q.weight;
+      const Mat3 r = s * material::crossMatrix(q.interpolate(x, f, q.dN_dr));
+      const Mat3 s_cross = s * material::crossMatrix(q.interpolate(x, f, q.dN_ds));
+      for (Eigen::Index a = 0; a < faces_.rows(); ++a) {
+        for (Eigen::Index b = 0; b < faces_.rows(); ++b) {
+          // Symmetric part of the matrix whose (a, b) block is N_a d(dx/dr x dx/ds)/dx_b.
+          const Mat3 ab = q.N[a] * (q.dN_ds[b] * r - q.dN_dr[b] * s_cross);
+          const Mat3 ba = q.N[b] * (q.dN_ds[a] * r - q.dN_dr[a] * s_cross);
+          K->block(K->find(f[a], f[b])) += 0.5 * (ab + ba.transpose());
+        }
       }
     }
   }

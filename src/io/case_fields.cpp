@@ -13,7 +13,7 @@ using sim::Need;
 using sim::Range;
 using Analysis = std::variant<StaticAnalysis, DynamicAnalysis>;
 
-std::vector<std::string> integratorNames() { return {"backward_euler"}; }
+std::vector<std::string> integratorNames() { return solver::integratorNames(); }
 std::vector<std::string> methodNames() { return {"implicit_pcg", "implicit_direct"}; }
 std::vector<std::string> quantityNames() { return {"reaction"}; }
 

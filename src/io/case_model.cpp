@@ -24,13 +24,13 @@ mesh::TetMesh loadMesh(const Case& problem) {
     }
   }
   mesh.points *= problem.mesh.scale;
-  return mesh;
+  return fem::meshFor(problem.element, mesh);
 }
 
 std::unique_ptr<fem::Elasticity> makeBody(const Case& problem, const mesh::TetMesh& mesh,
-                                          const material::Material& material, ThreadPool* pool) {
+                                          const fem::Composition& composition, ThreadPool* pool) {
   try {
-    return fem::makeElasticity(problem.element, mesh, material, pool);
+    return fem::makeElasticity(problem.element, mesh, composition, pool);
   } catch (const std::invalid_argument& error) {
     throw InputError(problem.file, "element", problem.element, error.what());
   }
@@ -40,17 +40,19 @@ std::unique_ptr<fem::Elasticity> makeBody(const Case& problem, const mesh::TetMe
 
 CaseModel::CaseModel(const Case& problem, ThreadPool* pool)
     : mesh_(loadMesh(problem)),
-      surface_(mesh::boundaryTriangles(mesh_.tets)),
-      material_(material::makeMaterial(problem.material.law, problem.material.constants)),
-      density_(problem.material.density),
-      elasticity_(makeBody(problem, mesh_, material_, pool)) {
+      surface_(mesh::boundaryFaces(mesh_)),
+      composition_(fem::Composition::uniform(
+          material::makeMaterial(problem.material.law, problem.material.constants),
+          problem.material.density)),
+      elasticity_(makeBody(problem, mesh_, composition_, pool)) {
   potential_.elasticity = elasticity_.get();
   potential_.free = fem::FreeMask::Ones(3, mesh_.numPoints());
   for (std::size_t i = 0; i < problem.boundary.size(); ++i) {
     addCondition(problem.boundary[i], "boundary[" + std::to_string(i) + "]", problem.file);
   }
   if (!problem.gravity.isZero()) {
-    dead_loads_.push_back(std::make_unique<fem::DeadLoad>(problem.gravity * masses().transpose()));
+    dead_loads_.push_back(
+        std::make_unique<fem::DeadLoad>(problem.gravity * elasticity_->loadWeights().transpose()));
     potential_.terms.push_back(dead_loads_.back().get());
   }
   const std::string motions = fem::freeRigidMotions(mesh_.points, potential_.free);
@@ -75,7 +77,7 @@ void CaseModel::addCondition(const BoundaryCondition& condition, const std::stri
     held_.push_back({nodes, condition});
   }
   if (!condition.traction && !condition.pressure) return;
-  const Eigen::Matrix3Xi faces = fem::selectFaces(surface_, nodes);
+  const Eigen::MatrixXi faces = fem::selectFaces(surface_, nodes);
   if (faces.cols() == 0) {
     throw InputError(file, key + ".select", "",
                      "must select all corners of at least one boundary face for a traction or "

@@ -6,7 +6,6 @@
 
 #include "palpate/fem/loads.h"
 #include "palpate/io/case.h"
-#include "palpate/solver/inertia.h"
 #include "palpate/solver/potential.h"
 
 namespace palpate::io {
@@ -18,11 +17,10 @@ class CaseModel {
   CaseModel(const Case& problem, ThreadPool* pool);
 
   const mesh::TetMesh& mesh() const { return mesh_; }
-  const material::Material& material() const { return material_; }
+  const fem::Composition& composition() const { return composition_; }
   fem::Elasticity& elasticity() const { return *elasticity_; }
   /// Elasticity with tractions, pressures and gravity.
   const solver::Potential& potential() const { return potential_; }
-  Eigen::VectorXd masses() const { return density_ * elasticity_->nodalVolumes(); }
 
   void setLoadFactor(double s);
   /// Where held components are when their motion is at `s` of its way, 3 x n [m].
@@ -39,9 +37,8 @@ class CaseModel {
                     const std::string& file);
 
   mesh::TetMesh mesh_;
-  Eigen::Matrix3Xi surface_;
-  material::Material material_;
-  double density_;
+  Eigen::MatrixXi surface_;
+  fem::Composition composition_;
   std::unique_ptr<fem::Elasticity> elasticity_;
   std::vector<HeldNodes> held_;
   std::vector<std::unique_ptr<fem::DeadLoad>> dead_loads_;

@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case_probes.h"
 
-#include <Eigen/LU>
-#include <limits>
+#include "palpate/material/measures.h"
 
 #include "palpate/base/error.h"
 
 namespace palpate::io {
-namespace {
-
-constexpr double kInsideTolerance = 1e-6;  // of the barycentric weights
-
-// The tetrahedron that holds the point, and the point's weights in it.
-int findTet(const mesh::TetMesh& mesh, const Vec3& p, Eigen::Vector4d* weights) {
-  int best = -1;
-  double smallest_of_best = -std::numeric_limits<double>::infinity();
-  for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
-    Eigen::Matrix4d corners;
-    for (int a = 0; a < 4; ++a) corners.col(a) << mesh.points.col(mesh.tets(a, e)), 1.0;
-    const Eigen::Vector4d w = corners.inverse() * p.homogeneous();
-    if (w.minCoeff() > smallest_of_best) {
-      smallest_of_best = w.minCoeff();
-      best = static_cast<int>(e);
-      *weights = w;
-    }
-  }
-  return smallest_of_best >= -kInsideTolerance ? best : -1;
-}
-
-}  // namespace
-
-Eigen::Matrix<double, 6, 1> cauchyStress(const material::Material& material, const Mat3& F) {
-  const Mat3 P = std::visit([&](const auto& law) { return firstPiolaKirchhoff(law, F); }, material);
-  const Mat3 sigma = P * F.transpose() / F.determinant();
-  Eigen::Matrix<double, 6, 1> voigt;
-  voigt << sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2), sigma(2, 0);
-  return voigt;
-}
 
 CaseProbes::CaseProbes(const Case& problem, const CaseModel& model) {
   for (std::size_t i = 0; i < problem.probes.size(); ++i) {
@@ -44,8 +13,8 @@ CaseProbes::CaseProbes(const Case& problem, const CaseModel& model) {
     placed.probe = problem.probes[i];
     const std::string key = "probes[" + std::to_string(i) + "]";
     if (placed.probe.point) {
-      placed.tet = findTet(model.mesh(), *placed.probe.point, &placed.weights);
-      if (placed.tet < 0) {
+      placed.at = mesh::locate(model.mesh(), *placed.probe.point);
+      if (!placed.at) {
         throw InputError(problem.file, key + ".point", "", "must lie inside the mesh");
       }
     } else {
@@ -64,15 +33,12 @@ std::vector<ProbeResult> CaseProbes::measure(const CaseModel& model, const Point
   for (const Placed& placed : placed_) {
     ProbeResult result;
     result.name = placed.probe.name;
-    if (placed.tet >= 0) {
-      Vec3 u = Vec3::Zero();
-      for (int a = 0; a < 4; ++a) {
-        const int i = model.mesh().tets(a, placed.tet);
-        u += placed.weights[a] * (x.col(i) - model.mesh().points.col(i));
-      }
-      result.displacement = u;
-      result.cauchy_stress =
-          cauchyStress(model.material(), model.elasticity().deformationGradient(x, placed.tet));
+    if (placed.at) {
+      result.displacement = mesh::interpolate(model.mesh(), *placed.at, x - model.mesh().points);
+      const fem::PointState state = model.elasticity().states(x, {*placed.at}).front();
+      result.cauchy_stress = material::components(state.cauchy_stress);
+      result.von_mises = material::vonMises(state.cauchy_stress);
+      result.principal_stretches = material::principalStretches(state.F);
     } else {
       Wrench sum;
       for (int i : placed.nodes) {
@@ -90,10 +56,10 @@ std::vector<ProbeResult> CaseProbes::measure(const CaseModel& model, const Point
 std::vector<std::string> CaseProbes::columns() const {
   std::vector<std::string> columns{"t"};
   for (const Placed& placed : placed_) {
-    const std::vector<std::string> point = {"ux",  "uy",  "uz",  "sxx", "syy",
-                                            "szz", "sxy", "syz", "szx"};
+    const std::vector<std::string> point = {"ux",  "uy",  "uz",        "sxx", "syy", "szz", "sxy",
+                                            "syz", "szx", "von_mises", "l1",  "l2",  "l3"};
     const std::vector<std::string> region = {"fx", "fy", "fz", "mx", "my", "mz"};
-    for (const std::string& part : placed.tet >= 0 ? point : region) {
+    for (const std::string& part : placed.at ? point : region) {
       columns.push_back(placed.probe.name + "." + part);
     }
   }
@@ -108,6 +74,8 @@ std::vector<double> CaseProbes::row(double t, const std::vector<ProbeResult>& re
   for (const ProbeResult& r : results) {
     if (r.displacement) append(r.displacement);
     if (r.cauchy_stress) append(r.cauchy_stress);
+    if (r.von_mises) row.push_back(*r.von_mises);
+    if (r.principal_stretches) append(r.principal_stretches);
     if (r.force) append(r.force);
     if (r.moment) append(r.moment);
   }

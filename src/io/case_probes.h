@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "case_model.h"
 #include "palpate/io/case_solver.h"
+#include "palpate/mesh/point_location.h"
 
 namespace palpate::io {
-
-/// xx yy zz xy yz zx of the Cauchy stress P F^T / J [Pa].
-Eigen::Matrix<double, 6, 1> cauchyStress(const material::Material& material, const Mat3& F);
 
 /// Probes of a case, placed in its mesh once.
 class CaseProbes {
@@ -28,9 +27,8 @@ class CaseProbes {
  private:
   struct Placed {
     Probe probe;
-    int tet = -1;             // with a point
-    Eigen::Vector4d weights;  // of its corners
-    std::vector<int> nodes;   // with a region
+    std::optional<mesh::Location> at;  // with a point
+    std::vector<int> nodes;            // with a region
   };
   std::vector<Placed> placed_;
 };

@@ -57,12 +57,15 @@ class Members {
 }  // namespace
 
 std::string resultJson(const SolveResult& result) {
-  Members seconds, probes(",\n    ");
+  Members seconds, energies, probes(",\n    ");
+  for (const auto& [region, energy] : result.energy_by_region) energies.add(region, json(energy));
   for (const auto& [part, time] : result.seconds) seconds.add(part, json(time));
   for (const ProbeResult& p : result.probes) {
     Members probe;
     probe.add("displacement", p.displacement);
     probe.add("cauchy_stress", p.cauchy_stress);
+    probe.add("von_mises", p.von_mises);
+    probe.add("principal_stretches", p.principal_stretches);
     probe.add("force", p.force);
     probe.add("moment", p.moment);
     probes.add(p.name, "{" + probe.text() + "}");
@@ -70,9 +73,15 @@ std::string resultJson(const SolveResult& result) {
   Members all(",\n  ");
   all.add("status", quoted(result.status));
   all.add("load_steps", std::to_string(result.load_steps));
+  if (result.rejected_steps > 0) {
+    all.add("rejected_steps", std::to_string(result.rejected_steps));
+  }
   all.add("newton_iterations", std::to_string(result.newton_iterations));
   all.add("residual", json(result.residual));
   all.add("strain_energy", json(result.strain_energy));
+  if (!result.energy_by_region.empty()) {
+    all.add("strain_energy_by_region", "{" + energies.text() + "}");
+  }
   all.add("min_jacobian", json(result.min_jacobian));
   all.add("seconds", "{" + seconds.text() + "}");
   all.add("probes", result.probes.empty() ? "{}" : "{\n    " + probes.text() + "\n  }");

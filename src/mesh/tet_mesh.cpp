@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace palpate::mesh {
 namespace {
@@ -16,14 +18,24 @@ constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 constexpr int kKuhn[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                              {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
-}  // namespace
+// Edges in the order of their middle nodes.
+constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
-double signedVolume(const Points& points, const Eigen::Vector4i& t) {
-  const Vec3 a = points.col(t[0]);
-  return (points.col(t[1]) - a).cross(points.col(t[2]) - a).dot(points.col(t[3]) - a) / 6.0;
+int edgeNumber(int a, int b) {
+  int k = 0;
+  while (!((kEdges[k][0] == a && kEdges[k][1] == b) || (kEdges[k][0] == b && kEdges[k][1] == a))) {
+    ++k;
+  }
+  return k;
 }
 
-Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets) {
+struct Face {
+  Eigen::Index tet;
+  int side;  // of kFaces
+};
+
+// Faces that only one tetrahedron has, in the order of the tetrahedra.
+std::vector<Face> outerFaces(const Eigen::Matrix4Xi& tets) {
   std::map<std::array<int, 3>, int> count;
   const auto key = [&](Eigen::Index e, int f) {
     std::array<int, 3> k{tets(kFaces[f][0], e), tets(kFaces[f][1], e), tets(kFaces[f][2], e)};
@@ -33,16 +45,82 @@ Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets) {
   for (Eigen::Index e = 0; e < tets.cols(); ++e) {
     for (int f = 0; f < 4; ++f) ++count[key(e, f)];
   }
-  std::vector<Eigen::Vector3i> boundary;
+  std::vector<Face> faces;
   for (Eigen::Index e = 0; e < tets.cols(); ++e) {
     for (int f = 0; f < 4; ++f) {
-      if (count[key(e, f)] != 1) continue;
-      boundary.emplace_back(tets(kFaces[f][0], e), tets(kFaces[f][1], e), tets(kFaces[f][2], e));
+      if (count[key(e, f)] == 1) faces.push_back({e, f});
     }
   }
+  return faces;
+}
+
+}  // namespace
+
+double signedVolume(const Points& points, const Eigen::Vector4i& t) {
+  const Vec3 a = points.col(t[0]);
+  return (points.col(t[1]) - a).cross(points.col(t[2]) - a).dot(points.col(t[3]) - a) / 6.0;
+}
+
+Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets) {
+  const std::vector<Face> boundary = outerFaces(tets);
   Eigen::Matrix3Xi triangles(3, boundary.size());
-  for (std::size_t i = 0; i < boundary.size(); ++i) triangles.col(i) = boundary[i];
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      triangles(c, static_cast<Eigen::Index>(i)) =
+          tets(kFaces[boundary[i].side][c], boundary[i].tet);
+    }
+  }
   return triangles;
+}
+
+Eigen::MatrixXi boundaryFaces(const TetMesh& mesh) {
+  if (!mesh.quadratic()) return boundaryTriangles(mesh.tets);
+  const std::vector<Face> boundary = outerFaces(mesh.tets);
+  Eigen::MatrixXi faces(6, static_cast<Eigen::Index>(boundary.size()));
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const int* corners = kFaces[boundary[i].side];
+    for (int c = 0; c < 3; ++c) {
+      faces(c, column) = mesh.tets(corners[c], boundary[i].tet);
+      faces(3 + c, column) =
+          mesh.midnodes(edgeNumber(corners[c], corners[(c + 1) % 3]), boundary[i].tet);
+    }
+  }
+  return faces;
+}
+
+Eigen::Matrix3Xi trianglesOf(const Eigen::MatrixXi& faces) {
+  if (faces.rows() == 3) return faces;
+  constexpr int kParts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  Eigen::Matrix3Xi triangles(3, 4 * faces.cols());
+  for (Eigen::Index f = 0; f < faces.cols(); ++f) {
+    for (int part = 0; part < 4; ++part) {
+      for (int c = 0; c < 3; ++c) triangles(c, 4 * f + part) = faces(kParts[part][c], f);
+    }
+  }
+  return triangles;
+}
+
+TetMesh toQuadratic(const TetMesh& mesh) {
+  if (mesh.quadratic()) return mesh;
+  TetMesh quadratic = mesh;
+  quadratic.midnodes.resize(6, mesh.numTets());
+  std::map<std::pair<int, int>, int> middle;
+  std::vector<Vec3> points;
+  for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
+    for (int k = 0; k < 6; ++k) {
+      const int a = mesh.tets(kEdges[k][0], e), b = mesh.tets(kEdges[k][1], e);
+      const auto [found, fresh] =
+          middle.try_emplace(std::minmax(a, b), static_cast<int>(mesh.numPoints() + points.size()));
+      if (fresh) points.push_back(0.5 * (mesh.points.col(a) + mesh.points.col(b)));
+      quadratic.midnodes(k, e) = found->second;
+    }
+  }
+  quadratic.points.conservativeResize(3, mesh.numPoints() + points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    quadratic.points.col(mesh.numPoints() + static_cast<Eigen::Index>(i)) = points[i];
+  }
+  return quadratic;
 }
 
 TetMesh boxMesh(const Vec3& size, const Eigen::Vector3i& cells) {

@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
+#include "palpate/fem/elasticity.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
@@ -82,13 +83,13 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
                                                 std::vector<std::string>* warnings) {
   const OrganConfig& organ = scene.organs[index];
   const std::string key = "organs[" + std::to_string(index) + "]";
-  mesh::TetMesh mesh = loadOrganMesh(organ, scene.file, progress, warnings);
+  mesh::TetMesh mesh =
+      fem::meshFor(organ.element, loadOrganMesh(organ, scene.file, progress, warnings));
   const fem::FreeMask free = supportMask(organ, mesh.points, scene.file, key);
   mesh.points = (organ.pose.pose() * mesh.points.colwise().homogeneous()).eval();
 
   tissue::FemSettings settings;
   settings.element = organ.element;
-  settings.density = organ.material.density;
   settings.gravity = scene.gravity;
   settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
   settings.sample_spacing = sample_spacing;
@@ -98,8 +99,11 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
   try {
     return tissue::makeFemTissue(
-        mesh, material::makeMaterial(organ.material.law, organ.material.constants), free, settings,
-        pool);
+        mesh,
+        fem::Composition::uniform(
+            material::makeMaterial(organ.material.law, organ.material.constants),
+            organ.material.density),
+        free, settings, pool);
   } catch (const std::exception& error) {
     throw InputError(scene.file, key, "", error.what());
   }

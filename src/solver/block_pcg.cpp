@@ -6,14 +6,14 @@
 
 namespace palpate::solver {
 
-bool BlockPcg::invertDiagonal(const fem::BlockMatrix& A) {
-  inverse_diagonal_.resize(A.numNodes());
-  for (int i = 0; i < A.numNodes(); ++i) {
-    const Mat3 D = A.block(A.diagonal(i));
+bool BlockPcg::invertDiagonal(const fem::Stiffness& A) {
+  A.diagonal(&inverse_diagonal_);
+  for (Mat3& inverse : inverse_diagonal_) {
+    const Mat3 D = inverse;
     // Sylvester's criterion: leading minors.
     const double minor = D(0, 0) * D(1, 1) - D(0, 1) * D(1, 0);
     if (!(D(0, 0) > 0.0 && minor > 0.0 && D.determinant() > 0.0)) return false;
-    inverse_diagonal_[i] = D.inverse();
+    inverse = D.inverse();
   }
   return true;
 }
@@ -23,7 +23,7 @@ void BlockPcg::precondition(const Points& r, Points* z) const {
   for (Eigen::Index i = 0; i < r.cols(); ++i) z->col(i).noalias() = inverse_diagonal_[i] * r.col(i);
 }
 
-LinearReport BlockPcg::solve(const fem::BlockMatrix& A, const Points& b, double relative_tolerance,
+LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) {
   LinearReport report;
   x->setZero(3, b.cols());

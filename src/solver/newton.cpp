@@ -93,7 +93,8 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
 
 double Newton::roundoffForce(const Points& x) const {
   double stiffness = 0.0;
-  for (int i = 0; i < A_.numNodes(); ++i) stiffness += A_.block(A_.diagonal(i)).trace();
+  const fem::BlockMatrix& blocks = A_.blocks();
+  for (int i = 0; i < A_.numNodes(); ++i) stiffness += blocks.block(blocks.diagonal(i)).trace();
   return 1e-15 * stiffness / (3.0 * A_.numNodes()) * x.norm();
 }
 

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "palpate/contact/contact_potential.h"
 #include "palpate/fem/loads.h"
 #include "palpate/solver/block_pcg.h"
-#include "palpate/solver/inertia.h"
+#include "palpate/solver/integrator.h"
 #include "palpate/solver/static_solver.h"
 #include "sweep.h"
 
@@ -17,45 +18,66 @@ namespace {
 
 // A body at rest moves less than this part of its size in a cycle.
 constexpr double kRestMotion = 1e-6;
+// A viscous one may creep far in many cycles.
+constexpr double kRestMotionViscous = 1e-9;
+// Shorter time steps that are tried where a cycle fails.
+constexpr int kMaxTimeSteps = 8;
 // Stages before the last one need not be solved as well.
 constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
 
+double softestShearModulus(const fem::Composition& composition) {
+  double softest = std::numeric_limits<double>::infinity();
+  for (const material::Solid& solid : composition.solids) {
+    softest = std::min(softest, material::moduli(solid.law).mu);
+  }
+  return softest;
+}
+
 class FemTissue final : public TissueModel {
  public:
-  FemTissue(const mesh::TetMesh& mesh, const material::Material& material,
+  FemTissue(const mesh::TetMesh& mesh, const fem::Composition& composition,
             const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool)
       : settings_(settings),
         mesh_(mesh),
-        triangles_(mesh::boundaryTriangles(mesh.tets)),
-        elasticity_(fem::makeElasticity(settings.element, mesh, material, pool)),
-        inertia_(settings.density * elasticity_->nodalVolumes()),
-        gravity_(settings.gravity * inertia_.masses().transpose()),
+        triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
+        elasticity_(fem::makeElasticity(settings.element, mesh, composition, pool)),
+        integrator_(settings.integrator, elasticity_->masses(),
+                    {settings.mass_damping, settings.stiffness_damping}),
+        gravity_(settings.gravity * elasticity_->loadWeights().transpose()),
         contact_(contact::sampleSurface(mesh.points, triangles_, settings.sample_spacing),
                  settings.penalty),
         linear_(settings.max_linear_iterations),
         newton_(elasticity_->makeMatrix()) {
-    potential_ = {elasticity_.get(), {&inertia_, &gravity_, &contact_}, free};
+    potential_ = {elasticity_.get(), {&gravity_, &contact_}, free};
+    integrator_.addTerms(&potential_);
     size_ = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
     // Force of a small strain on one element: keeps the tolerance above zero in a scene at rest.
-    const double element_area = std::pow(elasticity_->nodalVolumes().mean(), 2.0 / 3.0);
-    force_floor_ = 0.1 * material::moduli(material).mu * element_area;
+    const double element_area =
+        std::pow(elasticity_->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
+    force_floor_ = 0.1 * softestShearModulus(composition) * element_area;
+    rest_motion_ = (elasticity_->viscous() ? kRestMotionViscous : kRestMotion) * size_;
     settleUnderGravity();
     FemTissue::reset();
   }
 
   const mesh::TetMesh& restMesh() const override { return mesh_; }
   const Points& positions() const override { return x_; }
-  const Points& velocities() const override { return v_; }
+  const Points& velocities() const override { return integrator_.velocities(); }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
 
   void reset() override { restore(settled_, Points::Zero(3, settled_.cols())); }
 
   void restore(const Points& positions, const Points& velocities) override {
     x_ = positions;
-    v_ = velocities;
+    integrator_.start(positions, velocities);
+    elasticity_->relax(positions);
+    if (integrator_.needsElasticGradient()) {
+      elasticity_->gradient(positions, &elastic_gradient_);
+      integrator_.setElasticGradient(elastic_gradient_);
+    }
     at_rest_ = false;
     contact_force_ = support_force_ = 0.0;
     out_ = TissueStep();
@@ -69,19 +91,15 @@ class FemTissue final : public TissueModel {
       reportSleep();
       return out_;
     }
-    const Points x_begin = x_, v_begin = v_;
-    inertia_.beginStep(x_ + dt * v_, dt);
-    startFromPredictor(dt);
-    solveStages();
-    if (acceptable()) {
-      v_ = (x_ - x_begin) / dt;
+    const Points x_begin = x_;
+    if (advance(dt)) {
+      inertia_forces_ = integrator_.inertiaForces(x_);
       at_rest_ = out_.newton_iterations == 0 && !contact_.hasCandidates() &&
-                 (x_ - x_begin).cwiseAbs().maxCoeff() <= kRestMotion * size_;
-      if (at_rest_) v_.setZero();
-      reportForces(v_begin, dt);
+                 (x_ - x_begin).cwiseAbs().maxCoeff() <= rest_motion_ && balancedWithoutInertia();
+      if (at_rest_) integrator_.stop();
+      reportForces();
     } else {
-      x_ = x_begin;
-      v_.setZero();
+      integrator_.stop();
       at_rest_ = false;
     }
     reportState();
@@ -97,7 +115,7 @@ class FemTissue final : public TissueModel {
       throw std::invalid_argument("gravity would move the body, its supports leave " + motions +
                                   "; hold more of it or set gravity to zero");
     }
-    const solver::Potential statics{elasticity_.get(), {&gravity_}, potential_.free};
+    const solver::Potential statics{elasticity_.get(), {&gravity_}, potential_.free, 1.0};
     solver::StaticSettings static_settings;
     static_settings.tolerance = 1e-8;
     const solver::StaticReport report = solver::solveStatic(
@@ -119,7 +137,7 @@ class FemTissue final : public TissueModel {
   void selectNearBodies(const std::vector<ToolBody>& bodies, double dt) {
     // The tissue may move on as fast as it does, and farther where it is pushed: searchCandidates()
     // notices when it went beyond.
-    margin_ = 0.02 * size_ + 2.0 * dt * v_.colwise().norm().maxCoeff();
+    margin_ = 0.02 * size_ + 2.0 * dt * velocities().colwise().norm().maxCoeff();
     const Vec3 low = x_.rowwise().minCoeff(), high = x_.rowwise().maxCoeff();
     near_.clear();
     for (const ToolBody& body : bodies) {
@@ -156,10 +174,41 @@ class FemTissue final : public TissueModel {
     return (x_ - searched_at_).colwise().squaredNorm().maxCoeff() <= margin_ * margin_;
   }
 
-  void startFromPredictor(double dt) {
-    placeBodies(0.0);
+  // The cycle in one step, or, where that fails, in more and shorter ones. False: x_ is where it
+  // was.
+  bool advance(double dt) {
+    const solver::Integrator begin = integrator_;
+    const std::unique_ptr<fem::ViscousState> viscous = elasticity_->saveViscousState();
+    for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
+      out_.time_steps = steps;
+      int done = 0;
+      while (done < steps && timeStep(done / double(steps), (done + 1) / double(steps), dt / steps))
+        ++done;
+      if (done == steps) return true;
+      integrator_ = begin;
+      x_ = begin.positions();
+      elasticity_->restoreViscousState(viscous.get());
+    }
+    return false;
+  }
+
+  // One step of `h`, in which the tools go from `begin` to `end` of their way.
+  bool timeStep(double begin, double end, double h) {
+    integrator_.beginStep(h, &potential_);
+    elasticity_->beginStep(h);
+    startFromPredictor(begin, h);
+    solveStages(begin, end);
+    if (!acceptable()) return false;
+    if (integrator_.needsElasticGradient()) elasticity_->gradient(x_, &elastic_gradient_);
+    integrator_.endStep(x_, elastic_gradient_);
+    elasticity_->endStep(x_);
+    return true;
+  }
+
+  void startFromPredictor(double s, double h) {
+    placeBodies(s);
     const double value_here = potential_.value(x_);
-    const Points way = dt * v_;
+    const Points way = h * velocities();
     predicted_ = x_ + potential_.maxStep(x_, way) * way;
     const double value_there = potential_.value(predicted_);
     if (value_there < value_here) x_.swap(predicted_);  // false for NaN
@@ -171,15 +220,17 @@ class FemTissue final : public TissueModel {
   }
 
   // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
-  void solveStages() {
+  void solveStages(double begin, double end) {
     out_.tolerance = tolerance();
     out_.sweep_stages = 0;
     solver::NewtonReport solved;
-    for (double s = 0.0; s < 1.0;) {
-      s = contact_.hasCandidates() ? nextSweepStage(near_, contact_.allowedMotions(x_), s) : 1.0;
+    for (double s = begin; s < end;) {
+      s = contact_.hasCandidates()
+              ? std::min(end, nextSweepStage(near_, contact_.allowedMotions(x_), s))
+              : end;
       ++out_.sweep_stages;
       placeBodies(s);
-      solved = solveStage(s < 1.0);
+      solved = solveStage(s < end);
     }
     out_.status = solved.status;
     out_.residual = solved.residual;
@@ -210,9 +261,15 @@ class FemTissue final : public TissueModel {
     return (out_.ok() || out_.status == solver::SolveStatus::kIterationLimit) && x_.allFinite();
   }
 
-  void reportForces(const Points& v_begin, double dt) {
+  // The body would not begin to move if it were stopped here.
+  bool balancedWithoutInertia() const {
+    const Points unbalanced = newton_.gradient() + inertia_forces_;
+    return unbalanced.cwiseProduct(potential_.free).norm() <= out_.tolerance;
+  }
+
+  void reportForces() {
     out_.gravity_force = gravity_.forces().rowwise().sum();
-    out_.inertia_force = -(v_ - v_begin) / dt * inertia_.masses();
+    out_.inertia_force = inertia_forces_.rowwise().sum();
     const Points support = newton_.gradient().array() * (1.0 - potential_.free.array());
     out_.support_force = support.rowwise().sum();
     support_force_ = support.norm();
@@ -229,7 +286,8 @@ class FemTissue final : public TissueModel {
   void reportState() {
     out_.min_jacobian = elasticity_->minJacobian(x_);
     out_.kinetic_energy =
-        0.5 * v_.colwise().squaredNorm().transpose().cwiseProduct(inertia_.masses()).sum();
+        0.5 *
+        velocities().colwise().squaredNorm().transpose().cwiseProduct(integrator_.masses()).sum();
     out_.elastic_energy = elasticity_->energy(x_);
     last_ = out_;
   }
@@ -251,7 +309,7 @@ class FemTissue final : public TissueModel {
   Points settled_;
   Eigen::Matrix3Xi triangles_;
   std::unique_ptr<fem::Elasticity> elasticity_;
-  solver::Inertia inertia_;
+  solver::Integrator integrator_;
   fem::DeadLoad gravity_;
   contact::ContactPotential contact_;
   solver::Potential potential_;
@@ -259,8 +317,9 @@ class FemTissue final : public TissueModel {
   solver::Newton newton_;
   double size_ = 0.0;         // diagonal of the rest bounding box [m]
   double force_floor_ = 0.0;  // [N]
+  double rest_motion_ = 0.0;  // [m]
 
-  Points x_, v_;
+  Points x_, elastic_gradient_, inertia_forces_;
   bool at_rest_ = false;
   double contact_force_ = 0.0, support_force_ = 0.0;  // nodal norms of the last cycle [N]
 
@@ -277,10 +336,10 @@ class FemTissue final : public TissueModel {
 }  // namespace
 
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
-                                           const material::Material& material,
+                                           const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,
                                            ThreadPool* pool) {
-  return std::make_unique<FemTissue>(mesh, material, free, settings, pool);
+  return std::make_unique<FemTissue>(mesh, composition, free, settings, pool);
 }
 
 }  // namespace palpate::tissue

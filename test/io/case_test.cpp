@@ -155,8 +155,8 @@ TEST_F(CaseFile, Analysis) {
       hasProblem(problemsWith(kDynamic, "duration: 1.5, ", ""), "analysis.duration", "is missing"));
   EXPECT_TRUE(hasProblem(problemsWith(kDynamic, "duration: 1.5", "duration: 1.0e6"),
                          "analysis.duration", "10 million"));
-  EXPECT_TRUE(hasProblem(problemsWith(kDynamic, "backward_euler", "bdf2"), "analysis.integrator",
-                         "must be one of backward_euler"));
+  EXPECT_TRUE(hasProblem(problemsWith(kDynamic, "backward_euler", "bdf3"), "analysis.integrator",
+                         "must be one of backward_euler, bdf2, static"));
   EXPECT_TRUE(hasProblem(problemsWith(kDynamic, "implicit_direct", "implicit_pgc"),
                          "analysis.method", "did you mean implicit_pcg?"));
   EXPECT_TRUE(hasProblem(problemsWith(kStatic, "load_steps: 20", "load_steps: 0"),

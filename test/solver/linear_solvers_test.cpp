@@ -12,37 +12,53 @@
 namespace palpate::solver {
 namespace {
 
-// Stiffness of a held box: what the solvers meet.
+// Stiffness of a held, bent box: what the solvers meet.
 struct System {
-  fem::BlockMatrix A;
+  fem::Stiffness A;
   Points b;
   Eigen::MatrixXd dense;
 
-  System() {
+  explicit System(const std::string& element = "tet4") {
     test::Random random;
     const mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(3));
     const auto body = fem::makeElasticity(
-        "tet4", mesh,
-        material::makeMaterial("stable_neo_hookean",
-                               {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}}));
+        element, mesh,
+        fem::Composition::uniform(material::makeMaterial(
+            "stable_neo_hookean", {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}})));
     A = body->makeMatrix();
-    body->hessian(mesh.points, fem::Tangent::kExact, &A);
+    body->hessian(mesh.points + random.points(mesh.numPoints(), 0.001), fem::Tangent::kExact, &A);
     fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
     free.leftCols(16).setZero();
     free(1, 20) = 0.0;
     A.constrain(free);
     b = random.points(mesh.numPoints(), 1.0).cwiseProduct(free);
     dense.setZero(b.size(), b.size());
+    const fem::BlockMatrix& blocks = A.blocks();
     for (int i = 0; i < A.numNodes(); ++i) {
-      for (int s = A.rowBegin(i); s < A.rowEnd(i); ++s) {
-        dense.block<3, 3>(3 * i, 3 * A.column(s)) = A.block(s);
+      for (int s = blocks.rowBegin(i); s < blocks.rowEnd(i); ++s) {
+        dense.block<3, 3>(3 * i, 3 * blocks.column(s)) = blocks.block(s);
       }
     }
+    if (A.hasVolume()) addVolume(A.volume());
   }
   Points reference() const {
     const Eigen::VectorXd x =
         dense.llt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
     return Eigen::Map<const Points>(x.data(), 3, b.cols());
+  }
+
+ private:
+  // B^T M B, M column by column.
+  void addVolume(const fem::VolumeStiffness& volume) {
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(volume.numRows(), dense.cols()),
+                    M(B.rows(), B.rows());
+    for (Eigen::Index p = 0; p < volume.numRows(); ++p) {
+      for (int k = volume.pattern->start[p]; k < volume.pattern->start[p + 1]; ++k) {
+        B.block<1, 3>(p, 3 * volume.pattern->node[k]) = volume.rows.col(k).transpose();
+      }
+      M.col(p) = volume.metric->apply(Eigen::VectorXd::Unit(B.rows(), p));
+    }
+    dense += volume.factor * B.transpose() * M * B;
   }
 };
 
@@ -54,14 +70,53 @@ TEST(BlockMatrix, ConstrainKeepsItSymmetricAndDecouples) {
   EXPECT_GT((s.dense.row(60).array() != 0.0).count(), 3);  // node 20, x free
 }
 
-TEST(BlockMatrix, MultipliesAsTheDenseMatrix) {
-  const System s;
+class EveryStiffness : public ::testing::TestWithParam<std::string> {
+ protected:
+  const System s{GetParam()};
+};
+INSTANTIATE_TEST_SUITE_P(Elements, EveryStiffness, ::testing::Values("tet4", "anp", "p1p1"),
+                         [](const auto& element) { return element.param; });
+
+TEST_P(EveryStiffness, MultipliesAsTheDenseMatrix) {
   Points y;
   s.A.multiply(s.b, &y);
   const Eigen::VectorXd expected =
       s.dense * Eigen::Map<const Eigen::VectorXd>(s.b.data(), s.b.size());
   EXPECT_LT((Eigen::Map<Eigen::VectorXd>(y.data(), y.size()) - expected).norm(),
             1e-13 * expected.norm());
+}
+
+TEST_P(EveryStiffness, ScalesEverything) {
+  fem::Stiffness twice = s.A;
+  twice.scale(2.0);
+  Points y, y_twice;
+  s.A.multiply(s.b, &y);
+  twice.multiply(s.b, &y_twice);
+  EXPECT_LT((y_twice - 2.0 * y).norm(), 1e-15 * y_twice.norm());
+}
+
+TEST_P(EveryStiffness, IsSolvedByConjugateGradients) {
+  BlockPcg pcg(2000);
+  Points x;
+  EXPECT_EQ(pcg.solve(s.A, s.b, 1e-12, &x).status, SolveStatus::kConverged);
+  EXPECT_LT((x - s.reference()).norm(), 1e-9 * x.norm());
+}
+
+TEST_P(EveryStiffness, IsSolvedByCholmodAgainAndAgain) {
+  CholmodSolver cholmod;
+  for (int again = 0; again < 2; ++again) {
+    Points x;
+    EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged);
+    EXPECT_LT((x - s.reference()).norm(), 1e-10 * x.norm());
+  }
+}
+
+TEST_P(EveryStiffness, IsRefusedByCholmodWhereItIsIndefinite) {
+  fem::Stiffness indefinite = s.A;
+  indefinite.blocks().block(indefinite.blocks().diagonal(30)).diagonal().array() -= 1e3;
+  CholmodSolver cholmod;
+  Points x;
+  EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNotPositiveDefinite);
 }
 
 TEST(BlockPcg, SolvesToTheToleranceAskedFor) {
@@ -90,28 +145,19 @@ TEST(BlockPcg, SaysWhatIsWrong) {
   nan(0, 30) = std::nan("");
   EXPECT_EQ(pcg.solve(s.A, nan, 1e-6, &x).status, SolveStatus::kNonFinite);
   // Indefinite, with a positive diagonal.
-  for (int i = 17; i < 20; ++i) s.A.block(s.A.diagonal(i)) *= 0.3;
+  for (int i = 17; i < 20; ++i) s.A.blocks().block(s.A.blocks().diagonal(i)) *= 0.3;
   EXPECT_EQ(pcg.solve(s.A, s.b, 1e-6, &x).status, SolveStatus::kNotPositiveDefinite);
-}
-
-TEST(CholmodSolver, AgreesWithADenseSolve) {
-  const System s;
-  CholmodSolver cholmod;
-  for (int again = 0; again < 2; ++again) {
-    Points x;
-    EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged);
-    EXPECT_LT((x - s.reference()).norm(), 1e-11 * x.norm());
-  }
 }
 
 TEST(CholmodSolver, SaysWhatIsWrongAndRecovers) {
   const System s;
   CholmodSolver cholmod;
   Points x;
-  fem::BlockMatrix indefinite = s.A;
-  indefinite.block(indefinite.diagonal(20)) *= -1.0;
+  fem::Stiffness indefinite = s.A;
+  fem::BlockMatrix& blocks = indefinite.blocks();
+  blocks.block(blocks.diagonal(20)) *= -1.0;
   EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNotPositiveDefinite);
-  indefinite.block(indefinite.diagonal(20))(0, 0) = std::nan("");
+  blocks.block(blocks.diagonal(20))(0, 0) = std::nan("");
   EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNonFinite);
   EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged);
   EXPECT_LT((x - s.reference()).norm(), 1e-11 * x.norm());

@@ -24,7 +24,7 @@ struct Body {
   Body(mesh::TetMesh m, const std::string& name)
       : mesh(std::move(m)),
         law(material::makeMaterial(name, kConstants)),
-        elasticity(fem::makeElasticity("tet4", mesh, law)),
+        elasticity(fem::makeElasticity("tet4", mesh, fem::Composition::uniform(law))),
         potential{elasticity.get(), {}, fem::FreeMask::Ones(3, mesh.numPoints())} {}
 
   void hold(int axis, double at, int component) {

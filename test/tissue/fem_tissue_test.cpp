@@ -32,11 +32,10 @@ struct Slab {
       if (mesh.points(2, i) == 0.0) free.col(i).setZero();
     }
     settings.gravity = Vec3(0.0, 0.0, -9.81);
-    settings.density = 1060.0;
     settings.sample_spacing = 0.005;
   }
   std::unique_ptr<TissueModel> make(ThreadPool* pool = nullptr) const {
-    return makeFemTissue(mesh, kLiver, free, settings, pool);
+    return makeFemTissue(mesh, fem::Composition::uniform(kLiver, 1060.0), free, settings, pool);
   }
 };
 

@@ -33,6 +33,8 @@ class BlockMatrix {
     return Eigen::Map<const Mat3>(values_.data() + 9 * slot);
   }
   void setZero();
+  /// Every value times `s`.
+  void scale(double s);
 
   /// y = A x, both 3 x n.
   void multiply(const Points& x, Points* y) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "palpate/base/types.h"
@@ -10,8 +11,13 @@ namespace palpate::fem {
 
 /// What a body is made of, tetrahedron by tetrahedron.
 struct Composition {
+  /// One solid everywhere.
+  static Composition uniform(material::Material law, double density = 1000.0) {
+    return {{{std::move(law), density, {}}}, {}, {}};
+  }
+
   std::vector<material::Solid> solids;  ///< At least one.
-  std::vector<int> solid_of;            ///< Of each tetrahedron, into `solids`; empty: all solids[0].
+  std::vector<int> solid_of;  ///< Of each tetrahedron, into `solids`; empty: all solids[0].
   /// Material frame to reference frame of each tetrahedron: first column the fibre, second the
   /// sheet, unit and orthogonal. Empty where no solid needs fibres.
   std::vector<Mat3> frames;

@@ -7,8 +7,9 @@
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
-#include "palpate/fem/block_matrix.h"
-#include "palpate/material/material.h"
+#include "palpate/fem/composition.h"
+#include "palpate/fem/stiffness.h"
+#include "palpate/mesh/point_location.h"
 #include "palpate/mesh/tet_mesh.h"
 
 namespace palpate::fem {
@@ -22,6 +23,17 @@ enum class Tangent {
   kProjected,    ///< Elements too: their nearest positive semidefinite matrices.
 };
 
+/// What there is at a point of a deformed body.
+struct PointState {
+  Mat3 F;              ///< Deformation gradient.
+  Mat3 cauchy_stress;  ///< [Pa], in world, with its viscous part.
+};
+
+/// Viscous memory of a body, to be given back to the body that it came from.
+struct ViscousState {
+  virtual ~ViscousState() = default;
+};
+
 /// Elastic energy of a body of one kind of element, with its derivatives. One virtual call an
 /// assembly, never one an element. Sums run in a fixed order: same x, same bits, whatever the pool.
 /// Not thread-safe: calls share scratch memory.
@@ -31,30 +43,53 @@ class Elasticity {
 
   virtual int numNodes() const = 0;
   /// A matrix with the body's pattern, all zero.
-  virtual BlockMatrix makeMatrix() const = 0;
+  virtual Stiffness makeMatrix() const = 0;
 
-  /// W(x) [J] at positions `x`, 3 x n [m]; +infinity where the law has none (J <= 0).
+  /// W(x) [J] at positions `x`, 3 x n [m]; +infinity where the law has none (J <= 0). In a viscous
+  /// body it is the potential of the step that beginStep() began.
   virtual double energy(const Points& x) = 0;
   /// W(x) and its gradient dW/dx, 3 x n [N]: minus the elastic forces. `g` is overwritten.
   virtual double gradient(const Points& x, Points* g) = 0;
   /// d2W/dx2 [N/m] into `K`, which has the body's pattern and is overwritten.
-  virtual void hessian(const Points& x, Tangent tangent, BlockMatrix* K) = 0;
+  virtual void hessian(const Points& x, Tangent tangent, Stiffness* K) = 0;
 
   /// Smallest det F of any integration point.
   virtual double minJacobian(const Points& x) const = 0;
-  /// F of the first integration point of element `e`.
-  virtual Mat3 deformationGradient(const Points& x, int e) const = 0;
-  /// Rest volume that belongs to each node, n [m^3]; their sum is the body's volume.
-  virtual const Eigen::VectorXd& nodalVolumes() const = 0;
+  /// At each of `places`, in the body's mesh.
+  virtual std::vector<PointState> states(const Points& x,
+                                         const std::vector<mesh::Location>& places) = 0;
+  /// W(x) of each solid of the composition [J].
+  virtual Eigen::VectorXd energyBySolid(const Points& x) = 0;
+
+  /// At rest [m^3].
+  virtual double volume() const = 0;
+  /// Lumped masses, n, all positive [kg].
+  virtual const Eigen::VectorXd& masses() const = 0;
+  /// Times an acceleration: the nodal forces of a uniform gravity, n [kg]. Their sum is the mass.
+  virtual const Eigen::VectorXd& loadWeights() const = 0;
+
+  virtual bool viscous() const = 0;
+  /// Begins a step of `h` [s]; infinity, as before the first: all has relaxed that can.
+  virtual void beginStep(double h) = 0;
+  /// Ends the step at x: the body remembers what it went through.
+  virtual void endStep(const Points& x) = 0;
+  /// Forgets: the body has been at x for ever.
+  virtual void relax(const Points& x) = 0;
+  /// Null for a body that is not viscous.
+  virtual std::unique_ptr<ViscousState> saveViscousState() const = 0;
+  virtual void restoreViscousState(const ViscousState* state) = 0;
 };
 
 /// Names that makeElasticity() knows.
 std::vector<std::string> elementNames();
+/// The mesh that `element` needs: `mesh`, or for tet10 its 10-node version with straight edges.
+TetMesh meshFor(const std::string& element, const TetMesh& mesh);
 
 /// Body of `element` at rest in `mesh`. `pool` may be null (one thread) and must outlive the body.
-/// @throws std::invalid_argument for an unknown element, or a mesh that the element cannot use.
+/// @throws std::invalid_argument for an unknown element, a mesh that the element cannot use (with
+/// the number of an inverted tetrahedron), or a law with fibres where there are no frames.
 std::unique_ptr<Elasticity> makeElasticity(const std::string& element, const TetMesh& mesh,
-                                           const material::Material& material,
+                                           const Composition& composition,
                                            ThreadPool* pool = nullptr);
 
 }  // namespace palpate::fem

@@ -8,18 +8,21 @@
 
 namespace palpate::fem {
 
-/// Triangles of `surface` (3 x k) whose three corners are all in `nodes` (ascending).
-Eigen::Matrix3Xi selectFaces(const Eigen::Matrix3Xi& surface, const std::vector<int>& nodes);
+// Faces are those of mesh::boundaryFaces(): 3 x k, or 6 x k of quadratic tetrahedra.
 
-/// Nodal forces, 3 x n [N], of a traction [Pa] on the area that `faces` have in `X`: a third of
-/// each triangle's force on each corner, exact for linear shape functions.
-Points tractionForces(const Points& X, const Eigen::Matrix3Xi& faces, const Vec3& traction);
+/// Faces of `surface` whose three corners are all in `nodes` (ascending).
+Eigen::MatrixXi selectFaces(const Eigen::MatrixXi& surface, const std::vector<int>& nodes);
+
+/// Nodal forces, 3 x n [N], of a traction [Pa] on the area that `faces` have in `X`, by the faces'
+/// own shape functions.
+Points tractionForces(const Points& X, const Eigen::MatrixXi& faces, const Vec3& traction);
 
 /// Forces that do not change with the deformation: energy -f . x.
 class DeadLoad final : public EnergyTerm {
  public:
   explicit DeadLoad(Points forces) : forces_(std::move(forces)) {}
 
+  void setForces(const Points& forces) { forces_ = forces; }
   /// The forces act times `factor`.
   void setFactor(double factor) { factor_ = factor; }
   Points forces() const { return factor_ * forces_; }
@@ -33,13 +36,13 @@ class DeadLoad final : public EnergyTerm {
   double factor_ = 1.0;
 };
 
-/// Pressure [Pa] that stays normal to the deformed faces; positive pushes inward. The force on
-/// each corner of a face (a, b, c) is -p/6 (b - a) x (c - a) [Bonet, Wood 2008, sec. 8.5.2 for the
-/// linearisation]. The value is p times the volume under the faces, whose gradient is the force on
-/// a closed surface or one with a held rim; the stiffness is its symmetric part.
+/// Pressure [Pa] that stays normal to the deformed faces; positive pushes inward. The force on node
+/// a of a face x(r, s) is minus the integral of p N_a dx/dr x dx/ds [Bonet, Wood 2008, sec. 8.5.2
+/// for the linearisation]. The value is p times the volume under the faces, whose gradient is the
+/// force on a closed surface or one with a held rim; the stiffness is its symmetric part.
 class FollowerPressure final : public EnergyTerm {
  public:
-  FollowerPressure(Eigen::Matrix3Xi faces, double pressure)
+  FollowerPressure(Eigen::MatrixXi faces, double pressure)
       : faces_(std::move(faces)), pressure_(pressure) {}
 
   void setFactor(double factor) { factor_ = factor; }
@@ -50,7 +53,7 @@ class FollowerPressure final : public EnergyTerm {
   bool conservative() const override { return false; }
 
  private:
-  Eigen::Matrix3Xi faces_;
+  Eigen::MatrixXi faces_;
   double pressure_;
   double factor_ = 1.0;
 };

@@ -28,6 +28,17 @@ double signedVolume(const Points& points, const Eigen::Vector4i& t);
 /// Outward boundary triangles of the corner tetrahedra, 3 x k, in the order of the tetrahedra.
 Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets);
 
+/// Outward boundary faces: as boundaryTriangles(), and in a mesh of quadratic tetrahedra 6 x k, the
+/// corners and then the middles of the edges 01 12 20.
+Eigen::MatrixXi boundaryFaces(const TetMesh& mesh);
+
+/// Triangles through all nodes of `faces` (3 x k or 6 x k): four for each quadratic face.
+Eigen::Matrix3Xi trianglesOf(const Eigen::MatrixXi& faces);
+
+/// 10-node tetrahedra with nodes in the middle of straight edges; the points of `mesh` stay the
+/// first ones. A mesh that is quadratic is returned as it is.
+TetMesh toQuadratic(const TetMesh& mesh);
+
 /// A box [0, size] cut into cells, five or six tetrahedra each; `cells` per axis, six each here
 /// (Kuhn's subdivision, conforming).
 TetMesh boxMesh(const Vec3& size, const Eigen::Vector3i& cells);

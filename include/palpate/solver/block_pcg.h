@@ -13,11 +13,11 @@ class BlockPcg final : public LinearSolver {
  public:
   explicit BlockPcg(int max_iterations) : max_iterations_(max_iterations) {}
 
-  LinearReport solve(const fem::BlockMatrix& A, const Points& b, double relative_tolerance,
+  LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
 
  private:
-  bool invertDiagonal(const fem::BlockMatrix& A);
+  bool invertDiagonal(const fem::Stiffness& A);
   void precondition(const Points& r, Points* z) const;
 
   int max_iterations_;

@@ -14,7 +14,7 @@ class CholmodSolver final : public LinearSolver {
   CholmodSolver();
   ~CholmodSolver() override;
 
-  LinearReport solve(const fem::BlockMatrix& A, const Points& b, double relative_tolerance,
+  LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
 
  private:

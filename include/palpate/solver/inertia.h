@@ -7,22 +7,19 @@
 
 namespace palpate::solver {
 
-/// Inertia of an implicit step as an energy, 1/2 sum_i m_i/h^2 |x_i - y_i|^2, with y the positions
-/// that the masses would reach if nothing held them [Hairer, Lubich, Wanner 2006, sec. VI.6 on
-/// variational integrators; the incremental potential of Kane et al. 2000]. Backward Euler:
-/// y = x_n + h v_n, and v_{n+1} = (x_{n+1} - x_n) / h.
+/// Inertia of an implicit step as an energy, 1/2 sum_i w_i |x_i - y_i|^2, with y the positions that
+/// the masses would reach if nothing held them [Hairer, Lubich, Wanner 2006, sec. VI.6 on
+/// variational integrators; the incremental potential of Kane et al. 2000].
 class Inertia final : public fem::EnergyTerm {
  public:
-  explicit Inertia(Eigen::VectorXd masses) : masses_(std::move(masses)) {}
-
-  /// Lumped masses, n [kg].
-  const Eigen::VectorXd& masses() const { return masses_; }
-
-  /// Begins a step of `h` [s] towards y, 3 x n [m].
-  void beginStep(const Points& y, double h) {
+  /// Begins a step towards y, 3 x n [m], with the weights w, n [kg/s^2].
+  void beginStep(const Points& y, const Eigen::VectorXd& weights) {
     y_ = y;
-    weights_ = masses_ / (h * h);
+    weights_ = weights;
   }
+
+  /// On each node at x, 3 x n [N]: minus mass times acceleration.
+  Points forces(const Points& x) const { return (y_ - x) * weights_.asDiagonal(); }
 
   double value(const Points& x) const override {
     return 0.5 * ((x - y_).colwise().squaredNorm().transpose().cwiseProduct(weights_)).sum();
@@ -37,7 +34,7 @@ class Inertia final : public fem::EnergyTerm {
   }
 
  private:
-  Eigen::VectorXd masses_, weights_;
+  Eigen::VectorXd weights_;
   Points y_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "palpate/fem/block_matrix.h"
+#include "palpate/fem/stiffness.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::solver {
@@ -19,7 +19,7 @@ class LinearSolver {
   /// `b` and `x` are 3 x n; `x` is overwritten. An iterative solver stops when |b - A x| <=
   /// `relative_tolerance` |b|. kNotPositiveDefinite: A is not, and `x` is of no use;
   /// kIterationLimit: `x` is the best so far, still a direction of descent.
-  virtual LinearReport solve(const fem::BlockMatrix& A, const Points& b, double relative_tolerance,
+  virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 };
 

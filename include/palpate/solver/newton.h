@@ -26,7 +26,7 @@ struct NewtonReport {
 class Newton {
  public:
   /// `A` has the body's pattern.
-  explicit Newton(const fem::BlockMatrix& A) : A_(A) {}
+  explicit Newton(const fem::Stiffness& A) : A_(A) {}
 
   /// Improves x, 3 x n, whose held components stay. x is never worse than it was and always finite.
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
@@ -51,7 +51,7 @@ class Newton {
                          LinearSolver* linear, NewtonReport* report);
   bool lineSearch(const Potential& potential, double value, Points* x, double* next_value);
 
-  fem::BlockMatrix A_;
+  fem::Stiffness A_;
   Points g_, d_, right_, x_trial_, g_trial_;
 };
 

@@ -10,26 +10,29 @@
 
 namespace palpate::solver {
 
-/// What a solve minimises: W(x) plus terms, over the free components of x.
+/// What a solve minimises: s W(x) plus terms, over the free components of x.
 struct Potential {
   fem::Elasticity* elasticity;
   std::vector<const fem::EnergyTerm*> terms;
-  fem::FreeMask free;  ///< 3 x n
+  fem::FreeMask free;          ///< 3 x n
+  double elastic_scale = 1.0;  ///< s; damping in proportion to stiffness enlarges it.
 
   double value(const Points& x) const {
-    double sum = elasticity->energy(x);
+    double sum = elastic_scale * elasticity->energy(x);
     for (const fem::EnergyTerm* term : terms) sum += term->value(x);
     return sum;
   }
   /// All components, the held ones too: there it is minus the support's force on the body.
   double gradient(const Points& x, Points* g) const {
-    double sum = elasticity->gradient(x, g);
+    double sum = elastic_scale * elasticity->gradient(x, g);
+    if (elastic_scale != 1.0) *g *= elastic_scale;
     for (const fem::EnergyTerm* term : terms) sum += term->addGradient(x, g);
     return sum;
   }
-  void hessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const {
+  void hessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
     elasticity->hessian(x, tangent, K);
-    for (const fem::EnergyTerm* term : terms) term->addHessian(x, tangent, K);
+    if (elastic_scale != 1.0) K->scale(elastic_scale);
+    for (const fem::EnergyTerm* term : terms) term->addHessian(x, tangent, &K->blocks());
   }
   double maxStep(const Points& x, const Points& d) const {
     double largest = 1.0;

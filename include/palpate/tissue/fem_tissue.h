@@ -6,17 +6,19 @@
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/contact/penalty.h"
+#include "palpate/fem/composition.h"
 #include "palpate/fem/supports.h"
-#include "palpate/material/material.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::tissue {
 
 struct FemSettings {
-  std::string element = "tet4";
-  double density = 1000.0;      ///< [kg/m^3]
-  Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
+  std::string element = "anp";
+  std::string integrator = "backward_euler";
+  double mass_damping = 0.0;       ///< [1/s]
+  double stiffness_damping = 0.0;  ///< [s]
+  Vec3 gravity = Vec3::Zero();     ///< [m/s^2], world
   contact::Penalty penalty{3.0e8, 1.0e-4};
   double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
   double tolerance = 1.0e-4;    ///< Of the residual, relative to the forces.
@@ -25,17 +27,19 @@ struct FemSettings {
   int max_linear_iterations = 500;
 };
 
-/// Nonlinear finite elements stepped by backward Euler: each cycle minimises the incremental
-/// potential (inertia, elasticity, gravity, contact) by inexact Newton with block-Jacobi PCG. When
+/// Nonlinear finite elements stepped implicitly: each cycle minimises the incremental potential
+/// (inertia, elasticity, gravity, contact) by inexact Newton with block-Jacobi PCG. When
 /// tools move far within a cycle, the motion is swept in stages short against the thinnest tool,
-/// each solved before the next, so that no tool passes through (sweep.h).
+/// each solved before the next, so that no tool passes through (sweep.h). A cycle whose solve fails
+/// is rejected and tried again in 2, 4 and 8 shorter steps.
 ///
-/// `mesh` is in world, `free` says what the supports leave (3 x n). `pool` may be null and must
+/// `mesh` is in world and as the element needs it (fem::meshFor()), `free` says what the supports
+/// leave (3 x n). `pool` may be null and must
 /// outlive the model. Starts from the equilibrium under gravity.
 /// @throws std::invalid_argument for an unknown element, a bad mesh, or a body that gravity would
 /// drag away because the supports do not hold it; std::runtime_error if there is no equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
-                                           const material::Material& material,
+                                           const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,
                                            ThreadPool* pool = nullptr);
 

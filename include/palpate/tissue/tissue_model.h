@@ -32,8 +32,9 @@ struct TissueStep {
   std::vector<TissueContact> contacts;
   Vec3 support_force = Vec3::Zero();
   Vec3 gravity_force = Vec3::Zero();
-  Vec3 inertia_force = Vec3::Zero();  ///< Minus the rate of change of momentum.
+  Vec3 inertia_force = Vec3::Zero();  ///< Of inertia and of damping by mass.
   int sweep_stages = 1;
+  int time_steps = 1;  ///< That made the cycle; more than one where longer ones failed.
   int newton_iterations = 0;
   int linear_iterations = 0;
   double residual = 0.0;   ///< Norm of the unbalanced nodal forces [N].

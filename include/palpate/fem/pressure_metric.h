@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <memory>
+
+namespace palpate::fem {
+
+/// M in the energy 1/2 c^T M c of the volume changes c [m^3] that belong to pressure nodes; their
+/// pressures are M c [Pa]. M is either diagonal or the inverse of a sparse matrix.
+class PressureMetric {
+ public:
+  /// M = diag(weights), [Pa/m^3].
+  static PressureMetric diagonal(Eigen::VectorXd weights);
+  /// M = compliance^-1; `compliance` symmetric positive definite [m^3/Pa].
+  static PressureMetric inverseOf(Eigen::SparseMatrix<double> compliance);
+
+  Eigen::Index size() const { return weights_.size(); }
+  bool isDiagonal() const { return compliance_.size() == 0; }
+  Eigen::VectorXd apply(const Eigen::VectorXd& c) const;
+
+  /// The diagonal of M, or the inverse of the compliance's diagonal: enough for a preconditioner.
+  const Eigen::VectorXd& weights() const { return weights_; }
+  /// Empty where M is diagonal.
+  const Eigen::SparseMatrix<double>& compliance() const { return compliance_; }
+
+ private:
+  Eigen::VectorXd weights_;
+  Eigen::SparseMatrix<double> compliance_;
+  std::shared_ptr<const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>> factor_;
+};
+
+}  // namespace palpate::fem

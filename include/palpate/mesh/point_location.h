@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "palpate/mesh/tet_mesh.h"
+
+namespace palpate::mesh {
+
+/// A place in a mesh.
+struct Location {
+  int tet = -1;
+  Eigen::Vector4d w;  ///< Barycentric coordinates, sum 1; of a curved tetrahedron those of its
+                      ///< straight original.
+};
+
+/// Where the point `p` [m] is; nothing where it is outside of all tetrahedra by more than 1e-6 of
+/// one. In curved tetrahedra by Newton's method.
+std::optional<Location> locate(const TetMesh& mesh, const Vec3& p);
+
+/// Values at the nodes, one column each, interpolated by the shape functions.
+Vec3 interpolate(const TetMesh& mesh, const Location& at, const Points& values);
+
+}  // namespace palpate::mesh

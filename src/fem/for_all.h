@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "palpate/base/thread_pool.h"
+
+namespace palpate::fem {
+
+/// body(begin, end) on all of [0, count), on the pool if there is one.
+template <class Body>
+void forAll(ThreadPool* pool, std::size_t count, const Body& body) {
+  if (pool) {
+    pool->forRanges(count, body);
+  } else {
+    body(std::size_t{0}, count);
+  }
+}
+
+}  // namespace palpate::fem

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nodal_pressure.h"
+
+#include <algorithm>
+#include <map>
+
+#include "for_all.h"
+
+namespace palpate::fem {
+namespace {
+
+using Element = Eigen::Matrix4d;
+
+// Integral of N_m N_n / kappa + (N_m - 1/4)(N_n - 1/4) / mu over a tetrahedron.
+Element compliance(double volume, const material::Moduli& moduli, double share) {
+  const Element mass = volume / 20.0 * (Element::Identity() + Element::Ones());
+  const Element mean = volume / 16.0 * Element::Ones();
+  return mass / (share * moduli.kappa) + (mass - mean) / moduli.mu;
+}
+
+}  // namespace
+
+NodalPressure::NodalPressure(Kind kind, double share, const RestShape<4>& shape,
+                             const Composition& composition)
+    : volume_(shape.volumes) {
+  numberPressures(shape, composition);
+  buildRows(shape);
+  const auto size = static_cast<Eigen::Index>(solid_.size());
+  c_ = p_ = Eigen::VectorXd::Zero(size);
+  if (kind == Kind::kAveraged) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(size);
+    for (Eigen::Index n = 0; n < size; ++n) {
+      double volume = 0.0;
+      for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) volume += volume_[*e] / 4;
+      weights[n] = share * material::moduli(composition.solids[solid_[n]].law).kappa / volume;
+    }
+    metric_ = std::make_shared<PressureMetric>(PressureMetric::diagonal(weights));
+    return;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {
+    const Element local =
+        compliance(volume_[e], material::moduli(composition.solid(static_cast<int>(e)).law), share);
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < 4; ++b) {
+        entries.emplace_back(pressure_(a, e), pressure_(b, e), local(a, b));
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> all(size, size);
+  all.setFromTriplets(entries.begin(), entries.end());
+  metric_ = std::make_shared<PressureMetric>(PressureMetric::inverseOf(std::move(all)));
+}
+
+void NodalPressure::numberPressures(const RestShape<4>& shape, const Composition& composition) {
+  std::map<std::pair<int, int>, int> number;  // of (node, solid), in that order
+  const auto solidOf = [&](Eigen::Index e) {
+    return composition.solid_of.empty() ? 0 : composition.solid_of[static_cast<std::size_t>(e)];
+  };
+  for (Eigen::Index e = 0; e < shape.nodes.cols(); ++e) {
+    for (int a = 0; a < 4; ++a) number[{shape.nodes(a, e), solidOf(e)}] = 0;
+  }
+  for (auto& [key, n] : number) {
+    n = static_cast<int>(solid_.size());
+    solid_.push_back(key.second);
+  }
+  pressure_.resize(4, shape.nodes.cols());
+  std::vector<int> targets, sources;
+  for (Eigen::Index e = 0; e < shape.nodes.cols(); ++e) {
+    for (int a = 0; a < 4; ++a) {
+      pressure_(a, e) = number[{shape.nodes(a, e), solidOf(e)}];
+      targets.push_back(pressure_(a, e));
+      sources.push_back(static_cast<int>(e));
+    }
+  }
+  elements_ = Sources<int>(targets, sources, static_cast<int>(solid_.size()));
+}
+
+void NodalPressure::buildRows(const RestShape<4>& shape) {
+  pattern_ = std::make_shared<VolumeStiffness::Pattern>();
+  pattern_->start.push_back(0);
+  std::vector<int> targets, sources;
+  for (std::size_t n = 0; n < solid_.size(); ++n) {
+    std::vector<int> nodes;
+    for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
+      for (int a = 0; a < 4; ++a) nodes.push_back(shape.nodes(a, *e));
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
+      for (int a = 0; a < 4; ++a) {
+        const auto found = std::lower_bound(nodes.begin(), nodes.end(), shape.nodes(a, *e));
+        targets.push_back(pattern_->start.back() + static_cast<int>(found - nodes.begin()));
+        sources.push_back(4 * *e + a);
+      }
+    }
+    pattern_->node.insert(pattern_->node.end(), nodes.begin(), nodes.end());
+    pattern_->start.push_back(static_cast<int>(pattern_->node.size()));
+  }
+  row_sources_ = Sources<int>(targets, sources, static_cast<int>(pattern_->node.size()));
+}
+
+void NodalPressure::setDilatations(const std::vector<double>& theta, ThreadPool* pool) {
+  forAll(pool, solid_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      double sum = 0.0;
+      for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
+        sum += volume_[*e] * theta[*e];
+      }
+      c_[static_cast<Eigen::Index>(n)] = sum / 4.0;
+    }
+  });
+  p_ = metric_->apply(c_);
+}
+
+void NodalPressure::addEnergyBySolid(Eigen::VectorXd* energies) const {
+  for (std::size_t n = 0; n < solid_.size(); ++n) {
+    const auto i = static_cast<Eigen::Index>(n);
+    (*energies)[solid_[n]] += 0.5 * c_[i] * p_[i];
+  }
+}
+
+double NodalPressure::at(std::size_t e, const Eigen::Vector4d& w) const {
+  const Eigen::Vector4i corners = pressure_.col(static_cast<Eigen::Index>(e));
+  return w[0] * p_[corners[0]] + w[1] * p_[corners[1]] + w[2] * p_[corners[2]] +
+         w[3] * p_[corners[3]];
+}
+
+VolumeStiffness NodalPressure::makeStiffness() const {
+  VolumeStiffness stiffness;
+  stiffness.pattern = pattern_;
+  stiffness.metric = metric_;
+  stiffness.rows.setZero(3, static_cast<Eigen::Index>(pattern_->node.size()));
+  return stiffness;
+}
+
+void NodalPressure::gatherRows(const Gradients& gradients, ThreadPool* pool,
+                               VolumeStiffness* stiffness) const {
+  stiffness->factor = 1.0;
+  forAll(pool, row_sources_.numTargets(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Vec3 sum = Vec3::Zero();
+      for (const int* s = row_sources_.begin(k); s != row_sources_.end(k); ++s) {
+        sum += Eigen::Map<const Vec3>(gradients.data() + 3 * static_cast<std::ptrdiff_t>(*s));
+      }
+      stiffness->rows.col(static_cast<Eigen::Index>(k)) = sum;
+    }
+  });
+}
+
+}  // namespace palpate::fem

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prony_history.h"
+
+#include <cmath>
+#include <limits>
+
+namespace palpate::fem {
+
+PronyHistory::PronyHistory(const Composition& composition, int num_elements, int points_per_element)
+    : points_per_element_(points_per_element), solid_of_(composition.solid_of) {
+  solid_of_.resize(static_cast<std::size_t>(num_elements), 0);
+  bool viscous = false;
+  for (const material::Solid& solid : composition.solids) {
+    material::checkProny(solid.law, solid.prony);
+    terms_.emplace_back();
+    for (const material::PronyTerm& term : solid.prony) {
+      terms_.back().push_back({term.g, term.tau, 0.0, 0.0});
+      viscous = true;
+    }
+  }
+  factor_.assign(terms_.size(), 1.0);
+  if (viscous) {
+    points_.resize(static_cast<std::size_t>(num_elements) * points_per_element);
+    for (int e = 0; e < num_elements; ++e) {
+      for (int q = 0; q < points_per_element; ++q) {
+        points_[e * points_per_element + q].Q.assign(terms(e).size(), Mat3::Zero());
+      }
+    }
+  }
+  beginStep(std::numeric_limits<double>::infinity());
+}
+
+void PronyHistory::beginStep(double h) {
+  for (std::size_t solid = 0; solid < terms_.size(); ++solid) {
+    factor_[solid] = 1.0;
+    for (Term& term : terms_[solid]) {
+      const double x = h / term.tau;
+      term.decay = std::exp(-x);
+      term.gain = term.g * (x > 1e-8 ? -std::expm1(-x) / x : 1.0 - 0.5 * x);
+      factor_[solid] += term.gain - term.g;
+    }
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    Point& point = points_[i];
+    const std::vector<Term>& terms = this->terms(static_cast<int>(i) / points_per_element_);
+    point.H.setZero();
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      point.H += terms[k].decay * point.Q[k] - terms[k].gain * point.S;
+    }
+  }
+}
+
+void PronyHistory::endStep(int e, int q, const Mat3& S) {
+  Point& point = points_[e * points_per_element_ + q];
+  for (std::size_t k = 0; k < point.Q.size(); ++k) {
+    const Term& term = terms(e)[k];
+    point.Q[k] = term.decay * point.Q[k] + term.gain * (S - point.S);
+  }
+  point.S = S;
+}
+
+void PronyHistory::relax(int e, int q, const Mat3& S) {
+  Point& point = points_[e * points_per_element_ + q];
+  for (Mat3& Q : point.Q) Q.setZero();
+  point.S = S;
+}
+
+}  // namespace palpate::fem

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "element_scatter.h"
+#include "nodal_pressure.h"
+#include "palpate/fem/elasticity.h"
+#include "prony_history.h"
+#include "rest_shape.h"
+
+namespace palpate::fem {
+
+/// Who carries the volumetric energy kappa/2 theta^2.
+struct VolumeTreatment {
+  double element_share = 1.0;  ///< Part of kappa in the integration points; the rest is nodal.
+  NodalPressure::Kind kind = NodalPressure::Kind::kAveraged;  ///< Of that rest.
+};
+
+/// Isoparametric tetrahedra of N nodes: at each integration point F = sum_a x_a (x) g_a, g_a =
+/// grad N_a at rest [Bonet, Wood 2008, sec. 9.2]. Linear ones (N = 4) may have nodal pressures.
+template <int N>
+class SolidElasticity final : public Elasticity {
+ public:
+  SolidElasticity(const TetMesh& mesh, const Composition& composition, ThreadPool* pool,
+                  const VolumeTreatment& treatment);
+
+  int numNodes() const override { return static_cast<int>(shape_.masses.size()); }
+  Stiffness makeMatrix() const override;
+  double energy(const Points& x) override;
+  double gradient(const Points& x, Points* g) override;
+  void hessian(const Points& x, Tangent tangent, Stiffness* K) override;
+  double minJacobian(const Points& x) const override;
+  std::vector<PointState> states(const Points& x,
+                                 const std::vector<mesh::Location>& places) override;
+  Eigen::VectorXd energyBySolid(const Points& x) override;
+  double volume() const override;
+  const Eigen::VectorXd& masses() const override { return shape_.masses; }
+  const Eigen::VectorXd& loadWeights() const override { return shape_.load_weights; }
+  bool viscous() const override { return !history_.empty(); }
+  void beginStep(double h) override { history_.beginStep(h); }
+  void endStep(const Points& x) override;
+  void relax(const Points& x) override;
+  std::unique_ptr<ViscousState> saveViscousState() const override;
+  void restoreViscousState(const ViscousState* state) override;
+
+ private:
+  static constexpr int kPoints = RestShape<N>::kPoints;
+  struct Group {  // elements of one solid
+    int solid;
+    std::vector<int> elements;
+  };
+  struct SavedHistory : ViscousState {
+    explicit SavedHistory(PronyHistory h) : history(std::move(h)) {}
+    PronyHistory history;
+  };
+
+  Mat3 deformation(const Points& x, std::size_t e,
+                   const Eigen::Matrix<double, 3, N>& gradients) const;
+  /// visit(law, solid, element) on all elements.
+  template <class Visit>
+  void forElements(const Visit& visit) const;
+  /// Pressures at x, which the functions below take from there.
+  void updatePressure(const Points& x);
+  double pressure(std::size_t e) const { return pressure_ ? pressure_->mean(e) : 0.0; }
+  void computeEnergies(const Points& x);
+  PointState state(const Points& x, int e, const Eigen::Vector4d& w) const;
+  /// visit(e, q, S) with the distortional second Piola-Kirchhoff stress of every viscous point.
+  template <class Visit>
+  void forViscousPoints(const Points& x, const Visit& visit) const;
+
+  TetMesh mesh_;
+  Composition composition_;
+  ThreadPool* pool_;
+  double element_share_;
+  RestShape<N> shape_;
+  ElementScatter<N> scatter_;
+  std::vector<Group> groups_;
+  std::unique_ptr<NodalPressure> pressure_;  // null: element_share_ is 1
+  PronyHistory history_;
+
+  std::vector<double> energies_, dilatations_;  // scratch, one an element
+  typename ElementScatter<N>::Vectors forces_;
+  typename ElementScatter<N>::Blocks blocks_;
+  NodalPressure::Gradients volume_gradients_;
+};
+
+}  // namespace palpate::fem

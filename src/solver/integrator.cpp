@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/integrator.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "palpate/base/error.h"
+
+namespace palpate::solver {
+
+std::vector<std::string> integratorNames() { return {"backward_euler", "bdf2", "static"}; }
+
+Integrator::Integrator(const std::string& name, Eigen::VectorXd masses,
+                       const RayleighDamping& damping)
+    : two_step_(name == "bdf2"),
+      massless_(name == "static"),
+      masses_(std::move(masses)),
+      damping_(damping),
+      damping_load_(Points::Zero(3, masses_.size())),
+      g_(Points::Zero(3, masses_.size())) {
+  const std::vector<std::string> known = integratorNames();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw std::invalid_argument("integrator = " + name + ": must be one of " + joinNames(known));
+  }
+}
+
+void Integrator::start(const Points& x, const Points& v) {
+  x_ = x;
+  v_ = v;
+  h_old_ = 0.0;
+}
+
+void Integrator::addTerms(Potential* potential) const {
+  potential->terms.push_back(&inertia_);
+  if (needsElasticGradient()) potential->terms.push_back(&damping_load_);
+}
+
+void Integrator::beginStep(double h, Potential* potential) {
+  h_ = h;
+  if (two_step_ && h_old_ == h) {
+    k_ = 2.0 / 3.0 * h;
+    x_hat_ = (4.0 * x_ - x_old_) / 3.0;
+    v_hat_ = (4.0 * v_ - v_old_) / 3.0;
+    g_hat_ = (4.0 * g_ - g_old_) / 3.0;
+  } else {
+    k_ = h;
+    x_hat_ = x_;
+    v_hat_ = v_;
+    g_hat_ = g_;
+  }
+  if (massless_) {
+    inertia_.beginStep(x_hat_, 0.0 * masses_);
+  } else {
+    y_ = x_hat_ + k_ / (1.0 + damping_.mass * k_) * v_hat_;
+    inertia_.beginStep(y_, (1.0 / k_ + damping_.mass) / k_ * masses_);
+  }
+  potential->elastic_scale = 1.0 + damping_.stiffness / k_;
+  if (needsElasticGradient()) {
+    damping_load_.setForces(damping_.stiffness / k_ * g_hat_);
+  }
+}
+
+void Integrator::endStep(const Points& x, const Points& g) {
+  x_old_.swap(x_);
+  v_old_.swap(v_);
+  g_old_.swap(g_);
+  h_old_ = h_;
+  x_ = x;
+  v_ = (x - x_hat_) / k_;
+  g_ = g;
+}
+
+void Integrator::stop() {
+  v_.setZero();
+  h_old_ = 0.0;
+}
+
+}  // namespace palpate::solver
