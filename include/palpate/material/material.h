@@ -6,14 +6,19 @@
 #include <vector>
 
 #include "palpate/material/constants.h"
+#include "palpate/material/demiray.h"
+#include "palpate/material/mooney_rivlin.h"
 #include "palpate/material/neo_hookean.h"
 #include "palpate/material/st_venant_kirchhoff.h"
 #include "palpate/material/stable_neo_hookean.h"
+#include "palpate/material/veronda_westmann.h"
+#include "palpate/material/yeoh.h"
 
 namespace palpate::material {
 
-/// Every material law. To add one: write its header, add it here. The name lookup, the dispatch in
-/// the assembly, the documentation and the property tests all read this list.
+/// Every material law. To add one: write its header, include it above, add it here. The name
+/// lookup, the dispatch in the assembly, the documentation and the property tests all read this
+/// list.
 ///
 /// A law is a value type that derives from FiniteStrainLaw (law.h) and has
 ///     static constexpr std::string_view kName;            its name in files
@@ -24,7 +29,8 @@ namespace palpate::material {
 ///     double distortionalEnergy(const Mat3& F) const;     psi - kappa/2 theta^2 [J/m^3]
 ///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
 ///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
-using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean>;
+using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, MooneyRivlin, Yeoh,
+                              VerondaWestmann, Demiray>;
 
 /// The names in the list, in its order.
 std::vector<std::string> materialNames();
