@@ -14,4 +14,9 @@ bool nearKink(const Law&, const Mat3&) {
   return false;
 }
 
+inline bool nearKink(const material::Corotational&, const Mat3& F) {
+  const Vec3 s = material::principalStretches(F).s;
+  return s(1) + s(2) < 0.1;
+}
+
 }  // namespace palpate::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/material/principal_stretches.h"
 #include "palpate/material/tensor.h"
 
 namespace palpate::material {
@@ -24,6 +25,22 @@ struct GreenStrainTrace {
   static double value(const Mat3& F) { return 0.5 * (F.squaredNorm() - 3.0); }
   static Mat3 gradient(const Mat3& F) { return F; }
   static void addHessian(const Mat3&, double s, Mat9* K) { K->diagonal().array() += s; }
+};
+
+/// theta = tr eps, eps = (F + F^T)/2 - I: the trace of the small strain.
+struct SmallStrainTrace {
+  static double value(const Mat3& F) { return F.trace() - 3.0; }
+  static Mat3 gradient(const Mat3&) { return Mat3::Identity(); }
+  static void addHessian(const Mat3&, double, Mat9*) {}
+};
+
+/// theta = tr S - 3, F = R S: the trace of the stretch. Its gradient is R.
+struct StretchTrace {
+  static double value(const Mat3& F) { return principalStretches(F).s.sum() - 3.0; }
+  static Mat3 gradient(const Mat3& F) { return principalStretches(F).rotation(); }
+  static void addHessian(const Mat3& F, double s, Mat9* K) {
+    addRotationDerivative(principalStretches(F), s, K);
+  }
 };
 
 }  // namespace palpate::material

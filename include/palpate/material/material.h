@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "palpate/material/constants.h"
+#include "palpate/material/corotational.h"
 #include "palpate/material/demiray.h"
+#include "palpate/material/linear.h"
 #include "palpate/material/mooney_rivlin.h"
 #include "palpate/material/neo_hookean.h"
 #include "palpate/material/st_venant_kirchhoff.h"
@@ -29,8 +31,8 @@ namespace palpate::material {
 ///     double distortionalEnergy(const Mat3& F) const;     psi - kappa/2 theta^2 [J/m^3]
 ///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
 ///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
-using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, MooneyRivlin, Yeoh,
-                              VerondaWestmann, Demiray>;
+using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, Linear, Corotational,
+                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray>;
 
 /// The names in the list, in its order.
 std::vector<std::string> materialNames();
