@@ -11,6 +11,7 @@
 #include "palpate/material/linear.h"
 #include "palpate/material/mooney_rivlin.h"
 #include "palpate/material/neo_hookean.h"
+#include "palpate/material/ogden.h"
 #include "palpate/material/st_venant_kirchhoff.h"
 #include "palpate/material/stable_neo_hookean.h"
 #include "palpate/material/veronda_westmann.h"
@@ -32,7 +33,7 @@ namespace palpate::material {
 ///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
 ///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
 using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, Linear, Corotational,
-                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray>;
+                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray, Ogden>;
 
 /// The names in the list, in its order.
 std::vector<std::string> materialNames();
