@@ -8,6 +8,9 @@
 #include "palpate/material/constants.h"
 #include "palpate/material/corotational.h"
 #include "palpate/material/demiray.h"
+#include "palpate/material/guccione.h"
+#include "palpate/material/holzapfel_gasser_ogden.h"
+#include "palpate/material/holzapfel_ogden.h"
 #include "palpate/material/linear.h"
 #include "palpate/material/mooney_rivlin.h"
 #include "palpate/material/neo_hookean.h"
@@ -33,7 +36,8 @@ namespace palpate::material {
 ///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
 ///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
 using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, Linear, Corotational,
-                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray, Ogden>;
+                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray, Ogden,
+                              HolzapfelGasserOgden, Guccione, HolzapfelOgden>;
 
 /// The names in the list, in its order.
 std::vector<std::string> materialNames();
