@@ -167,10 +167,8 @@ TYPED_TEST(EveryLaw, ObeysHookeAtSmallStrain) {
   }
 }
 
-TYPED_TEST(EveryLaw, IsochoricPartKnowsNoVolume) {
-  if constexpr (!kIsIsochoric<TypeParam>) {
-    GTEST_SKIP() << TypeParam::kName << " is not split by Fbar";
-  } else {
+TYPED_TEST(EveryLaw, KnowsNoVolumeIfItIsSplitByIt) {
+  if constexpr (kIsIsochoric<TypeParam>) {
     for (int trial = 0; trial < 20; ++trial) {
       const Mat3 F = this->deformation();
       for (const double s : {0.2, 0.9, 3.0}) {
