@@ -32,10 +32,6 @@ class Reader {
     if (grid_.types.size() != grid_.ends.size()) {
       in_.fail("", "truncated: there must be as many CELL_TYPES as CELLS");
     }
-    if (!grid_.region.empty() && grid_.region.size() != grid_.types.size()) {
-      in_.fail(std::to_string(grid_.region.size()) + " values in CELL_DATA",
-               "there must be as many as cells");
-    }
     TetBuilder builder(file_);
     addVtkGrid(grid_, file_, &builder);
     return builder.finish();
@@ -145,8 +141,9 @@ class Reader {
       }
       keep(name, components, readArray(type, product(components, num_values_)));
     } else if (key == "vectors" || key == "normals" || key == "tensors") {
-      in_.word();
-      readArray(in_.word(), product(key == "tensors" ? 9 : 3, num_values_));
+      const std::string name(in_.word());
+      const std::size_t components = key == "tensors" ? 9 : 3;
+      keep(name, components, readArray(in_.word(), product(components, num_values_)));
     } else if (key == "global_ids" || key == "pedigree_ids") {
       in_.word();
       readArray(in_.word(), num_values_);
@@ -186,7 +183,8 @@ class Reader {
   }
 
   void keep(const std::string& name, std::size_t components, std::vector<double> values) {
-    if (of_cells_ && components == 1 && isRegionName(name)) grid_.region = std::move(values);
+    if (!of_cells_ || values.empty() || (components != 1 && components != 3)) return;
+    grid_.cell_data.push_back({name, components, std::move(values)});
   }
 
   /// From behind the type's name.

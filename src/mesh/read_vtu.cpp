@@ -87,9 +87,11 @@ VtkGrid readPiece(const XMLElement& piece, const VtuData& data) {
   for (const XMLElement* e = cell_data ? cell_data->FirstChildElement("DataArray") : nullptr; e;
        e = e->NextSiblingElement("DataArray")) {
     const char* name = e->Attribute("Name");
-    if (name && isRegionName(name) && e->IntAttribute("NumberOfComponents", 1) == 1) {
-      grid.region = data.numbers(*e, num_cells);
-    }
+    const char* type = e->Attribute("type");
+    const int components = e->IntAttribute("NumberOfComponents", 1);
+    if (!name || !type || !vtuType(type) || (components != 1 && components != 3)) continue;
+    const auto n = static_cast<std::size_t>(components);
+    grid.cell_data.push_back({name, n, data.numbers(*e, n * num_cells)});
   }
   return grid;
 }

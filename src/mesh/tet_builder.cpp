@@ -10,6 +10,8 @@
 namespace palpate::mesh {
 namespace {
 
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
 /// "3 of 596, the first is tetrahedron 12": counted from 1, among the tetrahedra.
 std::string countAndFirst(std::size_t count, std::size_t total, std::size_t first) {
   return std::to_string(count) + " of " + std::to_string(total) + ", the first is number " +
@@ -46,6 +48,17 @@ void TetBuilder::addTet(const TetNodes& nodes, int num_nodes) {
 void TetBuilder::setRegion(int region) {
   region_.resize(tets_.size(), 0);
   region_.back() = region;
+}
+
+void TetBuilder::setData(const std::string& name, int components, const double* values) {
+  Data& data = data_[name];
+  if (data.components == 0) data.components = components;
+  if (data.components != components) {
+    throw InputError(file_, "cell data " + name, std::to_string(components) + " components",
+                     "must have as many in all pieces of the file");
+  }
+  data.values.resize(static_cast<std::size_t>(components) * (tets_.size() - 1), kNothing);
+  data.values.insert(data.values.end(), values, values + components);
 }
 
 void TetBuilder::checkNodes() const {
@@ -133,6 +146,11 @@ TetMesh TetBuilder::finish() {
   }
   if (!region_.empty()) region_.resize(tets_.size(), 0);
   mesh.region = region_;
+  for (auto& [name, data] : data_) {
+    data.values.resize(static_cast<std::size_t>(data.components) * tets_.size(), kNothing);
+    mesh.cell_data[name] =
+        Eigen::Map<const Eigen::MatrixXd>(data.values.data(), data.components, num_tets);
+  }
   if (allInverted(mesh)) turnOver(&mesh);
   checkTets(mesh, file_);
   return mesh;

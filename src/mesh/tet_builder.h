@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ class TetBuilder {
   void addTet(const TetNodes& nodes, int num_nodes);
   /// Of the tetrahedron added last; either all have one or none has.
   void setRegion(int region);
+  /// Cell data of the tetrahedron added last: `components` numbers.
+  /// @throws InputError if the name had another number of components before.
+  void setData(const std::string& name, int components, const double* values);
 
   /// Drops unused points, turns the tetrahedra if all are inverted, checks everything.
   /// @throws InputError with all problems of the first kind that is found.
@@ -43,6 +47,11 @@ class TetBuilder {
   std::vector<Vec3> points_;
   std::vector<TetNodes> tets_;
   std::vector<int> region_;
+  struct Data {
+    int components = 0;
+    std::vector<double> values;  // up to the last tetrahedron that has any
+  };
+  std::map<std::string, Data> data_;
   std::size_t num_quadratic_ = 0;
 };
 

@@ -40,11 +40,33 @@ int regionOf(double value, const std::string& file, std::size_t i) {
   return static_cast<int>(value);
 }
 
+bool tellsRegion(const VtkArray& array) {
+  return array.components == 1 && (array.name == "region" || array.name == "gmsh:physical");
+}
+
+// Of cell `i`, for the tetrahedron added last.
+void addCellData(const VtkGrid& grid, const std::string& file, std::size_t i, TetBuilder* builder) {
+  for (const VtkArray& array : grid.cell_data) {
+    if (array.components != 1 && array.components != 3) continue;
+    const double* values = array.values.data() + i * array.components;
+    if (tellsRegion(array)) builder->setRegion(regionOf(*values, file, i));
+    builder->setData(array.name, static_cast<int>(array.components), values);
+  }
+}
+
+void checkCellData(const VtkGrid& grid, const std::string& file) {
+  for (const VtkArray& array : grid.cell_data) {
+    if (array.values.size() == array.components * grid.types.size()) continue;
+    throw InputError(file, "cell data " + array.name,
+                     std::to_string(array.values.size() / array.components) + " values",
+                     "there must be as many as cells, " + std::to_string(grid.types.size()));
+  }
+}
+
 }  // namespace
 
-bool isRegionName(const std::string& name) { return name == "region" || name == "gmsh:physical"; }
-
 void addVtkGrid(const VtkGrid& grid, const std::string& file, TetBuilder* builder) {
+  checkCellData(grid, file);
   const auto first = static_cast<std::int64_t>(builder->numPoints());
   const std::size_t num_points = grid.points.size() / 3;
   for (std::size_t i = 0; i < num_points; ++i) {
@@ -72,7 +94,7 @@ void addVtkGrid(const VtkGrid& grid, const std::string& file, TetBuilder* builde
         nodes[k] = first + static_cast<std::int64_t>(node);
       }
       builder->addTet(nodes, num_nodes);
-      if (!grid.region.empty()) builder->setRegion(regionOf(grid.region[i], file, i));
+      addCellData(grid, file, i, builder);
     }
     begin = end;
   }

@@ -17,6 +17,7 @@ namespace palpate::mesh {
 /// 4-node and 10-node tetrahedra; the latter fill `midnodes`. Cells of lower dimension are
 /// ignored, other volume cells are refused. `region` comes from Gmsh's physical tag (elementary
 /// tag where there is none), Medit's reference, or VTK cell data `region` or `gmsh:physical`.
+/// `cell_data` holds all VTK cell data of one or three components.
 /// Points that no tetrahedron uses are dropped. Where all tetrahedra have negative volume the file
 /// orders corners the other way round, and they are turned.
 ///

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "palpate/base/types.h"
@@ -16,6 +18,9 @@ struct TetMesh {
   /// 0 columns in a mesh of linear ones.
   Eigen::Matrix<int, 6, Eigen::Dynamic> midnodes;
   std::vector<int> region;  ///< One tag a tetrahedron, or empty: all in region 0.
+  /// What the file says besides of each tetrahedron, by name: 1 x m or 3 x m; NaN where it says
+  /// nothing.
+  std::map<std::string, Eigen::MatrixXd> cell_data;
 
   Eigen::Index numPoints() const { return points.cols(); }
   Eigen::Index numTets() const { return tets.cols(); }
