@@ -7,7 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "point_law.h"
+#include "for_all.h"
+#include "point_kernels.h"
 #include "psd_projection.h"
 
 namespace palpate::fem {
@@ -79,20 +80,50 @@ Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
   return F;
 }
 
+// Deformation gradients and what the elements add to the law, in arrays on the stack.
+template <int N>
+struct SolidElasticity<N>::Batch {
+  int count;            // of elements
+  const int* elements;  // ascending
+  const material::Material* law;
+  Mat3 F[kBatch * kPoints];
+  double pressure[kBatch * kPoints];
+  const Mat3* H[kBatch * kPoints];
+  PointBatch points;
+
+  int point(int k, int q) const { return kPoints * k + q; }
+};
+
 template <int N>
 template <class Visit>
-void SolidElasticity<N>::forElements(const Visit& visit) const {
+void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
   for (const Group& group : groups_) {
-    const material::Solid& solid = composition_.solids[group.solid];
-    std::visit(
-        [&](const auto& law) {
-          forAll(pool_, group.elements.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-              visit(law, group.solid, static_cast<std::size_t>(group.elements[i]));
-            }
-          });
-        },
-        solid.law);
+    const material::Material& law = composition_.solids[group.solid].law;
+    const double kappa = element_share_ * material::moduli(law).kappa;
+    forAll(pool_, group.elements.size(), [&](std::size_t begin, std::size_t end) {
+      Batch batch;
+      batch.law = &law;
+      for (std::size_t at = begin; at < end; at += kBatch) {
+        batch.count = static_cast<int>(std::min<std::size_t>(kBatch, end - at));
+        batch.elements = group.elements.data() + at;
+        for (int k = 0; k < batch.count; ++k) {
+          const auto e = static_cast<std::size_t>(batch.elements[k]);
+          for (int q = 0; q < kPoints; ++q) {
+            const int i = batch.point(k, q);
+            batch.F[i] = deformation(x, e, shape_.points[e][q].gradients);
+            if (pressure_) batch.pressure[i] = pressure_->mean(e);
+            if (viscous()) batch.H[i] = &history_.stress(batch.elements[k], q);
+          }
+        }
+        batch.points = {kPoints * batch.count,
+                        batch.F,
+                        history_.factor(group.solid),
+                        kappa,
+                        pressure_ ? batch.pressure : nullptr,
+                        viscous() ? batch.H : nullptr};
+        visit(batch);
+      }
+    });
   }
 }
 
@@ -105,9 +136,10 @@ Stiffness SolidElasticity<N>::makeMatrix() const {
 template <int N>
 void SolidElasticity<N>::updatePressure(const Points& x) {
   if (!pressure_) return;
-  forElements([&](const auto& law, int, std::size_t e) {
-    using Theta = typename std::decay_t<decltype(law)>::Dilatation;
-    dilatations_[e] = Theta::value(deformation(x, e, shape_.points[e][0].gradients));
+  forBatches(x, [&](const Batch& batch) {
+    double theta[kBatch * kPoints];
+    dilatations(*batch.law, batch.points.count, batch.F, theta);
+    for (int k = 0; k < batch.count; ++k) dilatations_[batch.elements[k]] = theta[k];
   });
   pressure_->setDilatations(dilatations_, pool_);
 }
@@ -115,14 +147,15 @@ void SolidElasticity<N>::updatePressure(const Points& x) {
 template <int N>
 void SolidElasticity<N>::computeEnergies(const Points& x) {
   updatePressure(x);
-  forElements([&](const auto& law, int solid, std::size_t e) {
-    energies_[e] = 0.0;
-    for (int q = 0; q < kPoints; ++q) {
-      const RestPoint<N>& point = shape_.points[e][q];
-      const PointLaw<std::decay_t<decltype(law)>> at{
-          law, history_.factor(solid), element_share_ * law.moduli().kappa, 0.0,
-          viscous() ? &history_.stress(static_cast<int>(e), q) : nullptr};
-      energies_[e] += point.volume * at.energyDensity(deformation(x, e, point.gradients));
+  forBatches(x, [&](const Batch& batch) {
+    double psi[kBatch * kPoints];
+    energyDensities(*batch.law, batch.points, psi);
+    for (int k = 0; k < batch.count; ++k) {
+      const int e = batch.elements[k];
+      energies_[e] = 0.0;
+      for (int q = 0; q < kPoints; ++q) {
+        energies_[e] += shape_.points[e][q].volume * psi[batch.point(k, q)];
+      }
     }
   });
 }
@@ -147,19 +180,20 @@ Eigen::VectorXd SolidElasticity<N>::energyBySolid(const Points& x) {
 template <int N>
 double SolidElasticity<N>::gradient(const Points& x, Points* g) {
   updatePressure(x);
-  forElements([&](const auto& law, int solid, std::size_t e) {
-    energies_[e] = 0.0;
-    Eigen::Map<Eigen::Matrix<double, 3, N>> forces(
-        forces_.col(static_cast<Eigen::Index>(e)).data());
-    forces.setZero();
-    for (int q = 0; q < kPoints; ++q) {
-      const RestPoint<N>& point = shape_.points[e][q];
-      const PointLaw<std::decay_t<decltype(law)>> at{
-          law, history_.factor(solid), element_share_ * law.moduli().kappa, pressure(e),
-          viscous() ? &history_.stress(static_cast<int>(e), q) : nullptr};
-      const Mat3 F = deformation(x, e, point.gradients);
-      energies_[e] += point.volume * at.energyDensity(F);
-      forces += point.volume * at.firstPiolaKirchhoff(F) * point.gradients;
+  forBatches(x, [&](const Batch& batch) {
+    double psi[kBatch * kPoints];
+    Mat3 P[kBatch * kPoints];
+    stresses(*batch.law, batch.points, psi, P);
+    for (int k = 0; k < batch.count; ++k) {
+      const int e = batch.elements[k];
+      energies_[e] = 0.0;
+      Eigen::Map<Eigen::Matrix<double, 3, N>> forces(forces_.col(e).data());
+      forces.setZero();
+      for (int q = 0; q < kPoints; ++q) {
+        const RestPoint<N>& point = shape_.points[e][q];
+        energies_[e] += point.volume * psi[batch.point(k, q)];
+        forces += point.volume * P[batch.point(k, q)] * point.gradients;
+      }
     }
   });
   scatter_.gatherNodes(forces_, pool_, g);
@@ -169,23 +203,23 @@ double SolidElasticity<N>::gradient(const Points& x, Points* g) {
 template <int N>
 void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K) {
   updatePressure(x);
-  forElements([&](const auto& law, int solid, std::size_t e) {
-    using Law = std::decay_t<decltype(law)>;
-    const auto column = static_cast<Eigen::Index>(e);
-    blocks_.col(column).setZero();
-    for (int q = 0; q < kPoints; ++q) {
-      const RestPoint<N>& point = shape_.points[e][q];
-      const PointLaw<Law> at{law, history_.factor(solid), element_share_ * law.moduli().kappa,
-                             pressure(e),
-                             viscous() ? &history_.stress(static_cast<int>(e), q) : nullptr};
-      const Mat3 F = deformation(x, e, point.gradients);
-      Mat9 C = at.tangent(F);
-      if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&C);
-      addElementBlocks<N>(C, point, blocks_.col(column).data());
-      if constexpr (N == 4) {
-        if (!pressure_) continue;
-        Eigen::Map<Eigen::Matrix<double, 3, 4>>{volume_gradients_.col(column).data()} =
-            point.volume / 4.0 * Law::Dilatation::gradient(F) * point.gradients;
+  forBatches(x, [&](const Batch& batch) {
+    Mat9 C[kBatch * kPoints];
+    Mat3 theta_gradient[kBatch * kPoints];
+    tangents(*batch.law, batch.points, C, pressure_ ? theta_gradient : nullptr);
+    for (int k = 0; k < batch.count; ++k) {
+      const int e = batch.elements[k];
+      blocks_.col(e).setZero();
+      for (int q = 0; q < kPoints; ++q) {
+        const RestPoint<N>& point = shape_.points[e][q];
+        Mat9& at = C[batch.point(k, q)];
+        if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&at);
+        addElementBlocks<N>(at, point, blocks_.col(e).data());
+        if constexpr (N == 4) {
+          if (!pressure_) continue;
+          Eigen::Map<Eigen::Matrix<double, 3, 4>>{volume_gradients_.col(e).data()} =
+              point.volume / 4.0 * theta_gradient[k] * point.gradients;
+        }
       }
     }
   });
@@ -229,15 +263,15 @@ PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector
     if (distance(q) < distance(nearest)) nearest = q;
   }
   const int solid = composition_.solid_of.empty() ? 0 : composition_.solid_of[e];
-  const Mat3 P = std::visit(
-      [&](const auto& law) -> Mat3 {
-        const double p = pressure_ ? pressure_->at(static_cast<std::size_t>(e), w) : 0.0;
-        const PointLaw<std::decay_t<decltype(law)>> at{
-            law, history_.factor(solid), element_share_ * law.moduli().kappa, p,
-            viscous() ? &history_.stress(e, nearest) : nullptr};
-        return at.firstPiolaKirchhoff(F);
-      },
-      composition_.solids[solid].law);
+  const material::Material& law = composition_.solids[solid].law;
+  const double p = pressure_ ? pressure_->at(static_cast<std::size_t>(e), w) : 0.0;
+  const Mat3* H = viscous() ? &history_.stress(e, nearest) : nullptr;
+  double psi = 0.0;
+  Mat3 P;
+  stresses(law,
+           {1, &F, history_.factor(solid), element_share_ * material::moduli(law).kappa, &p,
+            H ? &H : nullptr},
+           &psi, &P);
   return {F * Q.transpose(), P * F.transpose() / F.determinant()};
 }
 
@@ -247,27 +281,28 @@ double SolidElasticity<N>::volume() const {
 }
 
 template <int N>
-template <class Visit>
-void SolidElasticity<N>::forViscousPoints(const Points& x, const Visit& visit) const {
-  if (history_.empty()) return;
-  forElements([&](const auto& law, int, std::size_t e) {
-    for (int q = 0; q < kPoints; ++q) {
-      const Mat3 F = deformation(x, e, shape_.points[e][q].gradients);
-      const Mat3 S = F.inverse() * law.distortionalStress(F);
-      visit(static_cast<int>(e), q, 0.5 * (S + S.transpose()));
-    }
-  });
-}
-
-template <int N>
 void SolidElasticity<N>::endStep(const Points& x) {
-  forViscousPoints(x, [&](int e, int q, const Mat3& S) { history_.endStep(e, q, S); });
+  if (viscous()) remember(x, &PronyHistory::endStep);
 }
 
 template <int N>
 void SolidElasticity<N>::relax(const Points& x) {
-  forViscousPoints(x, [&](int e, int q, const Mat3& S) { history_.relax(e, q, S); });
+  if (viscous()) remember(x, &PronyHistory::relax);
   history_.beginStep(std::numeric_limits<double>::infinity());
+}
+
+template <int N>
+void SolidElasticity<N>::remember(const Points& x,
+                                  void (PronyHistory::*how)(int, int, const Mat3&)) {
+  forBatches(x, [&](const Batch& batch) {
+    Mat3 S[kBatch * kPoints];
+    distortionalStresses(*batch.law, batch.points.count, batch.F, S);
+    for (int k = 0; k < batch.count; ++k) {
+      for (int q = 0; q < kPoints; ++q) {
+        (history_.*how)(batch.elements[k], q, S[batch.point(k, q)]);
+      }
+    }
+  });
 }
 
 template <int N>

@@ -47,7 +47,9 @@ class SolidElasticity final : public Elasticity {
 
  private:
   static constexpr int kPoints = RestShape<N>::kPoints;
-  struct Group {  // elements of one solid
+  static constexpr int kBatch = 32 / kPoints;  // elements
+  struct Batch;                                // of elements of one solid, at positions x
+  struct Group {                               // elements of one solid
     int solid;
     std::vector<int> elements;
   };
@@ -58,17 +60,15 @@ class SolidElasticity final : public Elasticity {
 
   Mat3 deformation(const Points& x, std::size_t e,
                    const Eigen::Matrix<double, 3, N>& gradients) const;
-  /// visit(law, solid, element) on all elements.
+  /// visit(batch) on all elements, a few of one solid at a time.
   template <class Visit>
-  void forElements(const Visit& visit) const;
+  void forBatches(const Points& x, const Visit& visit) const;
   /// Pressures at x, which the functions below take from there.
   void updatePressure(const Points& x);
-  double pressure(std::size_t e) const { return pressure_ ? pressure_->mean(e) : 0.0; }
   void computeEnergies(const Points& x);
   PointState state(const Points& x, int e, const Eigen::Vector4d& w) const;
-  /// visit(e, q, S) with the distortional second Piola-Kirchhoff stress of every viscous point.
-  template <class Visit>
-  void forViscousPoints(const Points& x, const Visit& visit) const;
+  /// Hands the stresses at x of all viscous points to the history.
+  void remember(const Points& x, void (PronyHistory::*how)(int, int, const Mat3&));
 
   TetMesh mesh_;
   Composition composition_;

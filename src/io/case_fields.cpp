@@ -5,6 +5,7 @@
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/sim/scene_fields.h"
+#include "palpate/solver/integrator.h"
 
 namespace palpate::io {
 
@@ -13,7 +14,6 @@ using sim::Need;
 using sim::Range;
 using Analysis = std::variant<StaticAnalysis, DynamicAnalysis>;
 
-std::vector<std::string> integratorNames() { return solver::integratorNames(); }
 std::vector<std::string> methodNames() { return {"implicit_pcg", "implicit_direct"}; }
 std::vector<std::string> quantityNames() { return {"reaction"}; }
 
@@ -74,12 +74,18 @@ void describe(FieldVisitor& v, StaticAnalysis& analysis) {
 }
 
 void describe(FieldVisitor& v, DynamicAnalysis& analysis) {
-  v.choice({"integrator", "", "Time integration."}, analysis.integrator, integratorNames());
+  v.choice({"integrator", "", "Time integration."}, analysis.integrator, solver::integratorNames());
   v.choice({"method", "", "How a step is solved."}, analysis.method, methodNames());
   v.number({"dt", "s", "Time step."}, analysis.dt, Range::above(0.0, 10.0));
   v.number({"duration", "s", "Simulated time.", Need::kRequired}, analysis.duration,
            Range::above(0.0, 1.0e6));
   v.rule(analysis.duration / analysis.dt <= 1.0e7, "duration", "at most 10 million time steps");
+  v.number({"ramp_time", "s",
+            "In which prescribed displacements and rotations grow to their full size; by default "
+            "the duration."},
+           analysis.ramp_time, Range::above(0.0, 1.0e6));
+  v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
+            analysis.damping);
   v.number({"tolerance", "", "Relative residual where Newton's iteration ends."},
            analysis.tolerance, Range::closed(1.0e-14, 0.1));
   v.integer({"max_newton_iterations", "", "Newton iterations in a time step."},
@@ -118,7 +124,7 @@ void describe(FieldVisitor& v, Probe& probe) {
 void describe(FieldVisitor& v, Case& c) {
   v.section({"mesh", "", "The body's tetrahedra.", Need::kRequired}, c.mesh);
   v.choice({"element", "", "Finite element."}, c.element, fem::elementNames());
-  v.section({"material", "", "What the body is made of.", Need::kRequired}, c.material);
+  describe(v, static_cast<sim::BodyConfig&>(c));
   v.list({"boundary", "", "What is prescribed where."}, c.boundary, 0);
   v.vector3({"gravity", "m/s^2", "Acceleration of free fall."}, c.gravity,
             Range::closed(-1.0e6, 1.0e6));

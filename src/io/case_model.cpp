@@ -7,6 +7,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/mesh/tet_io.h"
+#include "palpate/sim/composition.h"
 
 namespace palpate::io {
 namespace {
@@ -41,9 +42,7 @@ std::unique_ptr<fem::Elasticity> makeBody(const Case& problem, const mesh::TetMe
 CaseModel::CaseModel(const Case& problem, ThreadPool* pool)
     : mesh_(loadMesh(problem)),
       surface_(mesh::boundaryFaces(mesh_)),
-      composition_(fem::Composition::uniform(
-          material::makeMaterial(problem.material.law, problem.material.constants),
-          problem.material.density)),
+      composition_(sim::composeBody(problem, mesh_, Mat3::Identity(), problem.file, "")),
       elasticity_(makeBody(problem, mesh_, composition_, pool)) {
   potential_.elasticity = elasticity_.get();
   potential_.free = fem::FreeMask::Ones(3, mesh_.numPoints());

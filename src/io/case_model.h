@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "palpate/fem/composition.h"
 #include "palpate/fem/loads.h"
 #include "palpate/io/case.h"
 #include "palpate/solver/potential.h"

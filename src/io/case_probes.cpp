@@ -38,7 +38,7 @@ std::vector<ProbeResult> CaseProbes::measure(const CaseModel& model, const Point
       const fem::PointState state = model.elasticity().states(x, {*placed.at}).front();
       result.cauchy_stress = material::components(state.cauchy_stress);
       result.von_mises = material::vonMises(state.cauchy_stress);
-      result.principal_stretches = material::principalStretches(state.F);
+      result.principal_stretches = material::stretchesOf(state.F);
     } else {
       Wrench sum;
       for (int i : placed.nodes) {

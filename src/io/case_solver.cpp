@@ -33,6 +33,22 @@ solver::SolveStatus solveStatically(const StaticAnalysis& analysis, CaseModel* m
   return report.status;
 }
 
+// A region with a material of its own is a solid of the composition; what is left is the body.
+std::vector<std::pair<std::string, double>> energyByRegion(const Case& problem,
+                                                           const CaseModel& model,
+                                                           const Points& x) {
+  std::vector<std::string> names{"body"};
+  for (const sim::RegionConfig& region : problem.regions) {
+    if (region.material) names.push_back(region.name);
+  }
+  const Eigen::VectorXd energies = model.elasticity().energyBySolid(x);
+  std::vector<std::pair<std::string, double>> by_region;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    by_region.emplace_back(names[i], energies[static_cast<Eigen::Index>(i)]);
+  }
+  return by_region;
+}
+
 // Stress and stretch are those in the middle of each tetrahedron.
 void fillFields(const CaseModel& model, const Points& x, const Points& force,
                 CaseOutcome* outcome) {
@@ -47,7 +63,7 @@ void fillFields(const CaseModel& model, const Points& x, const Points& force,
   for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
     const fem::PointState& state = states[static_cast<std::size_t>(e)];
     stress.col(e) = material::components(state.cauchy_stress);
-    stretches.col(e) = material::principalStretches(state.F);
+    stretches.col(e) = material::stretchesOf(state.F);
     von_mises(0, e) = material::vonMises(state.cauchy_stress);
     jacobian(0, e) = state.F.determinant();
   }
@@ -80,6 +96,7 @@ CaseOutcome solveCase(const Case& problem, int threads,
   outcome.converged = status == solver::SolveStatus::kConverged;
   outcome.result.status = solver::toString(status);
   outcome.result.strain_energy = model.elasticity().energy(x);
+  if (!problem.regions.empty()) outcome.result.energy_by_region = energyByRegion(problem, model, x);
   outcome.result.min_jacobian = model.elasticity().minJacobian(x);
   outcome.result.probes = probes.measure(model, x, force);
   fillFields(model, x, force, &outcome);

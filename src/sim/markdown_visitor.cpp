@@ -63,11 +63,11 @@ std::string MarkdownVisitor::markdown() const {
 void MarkdownVisitor::row(const Field& field, const std::string& type,
                           const std::string& default_value, const std::string& allowed) {
   const bool required = field.need == Need::kRequired;
-  here().rows += "| " + code(field.key) + " | " + type + " | " +
-                 (field.unit.empty() ? kNone : field.unit) + " | " +
-                 (required ? "**required**" : code(default_value)) + " | " +
-                 (allowed.empty() ? kNone : allowed) + " | " +
-                 (condition_.empty() ? "" : "With " + condition_ + ": ") + field.doc + " |\n";
+  here().rows +=
+      "| " + code(field.key) + " | " + type + " | " + (field.unit.empty() ? kNone : field.unit) +
+      " | " + (required ? "**required**" : code(default_value)) + " | " +
+      (allowed.empty() ? kNone : allowed) + " | " +
+      (here().condition.empty() ? "" : "With " + here().condition + ": ") + field.doc + " |\n";
 }
 
 bool MarkdownVisitor::number(const Field& field, double& value, const Range& range) {
@@ -142,7 +142,7 @@ void MarkdownVisitor::pushTable(const std::string& key) {
   std::string path = open_.empty() ? "" : here().path;
   path += (path.empty() ? "" : ".") + key;
   open_.push_back(tables_.size());
-  tables_.push_back({path, "", {}, ""});
+  tables_.push_back({path, "", {}, "", ""});
 }
 
 FieldVisitor::Entered MarkdownVisitor::enterSection(const Field& field) {
@@ -165,9 +165,9 @@ bool MarkdownVisitor::enterItem(const Field& field, int) {
 void MarkdownVisitor::leaveSection() { open_.pop_back(); }
 
 void MarkdownVisitor::beginAlternative(bool, const std::string& condition) {
-  condition_ = condition;
+  here().condition = condition;
 }
 
-void MarkdownVisitor::endAlternative() { condition_.clear(); }
+void MarkdownVisitor::endAlternative() { here().condition.clear(); }
 
 }  // namespace palpate::sim

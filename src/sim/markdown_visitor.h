@@ -42,7 +42,8 @@ class MarkdownVisitor : public FieldVisitor {
     std::string path;  // "organs[].material"; "" for the file itself
     std::string rows;
     std::vector<std::string> rules;
-    std::string after;  // text below
+    std::string after;      // text below
+    std::string condition;  // of the keys that are being visited
   };
 
   Table& here() { return tables_[open_.back()]; }
@@ -52,7 +53,6 @@ class MarkdownVisitor : public FieldVisitor {
 
   std::vector<Table> tables_;      // in the order in which they were opened
   std::vector<std::size_t> open_;  // indices of the sections that we are in
-  std::string condition_;
 };
 
 }  // namespace palpate::sim

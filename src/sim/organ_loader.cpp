@@ -13,6 +13,7 @@
 #include "palpate/mesh/surface_check.h"
 #include "palpate/mesh/surface_io.h"
 #include "palpate/mesh/tet_io.h"
+#include "palpate/sim/composition.h"
 #include "palpate/tissue/fem_tissue.h"
 
 namespace palpate::sim {
@@ -86,10 +87,15 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   mesh::TetMesh mesh =
       fem::meshFor(organ.element, loadOrganMesh(organ, scene.file, progress, warnings));
   const fem::FreeMask free = supportMask(organ, mesh.points, scene.file, key);
+  const fem::Composition composition =
+      composeBody(organ, mesh, organ.pose.pose().linear(), scene.file, key);
   mesh.points = (organ.pose.pose() * mesh.points.colwise().homogeneous()).eval();
 
   tissue::FemSettings settings;
   settings.element = organ.element;
+  settings.integrator = scene.solver.integrator;
+  settings.mass_damping = organ.damping.mass;
+  settings.stiffness_damping = organ.damping.stiffness;
   settings.gravity = scene.gravity;
   settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
   settings.sample_spacing = sample_spacing;
@@ -98,12 +104,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.linear_tolerance = scene.solver.linear_tolerance;
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
   try {
-    return tissue::makeFemTissue(
-        mesh,
-        fem::Composition::uniform(
-            material::makeMaterial(organ.material.law, organ.material.constants),
-            organ.material.density),
-        free, settings, pool);
+    return tissue::makeFemTissue(mesh, composition, free, settings, pool);
   } catch (const std::exception& error) {
     throw InputError(scene.file, key, "", error.what());
   }

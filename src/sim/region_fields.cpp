@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/sim/body_fields.h"
 #include "palpate/sim/scene_fields.h"
 
 namespace palpate::sim {
@@ -44,6 +45,54 @@ void describe(FieldVisitor& v, mesh::Region& region) {
   if (has_plane) region = plane;
   if (has_box) region = box;
   if (has_sphere) region = sphere;
+}
+
+void describe(FieldVisitor& v, mesh::HalfSpaceRegion& half_space) {
+  v.vector3({"point", "m", "A point of its plane.", Need::kRequired}, half_space.point,
+            coordinateRange());
+  v.vector3({"normal", "", "Into the half space, of any length but zero.", Need::kRequired},
+            half_space.normal, Range::closed(-1.0e6, 1.0e6));
+  v.rule(half_space.normal.norm() > 1.0e-9, "normal", "the normal must not be zero");
+}
+
+void describe(FieldVisitor& v, mesh::CellDataRegion& cell_data) {
+  v.text({"name", "",
+          "Cell data of a .vtk or .vtu mesh, whole numbers; by default the tags: Gmsh's physical "
+          "groups, Medit's references, VTK's `region` or `gmsh:physical`."},
+         cell_data.name);
+  v.integer({"value", "", "Tetrahedra with this value.", Need::kRequired}, cell_data.value,
+            Range::closed(-2.0e9, 2.0e9));
+}
+
+void describe(FieldVisitor& v, mesh::DepthRegion& depth) {
+  bool any = v.number({"min", "m", "Least distance of the centroid from the body's surface."},
+                      depth.min, Range::closed(0.0, 100.0));
+  std::optional<double> max;
+  any |=
+      v.number({"max", "m", "Largest distance; by default none."}, max, Range::above(0.0, 100.0));
+  if (max) depth.max = *max;
+  v.rule(any && depth.min <= depth.max, "", "needs min, max or both, min <= max");
+}
+
+void describe(FieldVisitor& v, mesh::TetRegion& region) {
+  mesh::BoxRegion box;
+  mesh::SphereRegion sphere;
+  mesh::HalfSpaceRegion half_space;
+  mesh::CellDataRegion cell_data;
+  mesh::DepthRegion depth;
+  const bool has_box = v.section({"box", "", "In a box."}, box);
+  const bool has_sphere = v.section({"sphere", "", "In a ball."}, sphere);
+  const bool has_half = v.section({"half_space", "", "On one side of a plane."}, half_space);
+  const bool has_data = v.section({"cell_data", "", "By what the mesh file says."}, cell_data);
+  const bool has_depth =
+      v.section({"depth", "", "By the distance from the body's surface: a capsule."}, depth);
+  v.rule(has_box + has_sphere + has_half + has_data + has_depth == 1, "",
+         "needs exactly one of box, sphere, half_space, cell_data, depth");
+  if (has_box) region = box;
+  if (has_sphere) region = sphere;
+  if (has_half) region = half_space;
+  if (has_data) region = cell_data;
+  if (has_depth) region = depth;
 }
 
 }  // namespace palpate::sim

@@ -2,7 +2,7 @@
 #include "palpate/sim/scene_fields.h"
 
 #include "palpate/fem/elasticity.h"
-#include "palpate/material/material.h"
+#include "palpate/solver/integrator.h"
 
 namespace palpate::sim {
 
@@ -12,13 +12,6 @@ void describe(FieldVisitor& v, PoseConfig& pose) {
   v.vector3({"roll_pitch_yaw", "rad",
              "Turns about the outer frame's fixed x, then y, then z axis, as in URDF."},
             pose.roll_pitch_yaw, Range::closed(-10.0, 10.0));
-}
-
-void describe(FieldVisitor& v, MaterialConfig& material) {
-  v.choice({"law", "", "Elastic law."}, material.law, material::materialNames());
-  v.number({"density", "kg/m^3", "Mass per volume at rest."}, material.density,
-           Range::above(0.0, 1.0e5));
-  v.materialConstants(material.law, material.constants);
 }
 
 void describe(FieldVisitor& v, SupportConfig& support) {
@@ -48,7 +41,9 @@ void describe(FieldVisitor& v, OrganConfig& organ) {
       organ.edge_length, Range::closed(1.0e-4, 1.0));
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
   v.choice({"element", "", "Finite element."}, organ.element, fem::elementNames());
-  v.section({"material", "", "What the organ is made of.", Need::kRequired}, organ.material);
+  describe(v, static_cast<BodyConfig&>(organ));
+  v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
+            organ.damping);
   v.list({"supports", "", "What holds the organ; without any it falls."}, organ.supports, 0);
 }
 
@@ -93,6 +88,7 @@ void describe(FieldVisitor& v, ContactConfig& contact) {
 }
 
 void describe(FieldVisitor& v, SolverConfig& solver) {
+  v.choice({"integrator", "", "Time integration."}, solver.integrator, solver::integratorNames());
   v.number({"step", "s", "Length of a cycle when live, longest cycle in a replay."}, solver.step,
            Range::above(0.0, 0.1));
   v.number({"tolerance", "",

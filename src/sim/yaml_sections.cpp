@@ -112,7 +112,8 @@ void YamlVisitor::rule(bool holds, const std::string& key, const std::string& te
 
 void YamlVisitor::materialConstants(const std::string& law, material::Constants& constants) {
   const std::size_t problems_before = problems_.size();
-  for (const std::string& name : constantNamesOrAll(law)) {
+  const bool skipped = !skipped_condition_.empty();
+  for (const std::string& name : constantNamesOrAll(skipped ? "" : law)) {
     const std::optional<YAML::Node> node = find({name, "", ""});
     if (!node) continue;
     const std::optional<std::vector<double>> values = toNumbers(*node);
@@ -122,7 +123,7 @@ void YamlVisitor::materialConstants(const std::string& law, material::Constants&
       problem(name, *node, "must be a number or a list of numbers, finite");
     }
   }
-  if (problems_.size() > problems_before || material::constantNames(law).empty()) return;
+  if (skipped || problems_.size() > problems_before || material::constantNames(law).empty()) return;
   try {
     material::makeMaterial(law, constants);
   } catch (const std::invalid_argument& e) {

@@ -11,7 +11,6 @@
 #include "palpate/mesh/selection.h"
 #include "palpate/sim/fields.h"
 #include "palpate/sim/scene.h"
-#include "palpate/solver/integrator.h"
 
 namespace palpate::io {
 
@@ -57,12 +56,12 @@ struct StaticAnalysis {
 };
 
 struct DynamicAnalysis {
-  std::string integrator = "backward_euler";
+  std::string integrator = sim::SolverConfig().integrator;
   std::string method = "implicit_pcg";
   double dt = sim::SolverConfig().step;  ///< [s]
   double duration = 0.0;                 ///< [s]
   std::optional<double> ramp_time;       ///< In which what is prescribed grows [s]; else duration.
-  solver::RayleighDamping damping;
+  sim::DampingConfig damping;
   double tolerance = sim::SolverConfig().tolerance;
   int max_newton_iterations = sim::SolverConfig().max_newton_iterations;
   double linear_tolerance = sim::SolverConfig().linear_tolerance;
@@ -77,19 +76,18 @@ struct Probe {
                                        ///< support exerts on the body.
 };
 
-struct Case {
+/// The body's own frame is the mesh file's, after scaling.
+struct Case : sim::BodyConfig {
   std::string file;  ///< Where it was read.
   CaseMesh mesh;
-  std::string element = "tet4";
-  sim::MaterialConfig material;
+  std::string element = "anp";
   std::vector<BoundaryCondition> boundary;
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   std::variant<StaticAnalysis, DynamicAnalysis> analysis;
   std::vector<Probe> probes;
 };
 
-/// What a dynamic case may ask for; the first is the default.
-std::vector<std::string> integratorNames();
+/// How a step of a dynamic case may be solved; the first is the default.
 std::vector<std::string> methodNames();
 /// What a probe with a selection may ask for.
 std::vector<std::string> quantityNames();

@@ -15,7 +15,7 @@ inline double vonMises(const Mat3& sigma) {
 }
 
 /// Singular values of F, largest first.
-inline Vec3 principalStretches(const Mat3& F) {
+inline Vec3 stretchesOf(const Mat3& F) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(F.transpose() * F, Eigen::EigenvaluesOnly);
   return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
 }

@@ -5,19 +5,13 @@
 #include <vector>
 
 #include "palpate/base/types.h"
-#include "palpate/material/constants.h"
 #include "palpate/mesh/selection.h"
+#include "palpate/sim/body_config.h"
 
 namespace palpate::sim {
 
 // The scene file as plain data. Member initialisers are the only defaults; scene_fields.cpp lists
 // every key once, with unit, range and meaning, for the reader, the checks and the documentation.
-
-struct MaterialConfig {
-  std::string law = "stable_neo_hookean";
-  double density = 1000.0;  ///< [kg/m^3]
-  material::Constants constants;
-};
 
 struct PoseConfig {
   Vec3 position = Vec3::Zero();        ///< [m]
@@ -30,15 +24,16 @@ struct SupportConfig {
   mesh::Region select;  ///< In the organ's own frame, after scaling.
 };
 
-struct OrganConfig {
+/// The body's own frame is the organ's, after scaling.
+struct OrganConfig : BodyConfig {
   std::string name;
   std::string surface;        ///< Surface file, or
   std::string tetrahedra;     ///< tetrahedra file: exactly one of the two.
   double scale = 1.0;         ///< File unit to metre.
   double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
   PoseConfig pose;            ///< Organ to world.
-  std::string element = "tet4";
-  MaterialConfig material;
+  std::string element = "anp";
+  DampingConfig damping;
   std::vector<SupportConfig> supports;
 };
 
@@ -61,6 +56,7 @@ struct ContactConfig {
 };
 
 struct SolverConfig {
+  std::string integrator = "backward_euler";
   double step = 0.01;         ///< Fixed step when live, longest step in a replay [s].
   double tolerance = 1.0e-4;  ///< Newton: residual over the forces' scale.
   int max_newton_iterations = 20;

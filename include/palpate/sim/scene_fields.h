@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/mesh/selection.h"
+#include "palpate/sim/body_fields.h"
 #include "palpate/sim/fields.h"
 #include "palpate/sim/scene.h"
 
@@ -10,10 +11,9 @@ namespace palpate::sim {
 /// The range of a coordinate: a scene is a room, not a town.
 Range coordinateRange();
 
-// Every key of a scene file; the case file shares the material and the region.
+// Every key of a scene file; the case file shares the body and the region.
 void describe(FieldVisitor& v, Scene& scene);
 void describe(FieldVisitor& v, OrganConfig& organ);
-void describe(FieldVisitor& v, MaterialConfig& material);
 void describe(FieldVisitor& v, PoseConfig& pose);
 void describe(FieldVisitor& v, SupportConfig& support);
 void describe(FieldVisitor& v, InstrumentConfig& instrument);

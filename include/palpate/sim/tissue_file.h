@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/material/solid.h"
+#include "palpate/sim/body_config.h"
+
+namespace palpate::sim {
+
+/// Where numbers of a tissue come from.
+struct TissueSource {
+  std::string values;    ///< Which: "c10, c01".
+  std::string cite;      ///< Author, year, where.
+  std::string measured;  ///< What was measured, how, of which species.
+  std::string read;      ///< first_hand | secondary | not_read
+  std::string note;      ///< How the numbers were converted or chosen; may be empty.
+};
+
+/// A tissue of the library: a material with where its numbers come from.
+struct TissueFile {
+  std::string file;  ///< Where it was read.
+  std::string description;
+  MaterialConfig material;  ///< Never by `file`.
+  std::vector<TissueSource> sources;
+};
+
+/// How the writer of a tissue file knows a source.
+std::vector<std::string> sourceReadingNames();
+
+/// @throws InputError with all problems of the file.
+TissueFile readTissueFile(const std::string& file);
+
+/// What a material is: written out, or as its tissue file says. `file` is the scene or case, whose
+/// folder paths start from, and `key` the material in it.
+/// @throws InputError in the name of `file` for a path that leads nowhere, or of the tissue file.
+material::Solid makeSolid(const MaterialConfig& material, const std::string& file,
+                          const std::string& key);
+
+}  // namespace palpate::sim

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_kernels.h"
+
+#include <Eigen/LU>
+
+namespace palpate::fem {
+namespace {
+
+template <class Law>
+using ThetaOf = typename std::decay_t<Law>::Dilatation;
+
+double viscousEnergy(const Mat3& H, const Mat3& F) {
+  return 0.5 * (H.cwiseProduct(F.transpose() * F).sum() - H.trace());
+}
+
+void addViscousTangent(const Mat3& H, Mat9* C) {
+  for (int j = 0; j < 3; ++j) {
+    for (int l = 0; l < 3; ++l) C->block<3, 3>(3 * j, 3 * l).diagonal().array() += H(j, l);
+  }
+}
+
+template <class Law>
+double energyDensity(const Law& law, const PointBatch& batch, int i, double theta) {
+  const double psi = batch.factor * law.distortionalEnergy(batch.F[i]);
+  const double viscous = batch.H ? viscousEnergy(*batch.H[i], batch.F[i]) : 0.0;
+  return psi + 0.5 * batch.kappa * theta * theta + viscous;
+}
+
+double pressure(const PointBatch& batch, int i, double theta) {
+  return batch.kappa * theta + (batch.pressure ? batch.pressure[i] : 0.0);
+}
+
+}  // namespace
+
+void dilatations(const material::Material& material, int count, const Mat3* F, double* theta) {
+  std::visit(
+      [&](const auto& law) {
+        for (int i = 0; i < count; ++i) theta[i] = ThetaOf<decltype(law)>::value(F[i]);
+      },
+      material);
+}
+
+void energyDensities(const material::Material& material, const PointBatch& batch, double* psi) {
+  std::visit(
+      [&](const auto& law) {
+        for (int i = 0; i < batch.count; ++i) {
+          psi[i] = energyDensity(law, batch, i, ThetaOf<decltype(law)>::value(batch.F[i]));
+        }
+      },
+      material);
+}
+
+void stresses(const material::Material& material, const PointBatch& batch, double* psi, Mat3* P) {
+  std::visit(
+      [&](const auto& law) {
+        using Theta = ThetaOf<decltype(law)>;
+        for (int i = 0; i < batch.count; ++i) {
+          const Mat3& F = batch.F[i];
+          const double theta = Theta::value(F);
+          psi[i] = energyDensity(law, batch, i, theta);
+          P[i] = batch.factor * law.distortionalStress(F);
+          P[i] += pressure(batch, i, theta) * Theta::gradient(F);
+          if (batch.H) P[i] += F * *batch.H[i];
+        }
+      },
+      material);
+}
+
+void tangents(const material::Material& material, const PointBatch& batch, Mat9* C,
+              Mat3* theta_gradient) {
+  std::visit(
+      [&](const auto& law) {
+        using Theta = ThetaOf<decltype(law)>;
+        for (int i = 0; i < batch.count; ++i) {
+          const Mat3& F = batch.F[i];
+          C[i] = batch.factor * law.distortionalTangent(F);
+          const Mat3 gradient = Theta::gradient(F);
+          C[i] += batch.kappa * material::vec(gradient) * material::vec(gradient).transpose();
+          Theta::addHessian(F, pressure(batch, i, Theta::value(F)), &C[i]);
+          if (batch.H) addViscousTangent(*batch.H[i], &C[i]);
+          if (theta_gradient) theta_gradient[i] = gradient;
+        }
+      },
+      material);
+}
+
+void distortionalStresses(const material::Material& material, int count, const Mat3* F, Mat3* S) {
+  std::visit(
+      [&](const auto& law) {
+        for (int i = 0; i < count; ++i) {
+          const Mat3 product = F[i].inverse() * law.distortionalStress(F[i]);
+          S[i] = 0.5 * (product + product.transpose());
+        }
+      },
+      material);
+}
+
+}  // namespace palpate::fem

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/sim/tissue_file.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "palpate/base/error.h"
+#include "palpate/base/resource.h"
+#include "palpate/sim/body_fields.h"
+#include "palpate/sim/yaml_reader.h"
+
+namespace palpate::sim {
+
+void describe(FieldVisitor& v, TissueSource& source) {
+  v.text({"values", "", "Which numbers of the file.", Need::kRequired}, source.values);
+  v.text({"cite", "", "Author, year, where published.", Need::kRequired}, source.cite);
+  v.text({"measured", "", "What was measured, how, of which species.", Need::kRequired},
+         source.measured);
+  v.choice({"read", "",
+            "`first_hand`: read in the source itself; `secondary`: read in a text that cites it; "
+            "`not_read`: from memory, to be checked before anything rests on it.",
+            Need::kRequired},
+           source.read, sourceReadingNames());
+  v.text({"note", "", "How the numbers were converted or chosen."}, source.note);
+}
+
+void describe(FieldVisitor& v, TissueFile& tissue) {
+  v.text({"description", "", "What it is.", Need::kRequired}, tissue.description);
+  describeLaw(v, tissue.material);
+  v.list({"sources", "", "Where the numbers come from.", Need::kRequired}, tissue.sources, 1);
+}
+
+std::vector<std::string> sourceReadingNames() { return {"first_hand", "secondary", "not_read"}; }
+
+TissueFile readTissueFile(const std::string& file) {
+  TissueFile tissue;
+  tissue.file = file;
+  readYaml(file, [&](FieldVisitor& v) { describe(v, tissue); });
+  return tissue;
+}
+
+material::Solid makeSolid(const MaterialConfig& material, const std::string& file,
+                          const std::string& key) {
+  MaterialConfig config = material;
+  std::string owner = file, place = key;
+  if (!material.file.empty()) {
+    place = key + ".file";
+    std::string path;
+    try {
+      path = resolveResource(material.file, std::filesystem::path(file).parent_path().string());
+    } catch (const std::invalid_argument& error) {
+      throw InputError(file, place, material.file, error.what());
+    }
+    if (!std::filesystem::exists(path)) {
+      throw InputError(file, place, material.file, "there is no file " + path);
+    }
+    config = readTissueFile(path).material;
+    owner = path;
+    place = "";
+  }
+  try {
+    material::Solid solid{material::makeMaterial(config.law, config.constants), config.density,
+                          config.viscoelastic};
+    material::checkProny(solid.law, solid.prony);
+    return solid;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(owner, place, "", error.what());
+  }
+}
+
+}  // namespace palpate::sim
