@@ -1,27 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/resource.h"
 #include "palpate/io/case.h"
 #include "palpate/sim/scene.h"
+#include "palpate/sim/tissue_file.h"
 
 namespace palpate::cli {
+namespace {
+
+std::string textOf(const std::string& page) {
+  if (page == "scene_format") return sim::sceneFormatMarkdown();
+  if (page == "case_format") return io::caseFormatMarkdown();
+  const std::string folder = "package://palpate/config/materials";
+  try {
+    return sim::tissuesMarkdown(resolveResource(folder, std::filesystem::current_path().string()));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(folder, "", "", error.what());
+  }
+}
+
+}  // namespace
 
 void addDocs(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "docs", "Print a page of documentation that is generated from the program");
   const auto page = std::make_shared<std::string>();
   command
-      ->add_option("page", *page,
-                   "scene_format: keys of scene files; case_format: keys of case files")
+      ->add_option(
+          "page", *page,
+          "scene_format: keys of scene files; case_format: keys of case files; tissues: the "
+          "materials in config/materials")
       ->required()
-      ->check(CLI::IsMember({"scene_format", "case_format"}));
+      ->check(CLI::IsMember({"scene_format", "case_format", "tissues"}));
   command->callback([page, &action] {
     action = [page] {
-      std::cout << (*page == "scene_format" ? sim::sceneFormatMarkdown()
-                                            : io::caseFormatMarkdown());
+      std::cout << textOf(*page);
       return kOk;
     };
   });

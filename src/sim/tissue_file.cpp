@@ -2,6 +2,8 @@
 #include "palpate/sim/tissue_file.h"
 
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "palpate/base/error.h"
@@ -10,9 +12,38 @@
 #include "palpate/sim/yaml_reader.h"
 
 namespace palpate::sim {
+namespace {
+
+// The words of "a, b".
+void addWords(const std::string& list, std::set<std::string>* words) {
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');) {
+    const std::size_t begin = word.find_first_not_of(' ');
+    if (begin == std::string::npos) continue;
+    words->insert(word.substr(begin, word.find_last_not_of(' ') + 1 - begin));
+  }
+}
+
+// Keys of which the file does not say where they come from.
+std::vector<std::string> unaccounted(const TissueFile& tissue) {
+  std::set<std::string> accounted;
+  for (const TissueSource& source : tissue.sources) addWords(source.values, &accounted);
+  for (const TissueChoice& choice : tissue.choices) addWords(choice.values, &accounted);
+  std::vector<std::string> keys = {"density"};
+  if (!tissue.material.viscoelastic.empty()) keys.emplace_back("viscoelastic");
+  for (const auto& [name, values] : tissue.material.constants) keys.push_back(name);
+  std::vector<std::string> missing;
+  for (const std::string& key : keys) {
+    if (!accounted.count(key)) missing.push_back(key);
+  }
+  return missing;
+}
+
+}  // namespace
 
 void describe(FieldVisitor& v, TissueSource& source) {
-  v.text({"values", "", "Which numbers of the file.", Need::kRequired}, source.values);
+  v.text({"values", "", "Keys of the file whose numbers it gives, with commas.", Need::kRequired},
+         source.values);
   v.text({"cite", "", "Author, year, where published.", Need::kRequired}, source.cite);
   v.text({"measured", "", "What was measured, how, of which species.", Need::kRequired},
          source.measured);
@@ -24,10 +55,20 @@ void describe(FieldVisitor& v, TissueSource& source) {
   v.text({"note", "", "How the numbers were converted or chosen."}, source.note);
 }
 
+void describe(FieldVisitor& v, TissueChoice& choice) {
+  v.text({"values", "", "Keys of the file that nobody measured, with commas.", Need::kRequired},
+         choice.values);
+  v.text({"why", "", "Why they are so.", Need::kRequired}, choice.why);
+}
+
 void describe(FieldVisitor& v, TissueFile& tissue) {
   v.text({"description", "", "What it is.", Need::kRequired}, tissue.description);
   describeLaw(v, tissue.material);
   v.list({"sources", "", "Where the numbers come from.", Need::kRequired}, tissue.sources, 1);
+  v.list({"choices", "", "What is not measured but chosen."}, tissue.choices, 0);
+  v.rule(true, "", "density, every constant and viscoelastic need a source or a choice");
+  const std::vector<std::string> missing = unaccounted(tissue);
+  if (!missing.empty()) v.rule(false, "", "needs a source or a choice for " + joinNames(missing));
 }
 
 std::vector<std::string> sourceReadingNames() { return {"first_hand", "secondary", "not_read"}; }

@@ -11,11 +11,17 @@ namespace palpate::sim {
 
 /// Where numbers of a tissue come from.
 struct TissueSource {
-  std::string values;    ///< Which: "c10, c01".
+  std::string values;    ///< Which keys: "c10, c01".
   std::string cite;      ///< Author, year, where.
   std::string measured;  ///< What was measured, how, of which species.
   std::string read;      ///< first_hand | secondary | not_read
   std::string note;      ///< How the numbers were converted or chosen; may be empty.
+};
+
+/// What nobody measured.
+struct TissueChoice {
+  std::string values;  ///< Which keys.
+  std::string why;
 };
 
 /// A tissue of the library: a material with where its numbers come from.
@@ -24,12 +30,14 @@ struct TissueFile {
   std::string description;
   MaterialConfig material;  ///< Never by `file`.
   std::vector<TissueSource> sources;
+  std::vector<TissueChoice> choices;
 };
 
 /// How the writer of a tissue file knows a source.
 std::vector<std::string> sourceReadingNames();
 
-/// @throws InputError with all problems of the file.
+/// @throws InputError with all problems of the file, among them constants, a density or a
+/// relaxation that no source or choice accounts for.
 TissueFile readTissueFile(const std::string& file);
 
 /// What a material is: written out, or as its tissue file says. `file` is the scene or case, whose
@@ -37,5 +45,9 @@ TissueFile readTissueFile(const std::string& file);
 /// @throws InputError in the name of `file` for a path that leads nowhere, or of the tissue file.
 material::Solid makeSolid(const MaterialConfig& material, const std::string& file,
                           const std::string& key);
+
+/// docs/tissues.md, from the tissue files of a folder.
+/// @throws InputError as readTissueFile(), or if there is no such folder.
+std::string tissuesMarkdown(const std::string& folder);
 
 }  // namespace palpate::sim
