@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that palpate needs. Nothing happens where they are all there.
 #
-#   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo rviz dev
+#   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo rviz dev accuracy
 #
 # Without a set: build, test and demo. --list prints the packages and installs nothing.
 # This file is the one place where packages are listed.
@@ -25,7 +25,8 @@ test=(
   libgtest-dev librostest-dev python3-rostest python3-roslaunch rosout
   ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
-  python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy)
+  python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy
+  calculix-ccx python3-scipy python3-meshio python3-matplotlib)
 
 # A running graph without a screen, the recorded bag and its analysis.
 demo=(
@@ -41,6 +42,11 @@ rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 # The checks of scripts/test.sh.
 dev=(clang-format-14 clang-tidy-14 catkin-lint)
 
+# scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
+accuracy=(
+  calculix-ccx python3-dolfinx-real build-essential
+  python3-numpy python3-scipy python3-meshio python3-matplotlib)
+
 readme="README.md, section 'Other ways to build'"
 
 die() {
@@ -53,9 +59,9 @@ sets=()
 for argument in "$@"; do
   case $argument in
     --list) list_only=true ;;
-    build | test | demo | rviz | dev) sets+=("$argument") ;;
+    build | test | demo | rviz | dev | accuracy) sets+=("$argument") ;;
     -h | --help) sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) die "unknown set '$argument'; known: build test demo rviz dev" ;;
+    *) die "unknown set '$argument'; known: build test demo rviz dev accuracy" ;;
   esac
 done
 [ ${#sets[@]} -gt 0 ] || sets=(build test demo)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/accuracy.sh."""
+
+import argparse
+import pathlib
+import shutil
+import sys
+import time
+import traceback
+
+SKIPPED = 77  # what ctest takes for a skipped test
+try:
+    from . import recorded, report
+    from .cases import CASES
+    from .solve import ROOT, Failed, build_folder
+except ModuleNotFoundError as missing:
+    if missing.name.startswith("accuracy"):
+        raise
+    print(f"no Python module {missing.name}; run scripts/install_dependencies.sh accuracy")
+    sys.exit(SKIPPED)
+
+
+class Context:
+    """Where a case works, draws and tells how far it is."""
+
+    def __init__(self, images, work, quick):
+        self.images, self.work, self.quick = images, work, quick
+        self.start = time.time()
+        self.case = ""
+
+    def folder(self, *names):
+        return self.work.joinpath(*names)
+
+    def progress(self, text):
+        print(f"[{time.time() - self.start:6.0f} s] {self.case}: {text}", flush=True)
+
+
+def _run(names, context):
+    """Sections and failures, by name. A case that does not run does not stop the others."""
+    sections, failures = {}, {}
+    for name in names:
+        context.case = name
+        begin = time.time()
+        try:
+            if name in CASES:
+                sections[name] = CASES[name].run(context)
+            else:
+                sections.update(recorded.run(name, context))
+        except Failed as error:
+            failures[name] = str(error)
+        except Exception:  # a broken case is reported like one that fails
+            failures[name] = traceback.format_exc(limit=-3)
+        context.progress(f"{'FAILED: ' + failures[name] if name in failures else 'done'} "
+                         f"({time.time() - begin:.0f} s)")
+    return sections, failures
+
+
+def main():
+    known = [*CASES, *recorded.names()]
+    parser = argparse.ArgumentParser(prog="scripts/accuracy.sh", description=__doc__)
+    parser.add_argument("cases", nargs="*", metavar="CASE", help="default: all of " + " ".join(known))
+    parser.add_argument("--quick", action="store_true", help="small versions of the quick cases")
+    parser.add_argument("--list", action="store_true", help="print the names and do nothing")
+    arguments = parser.parse_args()
+    if arguments.list:
+        print("\n".join(known))
+        return 0
+    unknown = [c for c in arguments.cases if c not in known]
+    if unknown:
+        parser.error(f"no case {' '.join(unknown)}; known: {' '.join(known)}")
+
+    whole = not arguments.cases and not arguments.quick
+    work = build_folder() / "accuracy"
+    docs = ROOT / "docs" if whole else work
+    if whole:
+        shutil.rmtree(work, ignore_errors=True)
+    names = arguments.cases or [n for n in known if not arguments.quick
+                                or getattr(CASES.get(n), "QUICK", False)]
+    lacking = [tool for n in names for tool in getattr(CASES.get(n), "NEEDS", ()) if not tool.available()]
+    if lacking:
+        print(f"not installed: {' '.join(t.PACKAGE for t in lacking)}; run "
+              "scripts/install_dependencies.sh accuracy")
+        return SKIPPED
+    context = Context(docs / "images" / "accuracy", work, arguments.quick)
+    sections, failures = _run(names, context)
+    docs.mkdir(parents=True, exist_ok=True)
+    page = pathlib.Path(docs / "accuracy.md")
+    page.write_text(report.page(sections, failures, time.time() - context.start), encoding="utf-8")
+
+    missed = sum(not r.passed for s in sections.values() for r in s.rows)
+    print(report.terminal(sections))
+    print(f"{page}: {sum(len(s.rows) for s in sections.values())} figures, {missed} out of bounds, "
+          f"{len(failures)} cases failed: {' '.join(failures) or '-'}")
+    return 1 if missed or failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A flat, frictionless punch on a half space."""
+
+import numpy as np
+
+from .. import meshes
+from ..plots import COLOUR, figure, save
+from ..report import rows_table
+from ..rows import Row, Section
+from ..solve import plane, reaction, solve
+
+CASE = "flat punch"
+RADIUS, DEPTH, YOUNG = 0.01, 0.001, 5.0e3  # [m], [m], [Pa]
+SIZE = 1.0  # [m], of the block that stands for the half space
+SOURCE = "closed form F = 2 E a d/(1 - nu^2) [Sneddon 1965]"
+POISSON = (0.45, 0.49, 0.4999)
+MESHES = {"anp": (32, 64), "tet10": (8,), "tet4": (64,)}  # parts of the radius at the punch's edge
+QUICK_MESHES = {"anp": (8,)}
+BOUND = {("anp", 64): 0.05, ("tet10", 8): 0.05}
+
+
+def force(poisson):
+    return 2 * YOUNG * RADIUS * DEPTH / (1 - poisson ** 2)
+
+
+def block(n):
+    """A quarter of a cylinder with its top at z = 0; elements of RADIUS/n at the punch's edge, which
+    grow away from it, inwards and outwards."""
+    first = RADIUS / n
+    inner = RADIUS - meshes.graded(first, RADIUS, 1.4)[::-1]
+    outer = RADIUS + meshes.graded(first, SIZE - RADIUS, 1.6)
+    radii = np.concatenate([inner[1:], outer[1:]])
+    points, triangles = meshes.disc(radii, [min(2 * (k + 1), 12) for k in range(len(radii))], quarter=True)
+    return meshes.prisms(points, triangles, -meshes.graded(first, SIZE, 1.5)[::-1])
+
+
+def press(folder, element, n, material):
+    mesh = block(n).for_element(element)
+    far = 50.0  # [m]; a ball this large, dipped into the top, selects a disc
+    disc = {"sphere": {"center": [0, 0, far], "radius": float(np.hypot(far, RADIUS * (1 + 1e-7)))}}
+    rim = RADIUS / n / 2
+    selected = np.linalg.norm(mesh.points - [0, 0, far], axis=1) <= disc["sphere"]["radius"]
+    assert mesh.points[selected, 2].min() == 0.0, "the ball selects nodes inside the block"
+    assert np.hypot(*mesh.points[selected, :2].T).max() > RADIUS - rim, "the rim is not selected"
+    return solve(folder, mesh, element, material,
+                 [{"select": plane("z", -SIZE), "displacement": [0, 0, 0]},
+                  {"select": plane("x", 0.0, 1e-12), "displacement": [0, None, None]},
+                  {"select": plane("y", 0.0, 1e-12), "displacement": [None, 0, None]},
+                  {"select": disc, "displacement": [None, None, -DEPTH]}],
+                 [reaction("punch", disc), reaction("ground", plane("z", -SIZE))],
+                 {"load_steps": 1, "tolerance": 1e-8})
+
+
+def run(context):
+    rows, shown = [], []
+    for element, sizes in (QUICK_MESHES if context.quick else MESHES).items():
+        for n in sizes:
+            for law in ("linear", "neo_hookean"):
+                for poisson in POISSON:
+                    name = f"{element}_{n}_{poisson}_{law}"
+                    result = press(context.folder(CASE, name), element, n,
+                                   {"law": law, "young_modulus": YOUNG, "poisson_ratio": poisson})
+                    # The quarter's share; forces of the planes of symmetry lie in them.
+                    f = -4 * result.force("punch")[2]
+                    gap = abs(result.force("punch")[2] + result.force("ground")[2]) / (f / 4)
+                    mesh = f"edge a/{n}, {result.mesh.size()}"
+                    bound = BOUND.get((element, n)) if law == "linear" else None
+                    row = Row(CASE, mesh, element, f"force, {law}, nu = {poisson:g} [N]", f, force(poisson),
+                              SOURCE, bound)
+                    shown.append(row)
+                    rows += [row, Row(CASE, mesh, element, f"punch + ground / punch, {law}, nu = {poisson:g}",
+                                      gap, 0.0, "equilibrium", 1e-6, gap)]
+                    context.progress(f"{name}: {100 * row.error:+.2f} %, {result.seconds:.1f} s")
+    return Section("A flat punch on a half space", TEXT, rows, [], [rows_table(shown)])
+
+
+TEXT = (f"A rigid, frictionless disc of radius a = {1e3 * RADIUS:g} mm is pressed d = {1e3 * DEPTH:g} mm into "
+        f"a half space with E = {YOUNG / 1e3:g} kPa. The half space is a quarter of a cylinder, "
+        f"{SIZE:g} m in radius and depth, with elements that grow from the punch's edge, where the stress "
+        "is infinite. The closed form is that of small strains: the bound applies to the law `linear`. "
+        "`neo_hookean` shows what finite strain makes of it at this depth.")
