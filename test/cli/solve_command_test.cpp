@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "palpate/base/number.h"
 #include "palpate/base/types.h"
 #include "palpate/material/material.h"
 #include "run_cli.h"
@@ -39,11 +40,20 @@ class SolveCommand : public ::testing::Test {
 TEST_F(SolveCommand, StretchedBarAgreesWithTheClosedFormForEveryLaw) {
   for (const std::string& law : material::materialNames()) {
     SCOPED_TRACE(law);
+    const material::Constants constants = material::exampleConstants(law);
+    const material::Material made = material::makeMaterial(law, constants);
+    if (material::needsFibres(made)) continue;  // its sides differ: see test/material
+    std::string keys;
+    for (const auto& [name, values] : constants) {
+      std::string list;
+      for (const double value : values) list += (list.empty() ? "" : ", ") + formatNumber(value);
+      keys += ", " + name + ": [" + list + "]";
+    }
     ASSERT_EQ(solve("mesh: {box: {size: [0.1, 0.1, 1.0], cells: [2, 2, 10]}}\n"
                     "element: tet4\n"
                     "material: {law: " +
-                    law +
-                    ", mu: 1.0e4, kappa: 1.0e5, density: 1000.0}\n"
+                    law + keys +
+                    ", density: 1000.0}\n"
                     "boundary:\n"
                     "  - {select: {plane: {axis: x, at: 0}}, displacement: [0, null, null]}\n"
                     "  - {select: {plane: {axis: y, at: 0}}, displacement: [null, 0, null]}\n"
@@ -56,10 +66,7 @@ TEST_F(SolveCommand, StretchedBarAgreesWithTheClosedFormForEveryLaw) {
               0)
         << result.err;
     double transverse;
-    const double force =
-        0.01 *
-        test::uniaxialStress(material::makeMaterial(law, {{"mu", {1.0e4}}, {"kappa", {1.0e5}}}),
-                             1.2, &transverse);
+    const double force = 0.01 * test::uniaxialStress(made, 1.2, &transverse);
     EXPECT_NEAR(numbers("pull", "force")[2], force, 1e-8 * force);
     EXPECT_NEAR(numbers("mid", "displacement")[2], 0.1, 1e-9);
     EXPECT_TRUE(contains(json(), "\"status\": \"converged\""));
