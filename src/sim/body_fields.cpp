@@ -103,7 +103,7 @@ void describe(FieldVisitor& v, BodyConfig& body) {
   v.uniqueNames("regions", body.regions);
 }
 
-void describe(FieldVisitor& v, DampingConfig& damping) {
+void describe(FieldVisitor& v, solver::RayleighDamping& damping) {
   v.number({"mass", "1/s", "Force -(mass) M v, of all motion."}, damping.mass,
            Range::closed(0.0, 1.0e6));
   v.number({"stiffness", "s", "Force -(stiffness) K v, of deformation."}, damping.stiffness,

@@ -108,7 +108,7 @@ TEST_F(CaseFile, DefaultsAreTheScenes) {
   EXPECT_EQ(analysis.tolerance, scene.tolerance);
   EXPECT_EQ(analysis.max_newton_iterations, scene.max_newton_iterations);
   EXPECT_EQ(analysis.linear_tolerance, scene.linear_tolerance);
-  EXPECT_EQ(analysis.integrator, integratorNames().at(0));
+  EXPECT_EQ(analysis.integrator, solver::integratorNames().at(0));
   EXPECT_EQ(analysis.method, methodNames().at(0));
 }
 

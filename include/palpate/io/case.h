@@ -11,6 +11,7 @@
 #include "palpate/mesh/selection.h"
 #include "palpate/sim/fields.h"
 #include "palpate/sim/scene.h"
+#include "palpate/solver/integrator.h"
 
 namespace palpate::io {
 
@@ -61,7 +62,7 @@ struct DynamicAnalysis {
   double dt = sim::SolverConfig().step;  ///< [s]
   double duration = 0.0;                 ///< [s]
   std::optional<double> ramp_time;       ///< In which what is prescribed grows [s]; else duration.
-  sim::DampingConfig damping;
+  solver::RayleighDamping damping;
   double tolerance = sim::SolverConfig().tolerance;
   int max_newton_iterations = sim::SolverConfig().max_newton_iterations;
   double linear_tolerance = sim::SolverConfig().linear_tolerance;

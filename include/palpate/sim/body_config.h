@@ -46,10 +46,4 @@ struct BodyConfig {
   std::vector<RegionConfig> regions;  ///< Where they overlap, the later one holds.
 };
 
-/// Rayleigh damping: forces -(mass M + stiffness K) v.
-struct DampingConfig {
-  double mass = 0.0;       ///< [1/s]
-  double stiffness = 0.0;  ///< [s]
-};
-
 }  // namespace palpate::sim

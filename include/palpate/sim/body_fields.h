@@ -3,6 +3,7 @@
 
 #include "palpate/sim/body_config.h"
 #include "palpate/sim/fields.h"
+#include "palpate/solver/integrator.h"
 
 namespace palpate::sim {
 
@@ -12,7 +13,7 @@ void describe(FieldVisitor& v, material::PronyTerm& term);
 void describe(FieldVisitor& v, FibreConfig& fibres);
 void describe(FieldVisitor& v, RegionConfig& region);
 void describe(FieldVisitor& v, BodyConfig& body);
-void describe(FieldVisitor& v, DampingConfig& damping);
+void describe(FieldVisitor& v, solver::RayleighDamping& damping);
 void describe(FieldVisitor& v, mesh::TetRegion& region);
 void describe(FieldVisitor& v, mesh::HalfSpaceRegion& half_space);
 void describe(FieldVisitor& v, mesh::CellDataRegion& cell_data);

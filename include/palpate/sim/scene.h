@@ -7,6 +7,7 @@
 #include "palpate/base/types.h"
 #include "palpate/mesh/selection.h"
 #include "palpate/sim/body_config.h"
+#include "palpate/solver/integrator.h"
 
 namespace palpate::sim {
 
@@ -33,7 +34,7 @@ struct OrganConfig : BodyConfig {
   double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
   PoseConfig pose;            ///< Organ to world.
   std::string element = "anp";
-  DampingConfig damping;
+  solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
 };
 
