@@ -46,17 +46,23 @@ void refine(const TetMesh& mesh, const Vec3& p, Location* at) {
 
 }  // namespace
 
-Vec3 interpolate(const TetMesh& mesh, const Location& at, const Points& values) {
-  Vec3 sum = Vec3::Zero();
+std::vector<std::pair<int, double>> shapeValues(const TetMesh& mesh, const Location& at) {
+  std::vector<std::pair<int, double>> values;
   const Eigen::Vector4d& w = at.w;
   for (int a = 0; a < 4; ++a) {
     const double N = mesh.quadratic() ? w[a] * (2.0 * w[a] - 1.0) : w[a];
-    sum += N * values.col(mesh.tets(a, at.tet));
+    values.emplace_back(mesh.tets(a, at.tet), N);
   }
-  if (!mesh.quadratic()) return sum;
+  if (!mesh.quadratic()) return values;
   for (int k = 0; k < 6; ++k) {
-    sum += 4.0 * w[kEdges[k][0]] * w[kEdges[k][1]] * values.col(mesh.midnodes(k, at.tet));
+    values.emplace_back(mesh.midnodes(k, at.tet), 4.0 * w[kEdges[k][0]] * w[kEdges[k][1]]);
   }
+  return values;
+}
+
+Vec3 interpolate(const TetMesh& mesh, const Location& at, const Points& values) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& [node, N] : shapeValues(mesh, at)) sum += N * values.col(node);
   return sum;
 }
 

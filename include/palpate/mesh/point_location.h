@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "palpate/mesh/tet_mesh.h"
@@ -19,6 +20,9 @@ struct Location {
 /// Where the point `p` [m] is; nothing where it is outside of all tetrahedra by more than 1e-6 of
 /// one. In curved tetrahedra by Newton's method.
 std::optional<Location> locate(const TetMesh& mesh, const Vec3& p);
+
+/// Nodes of the tetrahedron there, with the values of their shape functions.
+std::vector<std::pair<int, double>> shapeValues(const TetMesh& mesh, const Location& at);
 
 /// Values at the nodes, one column each, interpolated by the shape functions.
 Vec3 interpolate(const TetMesh& mesh, const Location& at, const Points& values);
