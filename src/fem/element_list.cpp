@@ -8,12 +8,13 @@
 namespace palpate::fem {
 namespace {
 
-// Part of the bulk modulus that `anp` leaves to the single tetrahedra. Without any, pressures can
-// alternate between neighbours at no cost in energy.
-constexpr double kElementShare = 0.05;
+// Bulk modulus that `anp` leaves to the single tetrahedra, in units of mu. Without any, volumes can
+// alternate between neighbours at no cost; a fixed part of kappa would lock again near
+// incompressibility.
+constexpr double kElementModulus = 0.5;
 
 constexpr VolumeTreatment kByElement{};
-constexpr VolumeTreatment kAveraged{kElementShare, NodalPressure::Kind::kAveraged};
+constexpr VolumeTreatment kAveraged{kElementModulus, NodalPressure::Kind::kAveraged};
 constexpr VolumeTreatment kStabilised{0.0, NodalPressure::Kind::kStabilised};
 
 template <int N>

@@ -12,15 +12,15 @@ namespace {
 using Element = Eigen::Matrix4d;
 
 // Integral of N_m N_n / kappa + (N_m - 1/4)(N_n - 1/4) / mu over a tetrahedron.
-Element compliance(double volume, const material::Moduli& moduli, double share) {
+Element compliance(double volume, double mu, double kappa) {
   const Element mass = volume / 20.0 * (Element::Identity() + Element::Ones());
   const Element mean = volume / 16.0 * Element::Ones();
-  return mass / (share * moduli.kappa) + (mass - mean) / moduli.mu;
+  return mass / kappa + (mass - mean) / mu;
 }
 
 }  // namespace
 
-NodalPressure::NodalPressure(Kind kind, double share, const RestShape<4>& shape,
+NodalPressure::NodalPressure(Kind kind, const std::vector<double>& kappa, const RestShape<4>& shape,
                              const Composition& composition)
     : volume_(shape.volumes) {
   numberPressures(shape, composition);
@@ -32,15 +32,16 @@ NodalPressure::NodalPressure(Kind kind, double share, const RestShape<4>& shape,
     for (Eigen::Index n = 0; n < size; ++n) {
       double volume = 0.0;
       for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) volume += volume_[*e] / 4;
-      weights[n] = share * material::moduli(composition.solids[solid_[n]].law).kappa / volume;
+      weights[n] = kappa[solid_[n]] / volume;
     }
     metric_ = std::make_shared<PressureMetric>(PressureMetric::diagonal(weights));
     return;
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {
+    const int solid = solid_[pressure_(0, e)];
     const Element local =
-        compliance(volume_[e], material::moduli(composition.solid(static_cast<int>(e)).law), share);
+        compliance(volume_[e], material::moduli(composition.solids[solid].law).mu, kappa[solid]);
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < 4; ++b) {
         entries.emplace_back(pressure_(a, e), pressure_(b, e), local(a, b));

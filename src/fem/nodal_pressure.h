@@ -27,8 +27,9 @@ class NodalPressure {
   enum class Kind { kAveraged, kStabilised };
   using Gradients = Eigen::Matrix<double, 12, Eigen::Dynamic>;
 
-  /// `share` of the bulk modulus takes part.
-  NodalPressure(Kind kind, double share, const RestShape<4>& shape, const Composition& composition);
+  /// `kappa`: the bulk modulus that takes part, of each solid [Pa]; one that is zero stays out.
+  NodalPressure(Kind kind, const std::vector<double>& kappa, const RestShape<4>& shape,
+                const Composition& composition);
 
   /// Takes the dilatations theta_e; all that follows is about them.
   void setDilatations(const std::vector<double>& theta, ThreadPool* pool);

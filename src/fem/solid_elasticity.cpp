@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -47,11 +48,16 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
     : mesh_(mesh),
       composition_(composition),
       pool_(pool),
-      element_share_(treatment.element_share),
       shape_(mesh, composition),
       scatter_(shape_.nodes, static_cast<int>(mesh.numPoints())),
       history_(composition, static_cast<int>(mesh.numTets()), kPoints) {
   const std::vector<int> solid_of = fill(composition.solid_of, mesh.numTets());
+  std::vector<double> nodal_kappa;
+  for (const material::Solid& solid : composition.solids) {
+    const material::Moduli moduli = material::moduli(solid.law);
+    element_kappa_.push_back(treatment.elementKappa(moduli));
+    nodal_kappa.push_back(moduli.kappa - element_kappa_.back());
+  }
   for (std::size_t s = 0; s < composition.solids.size(); ++s) {
     groups_.push_back({static_cast<int>(s), {}});
   }
@@ -59,9 +65,8 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
     groups_[solid_of[e]].elements.push_back(static_cast<int>(e));
   }
   if constexpr (N == 4) {
-    if (element_share_ < 1.0) {
-      pressure_ = std::make_unique<NodalPressure>(treatment.kind, 1.0 - element_share_, shape_,
-                                                  composition);
+    if (std::isfinite(treatment.element_modulus)) {
+      pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
       volume_gradients_.resize(12, mesh.numTets());
       dilatations_.resize(solid_of.size());
     }
@@ -99,7 +104,7 @@ template <class Visit>
 void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
   for (const Group& group : groups_) {
     const material::Material& law = composition_.solids[group.solid].law;
-    const double kappa = element_share_ * material::moduli(law).kappa;
+    const double kappa = element_kappa_[group.solid];
     forAll(pool_, group.elements.size(), [&](std::size_t begin, std::size_t end) {
       Batch batch;
       batch.law = &law;
@@ -268,10 +273,8 @@ PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector
   const Mat3* H = viscous() ? &history_.stress(e, nearest) : nullptr;
   double psi = 0.0;
   Mat3 P;
-  stresses(law,
-           {1, &F, history_.factor(solid), element_share_ * material::moduli(law).kappa, &p,
-            H ? &H : nullptr},
-           &psi, &P);
+  stresses(law, {1, &F, history_.factor(solid), element_kappa_[solid], &p, H ? &H : nullptr}, &psi,
+           &P);
   return {F * Q.transpose(), P * F.transpose() / F.determinant()};
 }
 

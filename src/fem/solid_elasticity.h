@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -12,10 +14,15 @@
 
 namespace palpate::fem {
 
-/// Who carries the volumetric energy kappa/2 theta^2.
+/// Who carries the volumetric energy kappa/2 theta^2: of kappa, the integration points have the
+/// lesser of kappa and `element_modulus` mu, and nodal pressures have the rest.
 struct VolumeTreatment {
-  double element_share = 1.0;  ///< Part of kappa in the integration points; the rest is nodal.
-  NodalPressure::Kind kind = NodalPressure::Kind::kAveraged;  ///< Of that rest.
+  double element_modulus = std::numeric_limits<double>::infinity();  ///< In units of mu.
+  NodalPressure::Kind kind = NodalPressure::Kind::kAveraged;
+
+  double elementKappa(const material::Moduli& moduli) const {
+    return std::min(moduli.kappa, element_modulus * moduli.mu);
+  }
 };
 
 /// Isoparametric tetrahedra of N nodes: at each integration point F = sum_a x_a (x) g_a, g_a =
@@ -73,11 +80,11 @@ class SolidElasticity final : public Elasticity {
   TetMesh mesh_;
   Composition composition_;
   ThreadPool* pool_;
-  double element_share_;
+  std::vector<double> element_kappa_;  // of each solid [Pa]
   RestShape<N> shape_;
   ElementScatter<N> scatter_;
   std::vector<Group> groups_;
-  std::unique_ptr<NodalPressure> pressure_;  // null: element_share_ is 1
+  std::unique_ptr<NodalPressure> pressure_;  // null: the elements have all of kappa
   PronyHistory history_;
 
   std::vector<double> energies_, dilatations_;  // scratch, one an element
