@@ -16,7 +16,7 @@ PUBLISHED = (4.0, 4.2)  # [mm], where the finer meshes of the eleven groups lie
 SPREAD = "spread of eleven groups [Land et al. 2015, problem 1]"
 OWN = "dolfinx 0.5.2, Taylor-Hood, incompressible, {} x {} x {} cells"
 THEIRS = ((30, 2, 2), (40, 4, 4))
-MESHES = {"tet10": ((30, 2, 2), (40, 4, 4)), "anp": ((80, 8, 8),)}
+MESHES = {"tet10": ((30, 2, 2), (40, 4, 4)), "anp": ((40, 4, 4), (60, 6, 6))}
 BOUND = {"tet10": 0.01, "anp": 0.10}
 
 
