@@ -156,5 +156,57 @@ TEST_F(SolveCommand, BadCasesAreStatusTwo) {
   EXPECT_TRUE(contains(result.err, "probes[0].point"));
 }
 
+// All of the motion in one step is too much; in shorter ones it is not.
+TEST_F(SolveCommand, RejectsAStepThatFailsAndTakesShorterOnes) {
+  ASSERT_EQ(
+      solve("mesh: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}}\n"
+            "material: {law: neo_hookean, young_modulus: 5.0e3, poisson_ratio: 0.45}\n"
+            "boundary:\n"
+            "  - {select: {plane: {axis: z, at: 0}}, displacement: [0, 0, 0]}\n"
+            "  - {select: {plane: {axis: z, at: 0.1}}, displacement: [0, 0, 0],\n"
+            "     rotation: {axis: [0, 0, 1], origin: [0.05, 0.05, 0], angle: 3.0}}\n"
+            "analysis: {kind: dynamic, integrator: static, method: implicit_direct, dt: 0.1,\n"
+            "           duration: 0.1, max_newton_iterations: 12}\n"),
+      0)
+      << result.err;
+  EXPECT_TRUE(contains(json(), "\"rejected_steps\": ")) << json();
+  EXPECT_TRUE(contains(json(), "\"status\": \"converged\""));
+}
+
+TEST_F(SolveCommand, SaysStressStretchAndTheEnergyOfRegions) {
+  ASSERT_EQ(solve("mesh: {box: {size: [1, 1, 1], cells: [2, 2, 2]}}\n"
+                  "element: tet10\n"
+                  "material: {law: neo_hookean, mu: 1.0e3, kappa: 1.0e4}\n"
+                  "regions:\n"
+                  "  - {name: stiff, select: {box: {min: [0, 0, 0.5], max: [1, 1, 1]}},\n"
+                  "     material: {law: neo_hookean, mu: 1.0e3, kappa: 1.0e4}}\n"
+                  "boundary:\n"
+                  "  - {select: {plane: {axis: z, at: 0}}, displacement: [0, 0, 0]}\n"
+                  "  - {select: {plane: {axis: z, at: 1}}, displacement: [0.2, 0, 0]}\n"
+                  "  - {select: {plane: {axis: y, at: 0}}, displacement: [null, 0, null]}\n"
+                  "analysis: {kind: static}\n"
+                  "probes:\n"
+                  "  - {name: mid, point: [0.5, 0.5, 0.5]}\n"),
+            0)
+      << result.err;
+  const std::vector<double> stress = numbers("mid", "cauchy_stress");
+  const double mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+  const double deviation =
+      std::pow(stress[0] - mean, 2) + std::pow(stress[1] - mean, 2) +
+      std::pow(stress[2] - mean, 2) +
+      2.0 * (std::pow(stress[3], 2) + std::pow(stress[4], 2) + std::pow(stress[5], 2));
+  const std::string text = json();
+  const double von_mises = std::stod(text.substr(text.find("\"von_mises\": ") + 13));
+  EXPECT_NEAR(von_mises, std::sqrt(1.5 * deviation), 1e-9 * von_mises);
+  const std::vector<double> stretches = numbers("mid", "principal_stretches");
+  EXPECT_GT(stretches[0], 1.05);
+  EXPECT_LT(stretches[2], 0.95);
+  const auto energy = [&](const std::string& key) {
+    return std::stod(text.substr(text.find("\"" + key + "\": ") + key.size() + 4));
+  };
+  EXPECT_NEAR(energy("body") + energy("stiff"), energy("strain_energy"), 1e-12);
+  EXPECT_GT(energy("stiff"), 0.0);
+}
+
 }  // namespace
 }  // namespace palpate

@@ -78,5 +78,58 @@ TEST(FollowerPressure, HessianOnAClosedSurfaceIsThatOfTheGradient) {
   EXPECT_LT((Kd - (plus - minus) / (2.0 * h)).norm(), 1e-9 * Kd.norm());
 }
 
+// The same on 6-node faces, bent.
+struct Bent {
+  mesh::TetMesh mesh = mesh::toQuadratic(kBox);
+  Eigen::MatrixXi faces = mesh::boundaryFaces(mesh);
+  test::Random random;
+  Points x = mesh.points + random.points(mesh.numPoints(), 0.004);
+};
+
+TEST(Traction, OnQuadraticFacesLoadsTheMiddlesOfTheEdges) {
+  const Bent bent;
+  const Vec3 traction(1.0, -2.0, 3.0);
+  const Eigen::MatrixXi top = selectFaces(bent.faces, topNodes());
+  ASSERT_EQ(top.cols(), 12);
+  const Points f = tractionForces(bent.mesh.points, top, traction);
+  EXPECT_LT((f.rowwise().sum() - 0.02 * traction).norm(), 1e-15);
+  EXPECT_LT(f.col(top(0, 0)).norm(), 1e-15);  // no force on the corners of straight faces
+}
+
+TEST(FollowerPressure, OnBentQuadraticFacesIsTheGradientOfItsValue) {
+  Bent bent;
+  const FollowerPressure pressure(bent.faces, 50.0);
+  Points g = Points::Zero(3, bent.x.cols());
+  pressure.addGradient(bent.x, &g);
+  constexpr double h = 1e-5;
+  for (int trial = 0; trial < 10; ++trial) {
+    const Points d = bent.random.points(bent.x.cols(), 1.0);
+    const double slope =
+        (pressure.value(bent.x + h * d) - pressure.value(bent.x - h * d)) / (2.0 * h);
+    EXPECT_NEAR(g.cwiseProduct(d).sum(), slope, 1e-8 * g.norm() * d.norm());
+  }
+  EXPECT_LT(g.rowwise().sum().norm(), 1e-13);
+}
+
+TEST(FollowerPressure, HessianOnBentQuadraticFacesIsThatOfTheGradient) {
+  Bent bent;
+  const FollowerPressure pressure(bent.faces, 50.0);
+  std::vector<std::pair<int, int>> pairs;
+  for (Eigen::Index t = 0; t < bent.faces.cols(); ++t) {
+    for (int a = 0; a < 6; ++a) {
+      for (int b = 0; b < a; ++b) pairs.emplace_back(bent.faces(a, t), bent.faces(b, t));
+    }
+  }
+  BlockMatrix K(static_cast<int>(bent.x.cols()), pairs);
+  pressure.addHessian(bent.x, Tangent::kExact, &K);
+  const Points d = bent.random.points(bent.x.cols(), 1.0);
+  Points Kd, plus = Points::Zero(3, bent.x.cols()), minus = plus;
+  K.multiply(d, &Kd);
+  constexpr double h = 1e-6;
+  pressure.addGradient(bent.x + h * d, &plus);
+  pressure.addGradient(bent.x - h * d, &minus);
+  EXPECT_LT((Kd - (plus - minus) / (2.0 * h)).norm(), 1e-7 * Kd.norm());
+}
+
 }  // namespace
 }  // namespace palpate::fem

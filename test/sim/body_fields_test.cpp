@@ -122,8 +122,8 @@ TEST_F(BodyFields, FileStandsAlone) {
 TEST_F(BodyFields, Viscoelastic) {
   EXPECT_TRUE(
       hasProblem(problemsWith("g: 0.45", "g: 1.5"), "material.viscoelastic[0].g", "in (0, 1)"));
-  EXPECT_TRUE(hasProblem(problemsWith("g: 0.45", "g: 0.9"), "material.viscoelastic",
-                         "sum of g = 1.265"));
+  EXPECT_TRUE(
+      hasProblem(problemsWith("g: 0.45", "g: 0.9"), "material.viscoelastic", "sum of g = 1.265"));
   EXPECT_TRUE(hasProblem(problemsWith("g: 0.45, tau: 0.5", "g: 0.45"),
                          "material.viscoelastic[0].tau", "is missing"));
 }

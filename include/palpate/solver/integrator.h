@@ -32,7 +32,7 @@ std::vector<std::string> integratorNames();
 ///   1/2 sum_i m_i (1/k^2 + mass/k) |x_i - y_i|^2 + (1 + stiffness/k) W(x) - stiffness/k f_hat . x
 ///
 /// has no gradient, y = x_hat + k v_hat/(1 + mass k). bdf2 takes a step of backward_euler after a
-/// start and where h changes, which leaves its order at two.
+/// start and where h changes, which leaves its order at two unless that is all the time.
 class Integrator {
  public:
   /// @throws std::invalid_argument for an unknown name.
