@@ -52,6 +52,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.contacts = report.contacts;
   m.max_penetration = finite(report.max_penetration);
   m.sweep_stages = report.sweep_stages;
+  m.time_steps = report.time_steps;
   m.newton_iterations = report.newton_iterations;
   m.cg_iterations = report.cg_iterations;
   m.residual = finite(report.residual);

@@ -26,6 +26,7 @@ std::vector<LinkPoses> between(const std::vector<LinkPoses>& from, const std::ve
 void addCounters(const StepReport& earlier, StepReport* report) {
   report->status = std::max(report->status, earlier.status);
   report->sweep_stages = std::max(report->sweep_stages, earlier.sweep_stages);
+  report->time_steps = std::max(report->time_steps, earlier.time_steps);
   report->newton_iterations += earlier.newton_iterations;
   report->cg_iterations += earlier.cg_iterations;
   report->skipped.far_bodies += earlier.skipped.far_bodies;

@@ -25,6 +25,7 @@ bool allFinite(const std::vector<LinkPoses>& poses) {
 void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
   report->status = std::max(report->status, organ.status);
   report->sweep_stages = std::max(report->sweep_stages, organ.sweep_stages);
+  report->time_steps = std::max(report->time_steps, organ.time_steps);
   report->newton_iterations += organ.newton_iterations;
   report->cg_iterations += organ.linear_iterations;
   report->residual = std::max(report->residual, organ.residual);

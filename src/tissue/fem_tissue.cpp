@@ -126,7 +126,8 @@ class FemTissue final : public TissueModel {
         },
         static_settings, &settled_);
     gravity_.setFactor(1.0);
-    if (report.status != solver::SolveStatus::kConverged) {
+    const bool turned_over = elasticity_->minJacobian(settled_) <= 0.0;
+    if (report.status != solver::SolveStatus::kConverged || turned_over) {
       throw std::runtime_error("no equilibrium under gravity: the body collapses at " +
                                std::to_string(report.load_factor) +
                                " of its weight; is it too soft or too heavy?");

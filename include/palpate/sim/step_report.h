@@ -23,6 +23,7 @@ struct StepReport {
   int contacts = 0;              ///< Active contact samples, all instruments.
   double max_penetration = 0.0;  ///< [m]
   int sweep_stages = 1;          ///< Parts that the tool's motion was cut into; the largest.
+  int time_steps = 1;            ///< That made it; more than one where longer ones failed.
   int newton_iterations = 0;
   int cg_iterations = 0;
   double residual = 0.0;        ///< Largest organ's Euclidean norm of unbalanced force [N].
