@@ -5,7 +5,7 @@
 #   scripts/accuracy.sh [--quick] [--list] [CASE ...]
 #
 # --quick runs small versions of the quick cases; with it, or with names of cases, the page goes
-# to build/accuracy/ instead. --list prints the names. From the environment: PALPATE_THREADS (2),
+# to build/accuracy/ instead. --list prints the names. From the environment: PALPATE_THREADS (1; cases run side by side),
 # PALPATE_NO_BUILD=1 takes the programs that are built, PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,5 +18,5 @@ if [ -z "${PALPATE_NO_BUILD:-}" ]; then
   if [[ " $* " == *" --quick "* ]]; then tests=(); fi
   scripts/build.sh palpate "${tests[@]}"
 fi
-export PALPATE_THREADS=${PALPATE_THREADS:-2}
+export PALPATE_THREADS=${PALPATE_THREADS:-1}
 PYTHONPATH=benchmarks exec /usr/bin/python3 -B -m accuracy "$@"

@@ -2,6 +2,8 @@
 """python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/accuracy.sh."""
 
 import argparse
+import concurrent.futures
+import os
 import pathlib
 import shutil
 import sys
@@ -35,23 +37,32 @@ class Context:
         print(f"[{time.time() - self.start:6.0f} s] {self.case}: {text}", flush=True)
 
 
+def _run_case(name, context):
+    """Sections of one case by title, and what went wrong or None."""
+    context.case = name
+    begin = time.time()
+    sections, failure = {}, None
+    try:
+        sections = {name: CASES[name].run(context)} if name in CASES else recorded.run(name, context)
+    except Failed as error:
+        failure = str(error)
+    except Exception:  # a broken case is reported like one that fails
+        failure = traceback.format_exc(limit=-3)
+    context.progress(f"{'FAILED: ' + failure if failure else 'done'} ({time.time() - begin:.0f} s)")
+    return sections, failure
+
+
 def _run(names, context):
-    """Sections and failures, by name. A case that does not run does not stop the others."""
+    """Sections and failures, by name, in the order of the names; as many cases at a time as there
+    are cores. A case that does not run does not stop the others."""
     sections, failures = {}, {}
-    for name in names:
-        context.case = name
-        begin = time.time()
-        try:
-            if name in CASES:
-                sections[name] = CASES[name].run(context)
-            else:
-                sections.update(recorded.run(name, context))
-        except Failed as error:
-            failures[name] = str(error)
-        except Exception:  # a broken case is reported like one that fails
-            failures[name] = traceback.format_exc(limit=-3)
-        context.progress(f"{'FAILED: ' + failures[name] if name in failures else 'done'} "
-                         f"({time.time() - begin:.0f} s)")
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        started = {name: pool.submit(_run_case, name, context) for name in names}
+        for name, done in started.items():
+            found, failure = done.result()
+            sections.update(found)
+            if failure:
+                failures[name] = failure
     return sections, failures
 
 

@@ -17,7 +17,7 @@ REFERENCE = {0.45: 8.50, 0.49: 8.36, 0.499: 8.33}  # [mm]
 SOURCE = ("refinement of mean-dilatation hexahedra (up to 32 x 32 x 13) and quadratic tetrahedra, "
           "extrapolated, +-0.04 mm")
 BOUND = {("anp", 16): 0.10, ("tet10", 8): 0.06}
-MESHES = {"tet4": (8, 16), "anp": (8, 16), "p1p1": (8, 16), "tet10": (4, 8)}
+MESHES = {"tet4": (8, 16), "anp": (8, 16), "p1p1": (8, 12), "tet10": (4, 8)}
 QUICK_MESHES = {"tet10": (4,), "anp": (8,)}
 
 
