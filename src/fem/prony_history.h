@@ -13,9 +13,9 @@ namespace palpate::fem {
 ///
 ///     (1 - sum g_i) S + sum Q_i,   Q_i <- exp(-x_i) Q_i + g_i (1 - exp(-x_i))/x_i (S - S_begin)
 ///
-/// [Simo 1987, sec. 2; Taylor, Pister, Goudreau 1970 for the recursion], exact for an S that
-/// changes linearly over the step. It is the gradient of factor * psi + 1/2 H : (C - I) with what
-/// this class gives, so that a viscous step, too, minimises a potential.
+/// [Holzapfel 2000, sec. 6.10, after Simo 1987; Taylor, Pister, Goudreau 1970 for the recursion],
+/// exact for an S that changes linearly over the step. It is the gradient of factor * psi + 1/2 H :
+/// (C - I) with what this class gives, so that a viscous step, too, minimises a potential.
 class PronyHistory {
  public:
   PronyHistory(const Composition& composition, int num_elements, int points_per_element);

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "element_blocks.h"
 #include "for_all.h"
-#include "point_kernels.h"
 #include "psd_projection.h"
 
 namespace palpate::fem {
@@ -18,26 +18,6 @@ namespace {
 std::vector<int> fill(std::vector<int> solid_of, Eigen::Index num_elements) {
   solid_of.resize(static_cast<std::size_t>(num_elements), 0);
   return solid_of;
-}
-
-// out += the upper blocks K_ab = V (d2psi/dF2 : g_a (x) g_b) of the 9 x 9 tangent.
-template <int N>
-void addElementBlocks(const Mat9& tangent, const RestPoint<N>& point, double* out) {
-  const Eigen::Matrix<double, 3, N>& g = point.gradients;
-  Eigen::Matrix<double, 9, 3 * N> CB;  // columns 3 b + c: tangent (e_c (x) g_b)
-  for (int b = 0; b < N; ++b) {
-    CB.template middleCols<3>(3 * b) =
-        (point.volume * g(0, b)) * tangent.template middleCols<3>(0) +
-        (point.volume * g(1, b)) * tangent.template middleCols<3>(3) +
-        (point.volume * g(2, b)) * tangent.template middleCols<3>(6);
-  }
-  for (int a = 0; a < N; ++a) {
-    for (int b = a; b < N; ++b, out += 9) {
-      Eigen::Map<Mat3>{out} += g(0, a) * CB.template block<3, 3>(0, 3 * b) +
-                               g(1, a) * CB.template block<3, 3>(3, 3 * b) +
-                               g(2, a) * CB.template block<3, 3>(6, 3 * b);
-    }
-  }
 }
 
 }  // namespace
@@ -84,20 +64,6 @@ Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
   for (int a = 1; a < N; ++a) F += x.col(nodes[a]) * gradients.col(a).transpose();
   return F;
 }
-
-// Deformation gradients and what the elements add to the law, in arrays on the stack.
-template <int N>
-struct SolidElasticity<N>::Batch {
-  int count;            // of elements
-  const int* elements;  // ascending
-  const material::Material* law;
-  Mat3 F[kBatch * kPoints];
-  double pressure[kBatch * kPoints];
-  const Mat3* H[kBatch * kPoints];
-  PointBatch points;
-
-  int point(int k, int q) const { return kPoints * k + q; }
-};
 
 template <int N>
 template <class Visit>

@@ -9,6 +9,7 @@
 #include "element_scatter.h"
 #include "nodal_pressure.h"
 #include "palpate/fem/elasticity.h"
+#include "point_kernels.h"
 #include "prony_history.h"
 #include "rest_shape.h"
 
@@ -55,8 +56,19 @@ class SolidElasticity final : public Elasticity {
  private:
   static constexpr int kPoints = RestShape<N>::kPoints;
   static constexpr int kBatch = 32 / kPoints;  // elements
-  struct Batch;                                // of elements of one solid, at positions x
-  struct Group {                               // elements of one solid
+  /// Deformation gradients of elements of one solid, and what these add to the law; on the stack.
+  struct Batch {
+    int count;            // of elements
+    const int* elements;  // ascending
+    const material::Material* law;
+    Mat3 F[kBatch * kPoints];
+    double pressure[kBatch * kPoints];
+    const Mat3* H[kBatch * kPoints];
+    PointBatch points;
+
+    int point(int k, int q) const { return kPoints * k + q; }
+  };
+  struct Group {  // elements of one solid
     int solid;
     std::vector<int> elements;
   };

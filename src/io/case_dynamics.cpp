@@ -35,7 +35,7 @@ CaseDynamics::CaseDynamics(const DynamicAnalysis& analysis, CaseModel* model,
   load_norm_ = model->loadNorm();
   const double area = std::pow(
       model->elasticity().volume() / static_cast<double>(model->mesh().numPoints()), 2.0 / 3.0);
-  force_floor_ = 0.01 * material::moduli(model->composition().solids.front().law).mu * area;
+  force_floor_ = 0.01 * model->composition().softestShearModulus() * area;
 }
 
 solver::SolveStatus CaseDynamics::run(Points* x, SolveResult* result, ProbeHistory* history,

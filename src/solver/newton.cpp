@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace palpate::solver {
 namespace {
@@ -93,8 +94,9 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
 
 double Newton::roundoffForce(const Points& x) const {
   double stiffness = 0.0;
-  const fem::BlockMatrix& blocks = A_.blocks();
-  for (int i = 0; i < A_.numNodes(); ++i) stiffness += blocks.block(blocks.diagonal(i)).trace();
+  std::vector<Mat3> diagonal;
+  A_.diagonal(&diagonal);
+  for (const Mat3& block : diagonal) stiffness += block.trace();
   return 1e-15 * stiffness / (3.0 * A_.numNodes()) * x.norm();
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "palpate/contact/contact_potential.h"
@@ -11,7 +10,7 @@
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/static_solver.h"
-#include "sweep.h"
+#include "tool_sweep.h"
 
 namespace palpate::tissue {
 namespace {
@@ -28,20 +27,13 @@ constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
 
-double softestShearModulus(const fem::Composition& composition) {
-  double softest = std::numeric_limits<double>::infinity();
-  for (const material::Solid& solid : composition.solids) {
-    softest = std::min(softest, material::moduli(solid.law).mu);
-  }
-  return softest;
-}
-
 class FemTissue final : public TissueModel {
  public:
   FemTissue(const mesh::TetMesh& mesh, const fem::Composition& composition,
             const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool)
       : settings_(settings),
         mesh_(mesh),
+        size_((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
         triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
         elasticity_(fem::makeElasticity(settings.element, mesh, composition, pool)),
         integrator_(settings.integrator, elasticity_->masses(),
@@ -49,15 +41,15 @@ class FemTissue final : public TissueModel {
         gravity_(settings.gravity * elasticity_->loadWeights().transpose()),
         contact_(contact::sampleSurface(mesh.points, triangles_, settings.sample_spacing),
                  settings.penalty),
+        sweep_(&contact_, size_),
         linear_(settings.max_linear_iterations),
         newton_(elasticity_->makeMatrix()) {
     potential_ = {elasticity_.get(), {&gravity_, &contact_}, free};
     integrator_.addTerms(&potential_);
-    size_ = (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm();
     // Force of a small strain on one element: keeps the tolerance above zero in a scene at rest.
     const double element_area =
         std::pow(elasticity_->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
-    force_floor_ = 0.1 * softestShearModulus(composition) * element_area;
+    force_floor_ = 0.1 * composition.softestShearModulus() * element_area;
     rest_motion_ = (elasticity_->viscous() ? kRestMotionViscous : kRestMotion) * size_;
     settleUnderGravity();
     FemTissue::reset();
@@ -85,8 +77,10 @@ class FemTissue final : public TissueModel {
 
   const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
     out_ = TissueStep();
-    selectNearBodies(bodies, dt);
-    searchCandidates();
+    const double way = dt * velocities().colwise().norm().maxCoeff();
+    out_.far_bodies = sweep_.begin(bodies, x_, way);
+    sweep_.place(1.0);
+    sweep_.search(x_);
     if (at_rest_ && !contact_.hasCandidates()) {
       reportSleep();
       return out_;
@@ -134,47 +128,6 @@ class FemTissue final : public TissueModel {
     }
   }
 
-  // Bodies that can come within reach of the tissue during the cycle, and their sweep.
-  void selectNearBodies(const std::vector<ToolBody>& bodies, double dt) {
-    // The tissue may move on as fast as it does, and farther where it is pushed: searchCandidates()
-    // notices when it went beyond.
-    margin_ = 0.02 * size_ + 2.0 * dt * velocities().colwise().norm().maxCoeff();
-    const Vec3 low = x_.rowwise().minCoeff(), high = x_.rowwise().maxCoeff();
-    near_.clear();
-    for (const ToolBody& body : bodies) {
-      if (sweepReaches(body, low, high, margin_)) {
-        near_.push_back(body);
-      } else {
-        ++out_.far_bodies;
-      }
-    }
-  }
-
-  void placeBodies(double s) {
-    placed_.clear();
-    for (const ToolBody& body : near_) {
-      placed_.push_back({body.geometry, contact::interpolate(body.X_WG_begin, body.X_WG_end, s),
-                         body.instrument});
-    }
-    contact_.setBodies(placed_);
-  }
-
-  // Candidates at the present positions for the whole sweep, wherever on it the bodies are.
-  void searchCandidates() {
-    reach_.clear();
-    for (const ToolBody& body : near_) {
-      reach_.push_back(margin_ +
-                       contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end));
-    }
-    placeBodies(1.0);
-    contact_.findCandidates(x_, reach_);
-    searched_at_ = x_;
-  }
-
-  bool candidatesStillHold() const {
-    return (x_ - searched_at_).colwise().squaredNorm().maxCoeff() <= margin_ * margin_;
-  }
-
   // The cycle in one step, or, where that fails, in more and shorter ones. False: x_ is where it
   // was.
   bool advance(double dt) {
@@ -207,7 +160,7 @@ class FemTissue final : public TissueModel {
   }
 
   void startFromPredictor(double s, double h) {
-    placeBodies(s);
+    sweep_.place(s);
     const double value_here = potential_.value(x_);
     const Points way = h * velocities();
     predicted_ = x_ + potential_.maxStep(x_, way) * way;
@@ -226,11 +179,9 @@ class FemTissue final : public TissueModel {
     out_.sweep_stages = 0;
     solver::NewtonReport solved;
     for (double s = begin; s < end;) {
-      s = contact_.hasCandidates()
-              ? std::min(end, nextSweepStage(near_, contact_.allowedMotions(x_), s))
-              : end;
+      s = sweep_.next(x_, s, end);
       ++out_.sweep_stages;
-      placeBodies(s);
+      sweep_.place(s);
       solved = solveStage(s < end);
     }
     out_.status = solved.status;
@@ -250,9 +201,8 @@ class FemTissue final : public TissueModel {
       solved = newton_.minimize(potential_, newton_settings, &linear_, &x_);
       out_.newton_iterations += solved.iterations;
       out_.linear_iterations += solved.linear_iterations;
-      if (near_.empty() || candidatesStillHold()) break;
-      contact_.findCandidates(x_, reach_);
-      searched_at_ = x_;
+      if (sweep_.candidatesHold(x_)) break;
+      sweep_.search(x_);
     }
     return solved;
   }
@@ -277,7 +227,7 @@ class FemTissue final : public TissueModel {
     contact_.collect(x_, &contacts_);
     Points nodal = Points::Zero(3, x_.cols());
     for (const contact::Contact& c : contacts_) {
-      out_.contacts.push_back({placed_[c.body].instrument, c.penetration, c.p_W, c.force_W});
+      out_.contacts.push_back({sweep_.instrument(c.body), c.penetration, c.p_W, c.force_W});
       const contact::SurfaceSample& s = contact_.samples()[c.sample];
       for (int k = 0; k < 3; ++k) nodal.col(s.nodes[k]) += s.weights[k] * c.force_W;
     }
@@ -307,16 +257,17 @@ class FemTissue final : public TissueModel {
 
   FemSettings settings_;
   mesh::TetMesh mesh_;
+  double size_;  // diagonal of the rest bounding box [m]
   Points settled_;
   Eigen::Matrix3Xi triangles_;
   std::unique_ptr<fem::Elasticity> elasticity_;
   solver::Integrator integrator_;
   fem::DeadLoad gravity_;
   contact::ContactPotential contact_;
+  ToolSweep sweep_;
   solver::Potential potential_;
   solver::BlockPcg linear_;
   solver::Newton newton_;
-  double size_ = 0.0;         // diagonal of the rest bounding box [m]
   double force_floor_ = 0.0;  // [N]
   double rest_motion_ = 0.0;  // [m]
 
@@ -325,12 +276,8 @@ class FemTissue final : public TissueModel {
   double contact_force_ = 0.0, support_force_ = 0.0;  // nodal norms of the last cycle [N]
 
   // One cycle's.
-  std::vector<ToolBody> near_;
-  std::vector<contact::RigidBody> placed_;
   std::vector<contact::Contact> contacts_;
-  double margin_ = 0.0;
-  std::vector<double> reach_;  // of each near body [m]
-  Points searched_at_, predicted_;
+  Points predicted_;
   TissueStep out_, last_;
 };
 

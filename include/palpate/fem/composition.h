@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,9 +21,16 @@ struct Composition {
   std::vector<material::Solid> solids;  ///< At least one.
   std::vector<int> solid_of;  ///< Of each tetrahedron, into `solids`; empty: all solids[0].
   /// Material frame to reference frame of each tetrahedron: first column the fibre, second the
-  /// sheet, unit and orthogonal. Empty where no solid needs fibres.
+  /// sheet, unit and orthogonal; the identity where the law is not frame indifferent. Empty where
+  /// no solid needs fibres.
   std::vector<Mat3> frames;
 
+  /// Least shear modulus at rest of all solids [Pa].
+  double softestShearModulus() const {
+    double softest = std::numeric_limits<double>::infinity();
+    for (const material::Solid& s : solids) softest = std::min(softest, material::moduli(s.law).mu);
+    return softest;
+  }
   const material::Solid& solid(int tet) const {
     return solids[solid_of.empty() ? 0 : static_cast<std::size_t>(solid_of[tet])];
   }

@@ -29,7 +29,7 @@ struct SolveResult {
   int rejected_steps = 0;      ///< Tried again in shorter ones.
   int newton_iterations = 0;   ///< Of all steps.
   double residual = 0.0;       ///< Relative, of the last step.
-  double strain_energy = 0.0;  ///< [J]
+  double strain_energy = 0.0;  ///< Viscous: potential of the last step [J].
   std::vector<std::pair<std::string, double>> energy_by_region;  ///< [J], where there are regions.
   double min_jacobian = 1.0;                                     ///< Smallest det F of any element.
   std::vector<std::pair<std::string, double>> seconds;  ///< Wall time by part, with "total".

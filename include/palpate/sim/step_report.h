@@ -31,7 +31,7 @@ struct StepReport {
   double imbalance = 0.0;       ///< |tool + support + gravity + inertia forces| [N], see docs.
   double min_jacobian = 1.0;    ///< Smallest det F of any element.
   double kinetic_energy = 0.0;  ///< [J]
-  double elastic_energy = 0.0;  ///< [J]
+  double elastic_energy = 0.0;  ///< Of viscous organs the potential of the last step [J].
   SkipCounters skipped;
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }

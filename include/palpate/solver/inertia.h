@@ -8,8 +8,8 @@
 namespace palpate::solver {
 
 /// Inertia of an implicit step as an energy, 1/2 sum_i w_i |x_i - y_i|^2, with y the positions that
-/// the masses would reach if nothing held them [Hairer, Lubich, Wanner 2006, sec. VI.6 on
-/// variational integrators; the incremental potential of Kane et al. 2000].
+/// the masses would reach if nothing held them [the incremental potential of Kane
+/// et al. 2000].
 class Inertia final : public fem::EnergyTerm {
  public:
   /// Begins a step towards y, 3 x n [m], with the weights w, n [kg/s^2].

@@ -41,7 +41,7 @@ struct TissueStep {
   double tolerance = 0.0;  ///< What it was asked to be below [N].
   double min_jacobian = 1.0;
   double kinetic_energy = 0.0;  ///< [J]
-  double elastic_energy = 0.0;  ///< [J]
+  double elastic_energy = 0.0;  ///< Of a viscous body the potential of the last step [J].
   int far_bodies = 0;           ///< Bodies that could not touch in this cycle.
   bool slept = false;           ///< At rest and untouched: nothing was solved.
   bool satisfied = false;       ///< The predictor was within tolerance: no iteration was needed.
