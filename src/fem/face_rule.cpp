@@ -48,8 +48,8 @@ std::vector<FacePoint> quadraticRule() {
 }  // namespace
 
 const std::vector<FacePoint>& faceRule(Eigen::Index num_nodes) {
-  static const std::vector<FacePoint> linear{linearPoint()}, quadratic = quadraticRule();
-  return num_nodes == 3 ? linear : quadratic;
+  static const std::vector<FacePoint> kLinear{linearPoint()}, kQuadratic = quadraticRule();
+  return num_nodes == 3 ? kLinear : kQuadratic;
 }
 
 }  // namespace palpate::fem

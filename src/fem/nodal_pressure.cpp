@@ -50,7 +50,7 @@ NodalPressure::NodalPressure(Kind kind, const std::vector<double>& kappa, const 
   }
   Eigen::SparseMatrix<double> all(size, size);
   all.setFromTriplets(entries.begin(), entries.end());
-  metric_ = std::make_shared<PressureMetric>(PressureMetric::inverseOf(std::move(all)));
+  metric_ = std::make_shared<PressureMetric>(PressureMetric::inverseOf(all));
 }
 
 void NodalPressure::numberPressures(const RestShape<4>& shape, const Composition& composition) {

@@ -11,9 +11,9 @@ PressureMetric PressureMetric::diagonal(Eigen::VectorXd weights) {
   return metric;
 }
 
-PressureMetric PressureMetric::inverseOf(Eigen::SparseMatrix<double> compliance) {
+PressureMetric PressureMetric::inverseOf(const Eigen::SparseMatrix<double>& compliance) {
   PressureMetric metric;
-  metric.compliance_ = std::move(compliance);
+  metric.compliance_ = compliance;
   metric.compliance_.makeCompressed();
   metric.weights_ = metric.compliance_.diagonal().cwiseInverse();
   auto factor = std::make_shared<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>>();

@@ -214,6 +214,7 @@ std::vector<PointState> SolidElasticity<N>::states(const Points& x,
                                                    const std::vector<mesh::Location>& places) {
   updatePressure(x);
   std::vector<PointState> states;
+  states.reserve(places.size());
   for (const mesh::Location& at : places) states.push_back(state(x, at.tet, at.w));
   return states;
 }

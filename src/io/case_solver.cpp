@@ -56,6 +56,7 @@ void fillFields(const CaseModel& model, const Points& x, const Points& force,
   Eigen::MatrixXd stress(6, mesh.numTets()), stretches(3, mesh.numTets());
   Eigen::MatrixXd von_mises(1, mesh.numTets()), jacobian(1, mesh.numTets());
   std::vector<mesh::Location> middles;
+  middles.reserve(static_cast<std::size_t>(mesh.numTets()));
   for (int e = 0; e < mesh.numTets(); ++e) {
     middles.push_back({e, Eigen::Vector4d::Constant(0.25)});
   }

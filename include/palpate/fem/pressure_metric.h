@@ -15,7 +15,7 @@ class PressureMetric {
   /// M = diag(weights), [Pa/m^3].
   static PressureMetric diagonal(Eigen::VectorXd weights);
   /// M = compliance^-1; `compliance` symmetric positive definite [m^3/Pa].
-  static PressureMetric inverseOf(Eigen::SparseMatrix<double> compliance);
+  static PressureMetric inverseOf(const Eigen::SparseMatrix<double>& compliance);
 
   Eigen::Index size() const { return weights_.size(); }
   bool isDiagonal() const { return compliance_.size() == 0; }
