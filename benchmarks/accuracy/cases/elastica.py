@@ -15,9 +15,9 @@ LENGTH, HEIGHT, YOUNG = 0.4, 0.01, 1.0e6  # [m], [m], [Pa]
 REFERENCE = {0.5: (0.162144, 0.015919), 1: (0.301721, 0.056433), 2: (0.493457, 0.160642),
              5: (0.713792, 0.387628), 10: (0.810609, 0.554996)}
 SOURCE = "elliptic integrals [Bisshopp and Drucker 1945]"
-MESHES = {"tet10": ((2, 2, 40), (2, 2, 80)), "anp": ((4, 4, 160),)}
-QUICK_MESHES = {"tet10": ((2, 2, 40),)}
-BOUND = {("tet10", (2, 2, 80)): 0.02}
+MESHES = {"tet10": ((2, 2, 20), (2, 2, 40)), "anp": ((4, 4, 160),)}
+QUICK_MESHES = {"tet10": ((2, 2, 20),)}
+BOUND = {("tet10", (2, 2, 40)): 0.02}
 
 
 def bend(folder, element, cells, load):

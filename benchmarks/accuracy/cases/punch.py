@@ -14,28 +14,35 @@ RADIUS, DEPTH, YOUNG = 0.01, 0.001, 5.0e3  # [m], [m], [Pa]
 SIZE = 1.0  # [m], of the block that stands for the half space
 SOURCE = "closed form F = 2 E a d/(1 - nu^2) [Sneddon 1965]"
 POISSON = (0.45, 0.49, 0.4999)
-MESHES = {"anp": (32, 64), "tet10": (8,), "tet4": (64,)}  # parts of the radius at the punch's edge
+MESHES = {"anp": (16, 32), "tet10": (8,), "tet4": (32,)}  # parts of the radius at the punch's edge
 QUICK_MESHES = {"anp": (8,)}
-BOUND = {("anp", 64): 0.05, ("tet10", 8): 0.05}
+BOUND = {("anp", 32): 0.05, ("tet10", 8): 0.05}
 
 
 def force(poisson):
     return 2 * YOUNG * RADIUS * DEPTH / (1 - poisson ** 2)
 
 
-def block(n):
+# Sectors of the quarter, and growth of the elements inwards, outwards and downwards.
+FINE, COARSE = (18, 1.22, 1.5, 1.2), (12, 1.4, 1.6, 1.5)
+GRADING = {"anp": FINE, "tet4": FINE, "tet10": COARSE}
+
+
+def block(n, grading):
     """A quarter of a cylinder with its top at z = 0; elements of RADIUS/n at the punch's edge, which
-    grow away from it, inwards and outwards."""
+    grow away from it."""
+    sectors, inwards, outwards, down = grading
     first = RADIUS / n
-    inner = RADIUS - meshes.graded(first, RADIUS, 1.4)[::-1]
-    outer = RADIUS + meshes.graded(first, SIZE - RADIUS, 1.6)
+    inner = RADIUS - meshes.graded(first, RADIUS, inwards)[::-1]
+    outer = RADIUS + meshes.graded(first, SIZE - RADIUS, outwards)
     radii = np.concatenate([inner[1:], outer[1:]])
-    points, triangles = meshes.disc(radii, [min(2 * (k + 1), 12) for k in range(len(radii))], quarter=True)
-    return meshes.prisms(points, triangles, -meshes.graded(first, SIZE, 1.5)[::-1])
+    counts = [min(2 * (k + 1), sectors) for k in range(len(radii))]
+    points, triangles = meshes.disc(radii, counts, quarter=True)
+    return meshes.prisms(points, triangles, -meshes.graded(first, SIZE, down)[::-1])
 
 
 def press(folder, element, n, material):
-    mesh = block(n).for_element(element)
+    mesh = block(n, GRADING[element]).for_element(element)
     far = 50.0  # [m]; a ball this large, dipped into the top, selects a disc
     disc = {"sphere": {"center": [0, 0, far], "radius": float(np.hypot(far, RADIUS * (1 + 1e-7)))}}
     rim = RADIUS / n / 2
