@@ -60,7 +60,11 @@ def _run(names, context):
         started = {name: pool.submit(_run_case, name, context) for name in names}
         for name, done in started.items():
             found, failure = done.result()
-            sections.update(found)
+            for title, section in found.items():
+                if title in sections:  # of several test programs
+                    sections[title].rows += section.rows
+                else:
+                    sections[title] = section
             if failure:
                 failures[name] = failure
     return sections, failures
