@@ -92,7 +92,8 @@ def _plot(context, force):
             points = [n + 1 if element != "tet10" else 2 * n + 1 for n in sizes]
             axis.plot(points, [force[element, n, poisson] for n in sizes], "o-", label=element,
                       color=COLOUR[element])
-        axis.set(title=f"nu = {poisson:g}", xlabel="nodes along an edge", ylim=(0, None))
+        axis.set(title=f"nu = {poisson:g}", xlabel="nodes along an edge",
+                 ylim=(0, 1.05 * max(force.values())))
     axes[0].set_ylabel("force on the tool [N]")
     axes[0].legend()
     return save(fig, context.images, "glued_patch.svg"), "Force on the tool over the fineness of the mesh"
