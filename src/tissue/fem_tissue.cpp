@@ -135,6 +135,7 @@ class FemTissue final : public TissueModel {
     const std::unique_ptr<fem::ViscousState> viscous = elasticity_->saveViscousState();
     for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
       out_.time_steps = steps;
+      out_.sweep_stages = 0;
       int done = 0;
       while (done < steps && timeStep(done / double(steps), (done + 1) / double(steps), dt / steps))
         ++done;
@@ -176,7 +177,6 @@ class FemTissue final : public TissueModel {
   // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
   void solveStages(double begin, double end) {
     out_.tolerance = tolerance();
-    out_.sweep_stages = 0;
     solver::NewtonReport solved;
     for (double s = begin; s < end;) {
       s = sweep_.next(x_, s, end);

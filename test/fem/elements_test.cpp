@@ -107,9 +107,10 @@ TEST_P(EveryElement, ProjectedHessianIsPositiveSemidefinite) {
   EXPECT_GT(eigenvalues.minCoeff(), -1e-8 * eigenvalues.maxCoeff());
 }
 
+// A law for small rotations is only free to shift.
 TEST_P(EveryElement, RigidMotionIsFree) {
-  if (!frameIndifferent()) GTEST_SKIP() << "a law for small rotations";
-  const Mat3 R = Eigen::AngleAxisd(M_PI / 2, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  const double angle = frameIndifferent() ? M_PI / 2 : 0.0;
+  const Mat3 R = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   const Points x = (R * mesh.points).colwise() + Vec3(0.3, -0.2, 0.1);
   Points g, stretched;
   body->gradient(x, &g);

@@ -176,7 +176,9 @@ std::string extraData() {
 }
 
 TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
-  if (extraData().empty()) GTEST_SKIP() << "PALPATE_EXTRA_DATA is not set";
+  if (extraData().empty())
+    GTEST_SKIP()
+        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
   const Instrument psm = loadInstrument(extraData() + "/instruments/psm/psm.urdf");
   EXPECT_GT(psm.warnings().size(), 5u);
   EXPECT_GE(psm.bodies().size(), 4u);
@@ -211,7 +213,9 @@ TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
 }
 
 TEST(ExtraInstruments, OmniIsAnArmWithoutCollisionShapes) {
-  if (extraData().empty()) GTEST_SKIP() << "PALPATE_EXTRA_DATA is not set";
+  if (extraData().empty())
+    GTEST_SKIP()
+        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
   const Instrument omni = loadInstrument(extraData() + "/instruments/omni.urdf");
   EXPECT_EQ(omni.joints().size(), 6u);
   EXPECT_TRUE(omni.bodies().empty());

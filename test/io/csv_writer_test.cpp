@@ -42,7 +42,8 @@ TEST(CsvWriter, RowsAreAsLongAsTheHeader) {
 TEST(CsvWriter, RefusesWhereNothingCanBeWritten) {
   const test::TempFolder folder;
   EXPECT_THROW(CsvWriter(folder.path("no/such/folder.csv"), {"t"}), InputError);
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "needs /dev/full to imitate a disk without room; this system has none";
   CsvWriter csv("/dev/full", {"t"});
   EXPECT_THROW(csv.flush(), InputError);
 }

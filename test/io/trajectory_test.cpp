@@ -60,7 +60,8 @@ TEST_F(TrajectoryFile, ComesBackBitForBit) {
 }
 
 TEST_F(TrajectoryFile, FullDiskIsToldOf) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "needs /dev/full to imitate a disk without room; this system has none";
   EXPECT_TRUE(
       hasProblem(test::problemsOf([] {
                    writeTrajectory("/dev/full", {{"a"}, {0.0}, Eigen::MatrixXd::Zero(1, 1)});

@@ -17,9 +17,13 @@ class ExtraData : public testing::Test {
  protected:
   void SetUp() override {
     const char* folder = std::getenv("PALPATE_EXTRA_DATA");
-    if (!folder || !*folder) GTEST_SKIP() << "PALPATE_EXTRA_DATA is not set";
+    if (!folder || !*folder)
+      GTEST_SKIP()
+          << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
     folder_ = folder;
-    if (!std::filesystem::is_directory(folder_)) GTEST_SKIP() << folder_ << " is no folder";
+    if (!std::filesystem::is_directory(folder_))
+      GTEST_SKIP() << "needs meshes that are not shipped: PALPATE_EXTRA_DATA = " << folder_
+                   << " is no folder";
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   std::filesystem::path folder_;

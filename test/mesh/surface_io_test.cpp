@@ -90,7 +90,9 @@ TEST(Surface, FolderIsRefused) {
 }
 
 TEST(Surface, NumbersAreReadInAnyLocale) {
-  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no locale with a decimal comma";
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
+    GTEST_SKIP()
+        << "needs a locale with a decimal comma to read numbers in: de_DE.UTF-8 is not installed";
   const SurfaceMesh surface = readText("a.obj", "v 0.5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::setlocale(LC_ALL, "C");
   EXPECT_EQ(surface.points(0, 0), 0.5);

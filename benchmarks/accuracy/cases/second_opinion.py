@@ -18,7 +18,7 @@ MU, KAPPA = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON))
 SOURCE = "dolfinx 0.5.2, Taylor-Hood elements, {0} x {0} x {1} cells"
 THEIRS = (2, 4, 6)
 MESHES = {"anp": (6, 9, 12), "tet10": (3, 5)}
-BOUND = {("anp", 12): (0.01, 0.04), ("tet10", 5): (0.01, 0.01)}  # of force, moment
+BOUND = {("anp", 12): (0.01, None), ("tet10", 5): (0.01, 0.01)}  # of force, moment
 
 
 def _about_axis(force, moment):
@@ -74,7 +74,9 @@ TEXT = (f"A gel bar of {1e3 * WIDTH:g} x {1e3 * WIDTH:g} x {1e3 * LENGTH:g} mm, 
         f"kPa, nu = {POISSON:g}, is held at one end; the other is glued to a tool that turns by 90 degrees and "
         f"pulls {1e3 * PULL:g} mm. dolfinx solves the same problem with Taylor-Hood elements (quadratic "
         "displacements, linear pressure), which share nothing with palpate's: no code, no element, no "
-        "treatment of volume. Both ends' forces balance in every run (bound 1e-6).")
+        "treatment of volume. The force along the axis is bound to 1 % with `anp`; its moment about the axis "
+        "converges more slowly, misses 1 % on the finest mesh here, and is shown without a bound. `tet10` "
+        "has both within 1 %. Both ends' forces balance in every run (bound 1e-6).")
 
 
 def _plot(context, values, theirs):
