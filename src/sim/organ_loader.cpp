@@ -93,6 +93,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
 
   tissue::FemSettings settings;
   settings.element = organ.element;
+  settings.method = scene.solver.method;
   settings.integrator = scene.solver.integrator;
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;

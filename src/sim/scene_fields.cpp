@@ -3,6 +3,7 @@
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/tissue/fem_tissue.h"
 
 namespace palpate::sim {
 
@@ -88,6 +89,7 @@ void describe(FieldVisitor& v, ContactConfig& contact) {
 }
 
 void describe(FieldVisitor& v, SolverConfig& solver) {
+  v.choice({"method", "", "How a cycle is solved."}, solver.method, tissue::methodNames());
   v.choice({"integrator", "", "Time integration."}, solver.integrator, solver::integratorNames());
   v.number({"step", "s", "Length of a cycle when live, longest cycle in a replay."}, solver.step,
            Range::above(0.0, 0.1));

@@ -57,6 +57,7 @@ struct ContactConfig {
 };
 
 struct SolverConfig {
+  std::string method = "implicit_pcg";
   std::string integrator = "backward_euler";
   double step = 0.01;         ///< Fixed step when live, longest step in a replay [s].
   double tolerance = 1.0e-4;  ///< Newton: residual over the forces' scale.

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/contact/penalty.h"
@@ -14,6 +15,7 @@
 namespace palpate::tissue {
 
 struct FemSettings {
+  std::string method = "implicit_pcg";  ///< One of methodNames().
   std::string element = "anp";
   std::string integrator = "backward_euler";
   double mass_damping = 0.0;       ///< [1/s]
@@ -27,17 +29,19 @@ struct FemSettings {
   int max_linear_iterations = 500;
 };
 
-/// Nonlinear finite elements stepped implicitly: each cycle minimises the incremental potential
-/// (inertia, elasticity, gravity, contact) by inexact Newton with block-Jacobi PCG. When
-/// tools move far within a cycle, the motion is swept in stages short against the thinnest tool,
-/// each solved before the next, so that no tool passes through (sweep.h). A cycle whose solve fails
-/// is rejected and tried again in 2, 4 and 8 shorter steps.
+/// How a cycle may be solved; the first is the default.
+std::vector<std::string> methodNames();
+
+/// Nonlinear finite elements, stepped by one of several methods. When tools move far within a
+/// cycle, the motion is swept in stages short against the thinnest tool, each solved before the
+/// next, so that no tool passes through (sweep.h).
 ///
 /// `mesh` is in world and as the element needs it (fem::meshFor()), `free` says what the supports
-/// leave (3 x n). `pool` may be null and must
-/// outlive the model. Starts from the equilibrium under gravity.
-/// @throws std::invalid_argument for an unknown element, a bad mesh, or a body that gravity would
-/// drag away because the supports do not hold it; std::runtime_error if there is no equilibrium.
+/// leave (3 x n). `pool` may be null and must outlive the model. Starts from the equilibrium under
+/// gravity.
+/// @throws std::invalid_argument for an unknown element or method, a bad mesh, or a body that
+/// gravity would drag away because the supports do not hold it; std::runtime_error if there is no
+/// equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fem_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/solver/static_solver.h"
+
+namespace palpate::tissue {
+
+FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
+                 fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool)
+    : settings(fem_settings),
+      mesh(tet_mesh),
+      free(std::move(free_mask)),
+      pool(thread_pool),
+      size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
+      triangles(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
+      elasticity(fem::makeElasticity(settings.element, mesh, composition, pool)),
+      gravity(settings.gravity * elasticity->loadWeights().transpose()),
+      contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
+              settings.penalty),
+      sweep(&contact, size),
+      x(mesh.points),
+      v(Points::Zero(3, mesh.numPoints())) {
+  weight = gravity.forces().rowwise().sum();
+  weight_norm_ = gravity.forces().norm();
+  // Force of a small strain on one element.
+  const double element_area =
+      std::pow(elasticity->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
+  force_floor = 0.1 * composition.softestShearModulus() * element_area;
+}
+
+double FemBody::tolerance() const {
+  return settings.tolerance * std::max({weight_norm_, contact_force, support_force, force_floor});
+}
+
+void FemBody::reportContacts(TissueStep* out) {
+  contact.collect(x, &contacts_);
+  nodal_.setZero(3, x.cols());
+  for (const contact::Contact& c : contacts_) {
+    out->contacts.push_back({sweep.instrument(c.body), c.penetration, c.p_W, c.force_W});
+    const contact::SurfaceSample& s = contact.samples()[c.sample];
+    for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
+  }
+  contact_force = nodal_.norm();
+}
+
+void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
+  nodal_ = gradient.array() * (1.0 - free.array());
+  out->support_force = nodal_.rowwise().sum();
+  support_force = nodal_.norm();
+}
+
+Points settleUnderGravity(FemBody* body) {
+  Points settled = body->mesh.points;
+  if (body->settings.gravity.isZero()) return settled;
+  const std::string motions = fem::freeRigidMotions(body->mesh.points, body->free);
+  if (!motions.empty()) {
+    throw std::invalid_argument("gravity would move the body, its supports leave " + motions +
+                                "; hold more of it or set gravity to zero");
+  }
+  const solver::Potential statics{body->elasticity.get(), {&body->gravity}, body->free, 1.0};
+  solver::StaticSettings static_settings;
+  static_settings.tolerance = 1e-8;
+  const solver::StaticReport report = solver::solveStatic(
+      statics,
+      [&](double s) {
+        body->gravity.setFactor(s);
+        return body->mesh.points;
+      },
+      static_settings, &settled);
+  body->gravity.setFactor(1.0);
+  const bool turned_over = body->elasticity->minJacobian(settled) <= 0.0;
+  if (report.status != solver::SolveStatus::kConverged || turned_over) {
+    throw std::runtime_error("no equilibrium under gravity: the body collapses at " +
+                             std::to_string(report.load_factor) +
+                             " of its weight; is it too soft or too heavy?");
+  }
+  return settled;
+}
+
+}  // namespace palpate::tissue

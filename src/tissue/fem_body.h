@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/contact/contact_potential.h"
+#include "palpate/fem/elasticity.h"
+#include "palpate/fem/loads.h"
+#include "palpate/tissue/fem_tissue.h"
+#include "tool_sweep.h"
+
+namespace palpate::tissue {
+
+/// A body of finite elements, what acts on it, and where it is: what every method of stepping works
+/// on.
+struct FemBody {
+  FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition, fem::FreeMask free_mask,
+          const FemSettings& fem_settings, ThreadPool* thread_pool);
+
+  /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
+  /// cycle.
+  double tolerance() const;
+  /// Collects the contacts at x into `out`, and their nodal norm.
+  void reportContacts(TissueStep* out);
+  /// Sums what the supports exert, given the gradient of all energies at x (3 x n [N]).
+  void reportSupport(const Points& gradient, TissueStep* out);
+
+  FemSettings settings;
+  mesh::TetMesh mesh;
+  fem::FreeMask free;
+  ThreadPool* pool;
+  double size;  ///< Diagonal of the bounding box at rest [m].
+  Eigen::Matrix3Xi triangles;
+  std::unique_ptr<fem::Elasticity> elasticity;
+  fem::DeadLoad gravity;
+  contact::ContactPotential contact;
+  ToolSweep sweep;
+  Vec3 weight;         ///< Sum of the gravity forces [N].
+  double force_floor;  ///< Keeps the tolerance above zero in a scene at rest [N].
+
+  Points x, v;                                      ///< 3 x n, world [m], [m/s].
+  double contact_force = 0.0, support_force = 0.0;  ///< Nodal norms of the last cycle [N].
+
+ private:
+  double weight_norm_;  // of the nodal gravity forces [N]
+  std::vector<contact::Contact> contacts_;
+  Points nodal_;
+};
+
+/// The equilibrium under the body's gravity, 3 x n [m].
+/// @throws std::invalid_argument if the supports do not hold the body, std::runtime_error if there
+/// is no equilibrium.
+Points settleUnderGravity(FemBody* body);
+
+}  // namespace palpate::tissue

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit_method.h"
+
+namespace palpate::tissue {
+namespace {
+
+// Shorter time steps that are tried where a cycle fails.
+constexpr int kMaxTimeSteps = 8;
+// Stages before the last one need not be solved as well.
+constexpr double kStageTolerance = 100.0;
+constexpr int kStageIterations = 4;
+// Candidates for contact are searched this many times before a cycle is given up.
+constexpr int kMaxSearches = 4;
+
+}  // namespace
+
+ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::LinearSolver> linear)
+    : body_(*body),
+      integrator_(body->settings.integrator, body->elasticity->masses(),
+                  {body->settings.mass_damping, body->settings.stiffness_damping}),
+      potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free},
+      linear_(std::move(linear)),
+      newton_(body->elasticity->makeMatrix()) {
+  integrator_.addTerms(&potential_);
+}
+
+void ImplicitMethod::restart() {
+  integrator_.start(body_.x, body_.v);
+  if (integrator_.needsElasticGradient()) {
+    body_.elasticity->gradient(body_.x, &elastic_gradient_);
+    integrator_.setElasticGradient(elastic_gradient_);
+  }
+}
+
+// The cycle in one step, or, where that fails, in more and shorter ones.
+bool ImplicitMethod::advance(double dt, TissueStep* out) {
+  out_ = out;
+  const solver::Integrator begin = integrator_;
+  const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
+  for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
+    out_->time_steps = steps;
+    out_->sweep_stages = 0;
+    int done = 0;
+    while (done < steps && timeStep(done / double(steps), (done + 1) / double(steps), dt / steps)) {
+      ++done;
+    }
+    body_.v = integrator_.velocities();
+    if (done == steps) return true;
+    integrator_ = begin;
+    body_.x = begin.positions();
+    body_.v = begin.velocities();
+    body_.elasticity->restoreViscousState(viscous.get());
+  }
+  return false;
+}
+
+// One step of `h`, in which the tools go from `begin` to `end` of their way.
+bool ImplicitMethod::timeStep(double begin, double end, double h) {
+  integrator_.beginStep(h, &potential_);
+  body_.elasticity->beginStep(h);
+  startFromPredictor(begin, h);
+  solveStages(begin, end);
+  if (!acceptable()) return false;
+  if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
+  integrator_.endStep(body_.x, elastic_gradient_);
+  body_.elasticity->endStep(body_.x);
+  return true;
+}
+
+void ImplicitMethod::startFromPredictor(double s, double h) {
+  body_.sweep.place(s);
+  const double value_here = potential_.value(body_.x);
+  const Points way = h * integrator_.velocities();
+  predicted_ = body_.x + potential_.maxStep(body_.x, way) * way;
+  const double value_there = potential_.value(predicted_);
+  if (value_there < value_here) body_.x.swap(predicted_);  // false for NaN
+}
+
+// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+void ImplicitMethod::solveStages(double begin, double end) {
+  out_->tolerance = body_.tolerance();
+  solver::NewtonReport solved;
+  for (double s = begin; s < end;) {
+    s = body_.sweep.next(body_.x, s, end);
+    ++out_->sweep_stages;
+    body_.sweep.place(s);
+    solved = solveStage(s < end);
+  }
+  out_->status = solved.status;
+  out_->residual = solved.residual;
+  out_->satisfied =
+      out_->newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
+}
+
+solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
+  solver::NewtonSettings settings;
+  settings.linear_tolerance = body_.settings.linear_tolerance;
+  settings.tolerance = (on_the_way ? kStageTolerance : 1.0) * out_->tolerance;
+  settings.max_iterations = on_the_way ? kStageIterations : body_.settings.max_newton_iterations;
+  solver::NewtonReport solved;
+  for (int search = 0; search < kMaxSearches; ++search) {
+    solved = newton_.minimize(potential_, settings, linear_.get(), &body_.x);
+    out_->newton_iterations += solved.iterations;
+    out_->linear_iterations += solved.linear_iterations;
+    if (body_.sweep.candidatesHold(body_.x)) break;
+    body_.sweep.search(body_.x);
+  }
+  return solved;
+}
+
+// A state to go on from. One that only ran out of iterations is: each of them lowered the energy.
+bool ImplicitMethod::acceptable() const {
+  return (out_->ok() || out_->status == solver::SolveStatus::kIterationLimit) &&
+         body_.x.allFinite();
+}
+
+double ImplicitMethod::unbalancedForce() {
+  inertia_forces_ = integrator_.inertiaForces(body_.x);
+  return (newton_.gradient() + inertia_forces_).cwiseProduct(body_.free).norm();
+}
+
+void ImplicitMethod::reportForces(TissueStep* out) {
+  inertia_forces_ = integrator_.inertiaForces(body_.x);
+  out->inertia_force = inertia_forces_.rowwise().sum();
+  body_.reportSupport(newton_.gradient(), out);
+  body_.reportContacts(out);
+}
+
+}  // namespace palpate::tissue

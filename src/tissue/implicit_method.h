@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "palpate/solver/integrator.h"
+#include "palpate/solver/linear_solver.h"
+#include "palpate/solver/newton.h"
+#include "step_method.h"
+
+namespace palpate::tissue {
+
+/// Implicit steps: each minimises the incremental potential (inertia, elasticity, gravity, contact)
+/// by Newton's method. A cycle whose solve fails is rejected and tried again in 2, 4 and 8 shorter
+/// steps.
+class ImplicitMethod final : public StepMethod {
+ public:
+  ImplicitMethod(FemBody* body, std::unique_ptr<solver::LinearSolver> linear);
+
+  bool advance(double dt, TissueStep* out) override;
+  void reportForces(TissueStep* out) override;
+  double unbalancedForce() override;
+  const Eigen::VectorXd& masses() const override { return integrator_.masses(); }
+  void restart() override;
+  void stop() override { integrator_.stop(); }
+
+ private:
+  bool timeStep(double begin, double end, double h);
+  void startFromPredictor(double s, double h);
+  void solveStages(double begin, double end);
+  solver::NewtonReport solveStage(bool on_the_way);
+  bool acceptable() const;
+
+  FemBody& body_;
+  solver::Integrator integrator_;
+  solver::Potential potential_;
+  std::unique_ptr<solver::LinearSolver> linear_;
+  solver::Newton newton_;
+
+  Points elastic_gradient_, inertia_forces_, predicted_;
+  TissueStep* out_ = nullptr;  // of the cycle under way
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "fem_body.h"
+
+namespace palpate::tissue {
+
+/// How a body gets from one cycle's end to the next one's. A method keeps a reference to its body
+/// and scratch memory of its own.
+class StepMethod {
+ public:
+  virtual ~StepMethod() = default;
+
+  /// Goes on by `dt` [s] while the tools go their way (body.sweep, which has begun and searched).
+  /// Writes body.x, body.v and what it did into `out`: status, iterations, residual, tolerance.
+  /// False: it failed, and x and v are where they were.
+  virtual bool advance(double dt, TissueStep* out) = 0;
+  /// After advance(): the contacts at its end and the forces of support and inertia, into `out`.
+  virtual void reportForces(TissueStep* out) = 0;
+  /// Norm of the forces that would begin to move the body if it were stopped here [N].
+  virtual double unbalancedForce() = 0;
+  /// Kinetic energy is computed with these, n [kg]; elastic energy by the body.
+  virtual const Eigen::VectorXd& masses() const = 0;
+
+  /// body.x and body.v were set from outside.
+  virtual void restart() = 0;
+  /// body.v was set to zero, and x is at rest.
+  virtual void stop() = 0;
+};
+
+/// `name`: one of methodNames().
+/// @throws std::invalid_argument for another one, or a body that the method cannot treat.
+std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body);
+
+}  // namespace palpate::tissue
