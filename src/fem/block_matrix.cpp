@@ -25,6 +25,12 @@ BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& 
     row_start_[i + 1] = static_cast<int>(column_.size());
   }
   values_.assign(9 * column_.size(), 0.0);
+  // Row after row, the blocks (i, j) with i ascending are met in the order of row j's columns.
+  transposed_.resize(column_.size());
+  std::vector<int> next(row_start_.begin(), row_start_.end() - 1);
+  for (std::size_t slot = 0; slot < column_.size(); ++slot) {
+    transposed_[slot] = next[column_[slot]]++;
+  }
 }
 
 int BlockMatrix::find(int i, int j) const {
@@ -59,13 +65,13 @@ void BlockMatrix::constrain(const Eigen::Matrix3Xd& free) {
   for (int i = 0; i < numNodes(); ++i) scale += block(diagonal_[i]).trace();
   scale = std::max(scale / (3.0 * numNodes()), 1e-300);
   for (int i = 0; i < numNodes(); ++i) {
+    const Vec3 mask = free.col(i);
+    if (mask[0] * mask[1] * mask[2] == 1.0) continue;
     for (int slot = row_start_[i]; slot < row_start_[i + 1]; ++slot) {
-      const int j = column_[slot];
-      if (free.col(i).minCoeff() != 0.0 && free.col(j).minCoeff() != 0.0) continue;
-      auto A = block(slot);
-      A = (free.col(i).asDiagonal() * A * free.col(j).asDiagonal()).eval();
-      if (i == j) A.diagonal() += scale * (Vec3::Ones() - free.col(i));
+      block(slot) = mask.asDiagonal() * block(slot);
+      block(transposed_[slot]) = block(transposed_[slot]) * mask.asDiagonal();
     }
+    block(diagonal_[i]).diagonal() += scale * (Vec3::Ones() - mask);
   }
 }
 

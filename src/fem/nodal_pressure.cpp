@@ -98,6 +98,12 @@ void NodalPressure::buildRows(const RestShape<4>& shape) {
     pattern_->node.insert(pattern_->node.end(), nodes.begin(), nodes.end());
     pattern_->start.push_back(static_cast<int>(pattern_->node.size()));
   }
+  own_entry_.resize(solid_.size());
+  for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {
+    for (int a = 0; a < 4; ++a) {
+      own_entry_[pressure_(a, e)] = rowEntry(static_cast<int>(e), a, shape.nodes(a, e));
+    }
+  }
   row_sources_ = Sources<int>(targets, sources, static_cast<int>(pattern_->node.size()));
 }
 
@@ -111,7 +117,19 @@ void NodalPressure::setDilatations(const std::vector<double>& theta, ThreadPool*
       c_[static_cast<Eigen::Index>(n)] = sum / 4.0;
     }
   });
-  p_ = metric_->apply(c_);
+  updatePressures();
+}
+
+double* NodalPressure::clearVolumeChanges() {
+  c_.setZero();
+  return c_.data();
+}
+
+int NodalPressure::rowEntry(int e, int a, int node) const {
+  const auto p = static_cast<std::size_t>(pressure_(a, e));
+  const auto begin = pattern_->node.begin() + pattern_->start[p];
+  const auto end = pattern_->node.begin() + pattern_->start[p + 1];
+  return static_cast<int>(std::lower_bound(begin, end, node) - pattern_->node.begin());
 }
 
 void NodalPressure::addEnergyBySolid(Eigen::VectorXd* energies) const {
@@ -125,6 +143,15 @@ double NodalPressure::at(std::size_t e, const Eigen::Vector4d& w) const {
   const Eigen::Vector4i corners = pressure_.col(static_cast<Eigen::Index>(e));
   return w[0] * p_[corners[0]] + w[1] * p_[corners[1]] + w[2] * p_[corners[2]] +
          w[3] * p_[corners[3]];
+}
+
+void NodalPressure::completeRows(ThreadPool* pool, VolumeStiffness* stiffness) const {
+  forAll(pool, solid_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const int first = pattern_->start[p], count = pattern_->start[p + 1] - first;
+      stiffness->rows.col(own_entry_[p]) = -stiffness->rows.middleCols(first, count).rowwise().sum();
+    }
+  });
 }
 
 VolumeStiffness NodalPressure::makeStiffness() const {

@@ -33,6 +33,18 @@ class NodalPressure {
 
   /// Takes the dilatations theta_e; all that follows is about them.
   void setDilatations(const std::vector<double>& theta, ThreadPool* pool);
+  /// The same in parts: all volume changes c_n become zero, the caller adds V_e/4 theta_e to
+  /// those of the corners, and then the pressures follow.
+  double* clearVolumeChanges();
+  void updatePressures() { metric_->apply(c_, &p_); }
+  const Eigen::VectorXd& pressures() const { return p_; }
+  /// Number of the pressure at corner `a` of element `e`.
+  int cornerPressure(int e, int a) const { return pressure_(a, e); }
+  /// Entry of `node` in the row of that pressure.
+  int rowEntry(int e, int a, int node) const;
+  /// Sets the entry of each row's own node to minus the sum of the others: a shift of all nodes
+  /// changes no volume. The entries were zero.
+  void completeRows(ThreadPool* pool, VolumeStiffness* stiffness) const;
   double energy() const { return 0.5 * c_.dot(p_); }
   void addEnergyBySolid(Eigen::VectorXd* energies) const;
   /// Pressure [Pa], positive in tension: mean of element `e`, and at barycentric `w` of it.
@@ -50,6 +62,7 @@ class NodalPressure {
 
   Eigen::Matrix4Xi pressure_;   // of the element's corners
   std::vector<int> solid_;      // of each pressure
+  std::vector<int> own_entry_;  // of each pressure: that of its node in its row
   Sources<int> elements_;       // around each pressure
   std::vector<double> volume_;  // V_e [m^3]
   std::shared_ptr<const PressureMetric> metric_;

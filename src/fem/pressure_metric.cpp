@@ -25,9 +25,12 @@ PressureMetric PressureMetric::inverseOf(const Eigen::SparseMatrix<double>& comp
   return metric;
 }
 
-Eigen::VectorXd PressureMetric::apply(const Eigen::VectorXd& c) const {
-  if (isDiagonal()) return weights_.cwiseProduct(c);
-  return factor_->solve(c);
+void PressureMetric::apply(const Eigen::VectorXd& c, Eigen::VectorXd* p) const {
+  if (isDiagonal()) {
+    *p = weights_.cwiseProduct(c);
+  } else {
+    *p = factor_->solve(c);
+  }
 }
 
 }  // namespace palpate::fem

@@ -47,13 +47,22 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
   if constexpr (N == 4) {
     if (std::isfinite(treatment.element_modulus)) {
       pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
-      volume_gradients_.resize(12, mesh.numTets());
-      dilatations_.resize(solid_of.size());
     }
+    packed_ = PackedTetrahedra::make(mesh, shape_, composition, element_kappa_, pressure_.get(),
+                                     scatter_.pattern(), pool);
   }
-  energies_.resize(solid_of.size());
-  forces_.resize(Eigen::NoChange, mesh.numTets());
-  blocks_.resize(Eigen::NoChange, mesh.numTets());
+  if (!packed_) allocate();
+}
+
+template <int N>
+void SolidElasticity<N>::allocate() {
+  const Eigen::Index size = shape_.nodes.cols();
+  if (forces_.cols() == size) return;
+  if (pressure_) volume_gradients_.resize(12, size);
+  dilatations_.resize(static_cast<std::size_t>(size));
+  energies_.resize(static_cast<std::size_t>(size));
+  forces_.resize(Eigen::NoChange, size);
+  blocks_.resize(Eigen::NoChange, size);
 }
 
 template <int N>
@@ -106,7 +115,9 @@ Stiffness SolidElasticity<N>::makeMatrix() const {
 
 template <int N>
 void SolidElasticity<N>::updatePressure(const Points& x) {
+  allocate();
   if (!pressure_) return;
+  if (packed_) packed_->forget();
   forBatches(x, [&](const Batch& batch) {
     double theta[kBatch * kPoints];
     dilatations(*batch.law, batch.points.count, batch.F, theta);
@@ -133,6 +144,7 @@ void SolidElasticity<N>::computeEnergies(const Points& x) {
 
 template <int N>
 double SolidElasticity<N>::energy(const Points& x) {
+  if (packed_) return packed_->energy(x);
   computeEnergies(x);
   return std::accumulate(energies_.begin(), energies_.end(), pressure_ ? pressure_->energy() : 0.0);
 }
@@ -150,6 +162,7 @@ Eigen::VectorXd SolidElasticity<N>::energyBySolid(const Points& x) {
 
 template <int N>
 double SolidElasticity<N>::gradient(const Points& x, Points* g) {
+  if (packed_) return packed_->gradient(x, g);
   updatePressure(x);
   forBatches(x, [&](const Batch& batch) {
     double psi[kBatch * kPoints];
@@ -173,6 +186,7 @@ double SolidElasticity<N>::gradient(const Points& x, Points* g) {
 
 template <int N>
 void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K) {
+  if (packed_ && tangent != Tangent::kProjected) return packed_->hessian(x, K);
   updatePressure(x);
   forBatches(x, [&](const Batch& batch) {
     Mat9 C[kBatch * kPoints];
@@ -199,7 +213,8 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
 }
 
 template <int N>
-double SolidElasticity<N>::minJacobian(const Points& x) const {
+double SolidElasticity<N>::minJacobian(const Points& x) {
+  if (packed_) return packed_->minJacobian(x);
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < shape_.points.size(); ++e) {
     for (const RestPoint<N>& point : shape_.points[e]) {

@@ -8,6 +8,7 @@
 
 #include "element_scatter.h"
 #include "nodal_pressure.h"
+#include "packed_tetrahedra.h"
 #include "palpate/fem/elasticity.h"
 #include "point_kernels.h"
 #include "prony_history.h"
@@ -39,7 +40,7 @@ class SolidElasticity final : public Elasticity {
   double energy(const Points& x) override;
   double gradient(const Points& x, Points* g) override;
   void hessian(const Points& x, Tangent tangent, Stiffness* K) override;
-  double minJacobian(const Points& x) const override;
+  double minJacobian(const Points& x) override;
   std::vector<PointState> states(const Points& x,
                                  const std::vector<mesh::Location>& places) override;
   Eigen::VectorXd energyBySolid(const Points& x) override;
@@ -82,6 +83,8 @@ class SolidElasticity final : public Elasticity {
   /// visit(batch) on all elements, a few of one solid at a time.
   template <class Visit>
   void forBatches(const Points& x, const Visit& visit) const;
+  /// Scratch memory, which packed elements do not need.
+  void allocate();
   /// Pressures at x, which the functions below take from there.
   void updatePressure(const Points& x);
   void computeEnergies(const Points& x);
@@ -98,6 +101,7 @@ class SolidElasticity final : public Elasticity {
   std::vector<Group> groups_;
   std::unique_ptr<NodalPressure> pressure_;  // null: the elements have all of kappa
   PronyHistory history_;
+  std::unique_ptr<PackedTetrahedra> packed_;  // null where the laws have no kernels
 
   std::vector<double> energies_, dilatations_;  // scratch, one an element
   typename ElementScatter<N>::Vectors forces_;

@@ -14,15 +14,16 @@ void Stiffness::multiply(const Points& x, Points* y) const {
   const std::vector<int>& start = volume_.pattern->start;
   const std::vector<int>& node = volume_.pattern->node;
   const Eigen::Index num_rows = volume_.numRows();
-  Eigen::VectorXd c(num_rows);
-  for (Eigen::Index p = 0; p < num_rows; ++p) {
+  Eigen::VectorXd c(num_rows), p(num_rows);
+  for (Eigen::Index n = 0; n < num_rows; ++n) {
     double sum = 0.0;
-    for (int k = start[p]; k < start[p + 1]; ++k) sum += volume_.rows.col(k).dot(x.col(node[k]));
-    c[p] = sum;
+    for (int k = start[n]; k < start[n + 1]; ++k) sum += volume_.rows.col(k).dot(x.col(node[k]));
+    c[n] = sum;
   }
-  c = volume_.factor * volume_.metric->apply(c);
-  for (Eigen::Index p = 0; p < num_rows; ++p) {
-    for (int k = start[p]; k < start[p + 1]; ++k) y->col(node[k]) += c[p] * volume_.rows.col(k);
+  volume_.metric->apply(c, &p);
+  p *= volume_.factor;
+  for (Eigen::Index n = 0; n < num_rows; ++n) {
+    for (int k = start[n]; k < start[n + 1]; ++k) y->col(node[k]) += p[n] * volume_.rows.col(k);
   }
 }
 
@@ -47,9 +48,11 @@ void Stiffness::diagonal(std::vector<Mat3>* blocks) const {
 void Stiffness::constrain(const Eigen::Matrix3Xd& free) {
   blocks_.constrain(free);
   if (!hasVolume()) return;
-  for (std::size_t k = 0; k < volume_.pattern->node.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    volume_.rows.col(column).array() *= free.col(volume_.pattern->node[k]).array();
+  const std::vector<int>& node = volume_.pattern->node;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const double* mask = free.data() + 3 * static_cast<std::ptrdiff_t>(node[k]);
+    if (mask[0] * mask[1] * mask[2] == 1.0) continue;
+    for (int c = 0; c < 3; ++c) volume_.rows(c, static_cast<Eigen::Index>(k)) *= mask[c];
   }
 }
 

@@ -25,6 +25,8 @@ class BlockMatrix {
   int column(int slot) const { return column_[slot]; }
   /// Slot of the diagonal block of row i.
   int diagonal(int i) const { return diagonal_[i]; }
+  /// Slot of block (j, i), of block (i, j) in `slot`.
+  int transposed(int slot) const { return transposed_[slot]; }
   /// Slot of block (i, j), or -1.
   int find(int i, int j) const;
 
@@ -32,6 +34,9 @@ class BlockMatrix {
   Eigen::Map<const Mat3> block(int slot) const {
     return Eigen::Map<const Mat3>(values_.data() + 9 * slot);
   }
+  /// Of block after block, 9 each.
+  double* values() { return values_.data(); }
+  const double* values() const { return values_.data(); }
   void setZero();
   /// Every value times `s`.
   void scale(double s);
@@ -44,7 +49,7 @@ class BlockMatrix {
   void constrain(const Eigen::Matrix3Xd& free);
 
  private:
-  std::vector<int> row_start_{0}, column_, diagonal_;
+  std::vector<int> row_start_{0}, column_, diagonal_, transposed_;
   std::vector<double> values_;  // 9 a block, column-major
 };
 

@@ -54,7 +54,7 @@ class Elasticity {
   virtual void hessian(const Points& x, Tangent tangent, Stiffness* K) = 0;
 
   /// Smallest det F of any integration point.
-  virtual double minJacobian(const Points& x) const = 0;
+  virtual double minJacobian(const Points& x) = 0;
   /// At each of `places`, in the body's mesh.
   virtual std::vector<PointState> states(const Points& x,
                                          const std::vector<mesh::Location>& places) = 0;

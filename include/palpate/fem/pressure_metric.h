@@ -19,7 +19,8 @@ class PressureMetric {
 
   Eigen::Index size() const { return weights_.size(); }
   bool isDiagonal() const { return compliance_.size() == 0; }
-  Eigen::VectorXd apply(const Eigen::VectorXd& c) const;
+  /// p = M c.
+  void apply(const Eigen::VectorXd& c, Eigen::VectorXd* p) const;
 
   /// The diagonal of M, or the inverse of the compliance's diagonal: enough for a preconditioner.
   const Eigen::VectorXd& weights() const { return weights_; }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/base/isa.h"
+
+namespace palpate {
+namespace {
+
+std::vector<Isa> detect() {
+  std::vector<Isa> isas{Isa::kBaseline};
+#ifdef PALPATE_X86_KERNELS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) isas.push_back(Isa::kAvx2);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
+    isas.push_back(Isa::kAvx512);
+  }
+#endif
+  return isas;
+}
+
+}  // namespace
+
+std::string_view toString(Isa isa) {
+  switch (isa) {
+    case Isa::kAvx2:
+      return "AVX2";
+    case Isa::kAvx512:
+      return "AVX-512";
+    default:
+      return "baseline";
+  }
+}
+
+const std::vector<Isa>& availableIsas() {
+  static const std::vector<Isa> isas = detect();
+  return isas;
+}
+
+}  // namespace palpate

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tet_batch.h"
+
+#include "palpate/base/lanes.h"
+#include "tet_laws.h"
+
+namespace palpate::fem::PALPATE_ISA {
+namespace {
+
+struct Vec {
+  Lanes v[3];
+};
+inline Vec operator+(const Vec& a, const Vec& b) {
+  return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2]}};
+}
+inline Vec negative(const Vec& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
+inline Lanes dot(const Vec& a, const Vec& b) {
+  return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
+}
+inline Vec cross(const Vec& a, const Vec& b) {
+  return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2],
+           a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
+}
+// Columns.
+struct Mat {
+  Vec col[3];
+};
+inline Vec times(const Mat& A, const Vec& x) {
+  Vec y;
+  for (int i = 0; i < 3; ++i) {
+    y.v[i] = A.col[0].v[i] * x.v[0] + A.col[1].v[i] * x.v[1] + A.col[2].v[i] * x.v[2];
+  }
+  return y;
+}
+inline Mat cofactor(const Mat& F) {
+  return {{cross(F.col[1], F.col[2]), cross(F.col[2], F.col[0]), cross(F.col[0], F.col[1])}};
+}
+inline Lanes squaredNorm(const Mat& F) {
+  return dot(F.col[0], F.col[0]) + dot(F.col[1], F.col[1]) + dot(F.col[2], F.col[2]);
+}
+
+inline Vec shapeGradient(const TetBatch& batch, int a, int lane) {
+  return {{load(batch.gradient[a][0] + lane), load(batch.gradient[a][1] + lane),
+           load(batch.gradient[a][2] + lane)}};
+}
+
+// F = sum_a (x_a - x_0) (x) g_a.
+inline Mat deformation(const TetBatch& batch, int lane, const double* x) {
+  Mat F{};
+  Vec origin;
+  for (int i = 0; i < 3; ++i) origin.v[i] = gather(x + i, batch.node[0] + lane);
+  for (int a = 0; a < 3; ++a) {
+    Vec edge;
+    for (int i = 0; i < 3; ++i) edge.v[i] = gather(x + i, batch.node[a + 1] + lane) - origin.v[i];
+    for (int j = 0; j < 3; ++j) {
+      const Lanes g = load(batch.gradient[a][j] + lane);
+      for (int i = 0; i < 3; ++i) F.col[j].v[i] += edge.v[i] * g;
+    }
+  }
+  return F;
+}
+
+inline Mat loadF(const double* F, int lane) {
+  Mat A;
+  for (int k = 0; k < 9; ++k) A.col[k / 3].v[k % 3] = load(F + kBatchSize * k + lane);
+  return A;
+}
+
+inline Lanes meanPressure(const TetPressures& corners, int lane, const double* pressure) {
+  Lanes sum = gather(pressure, corners.corner[0] + lane);
+  for (int a = 1; a < 4; ++a) sum += gather(pressure, corners.corner[a] + lane);
+  return 0.25 * sum;
+}
+
+inline int countOf(const TetRun& run, int k) {
+  const int left = run.num_elements - kBatchSize * k;
+  return left < kBatchSize ? left : kBatchSize;
+}
+inline int numBatches(const TetRun& run) {
+  return (run.num_elements + kBatchSize - 1) / kBatchSize;
+}
+
+inline double sum(const double* values, int count) {
+  double total = 0.0;
+  for (int k = 0; k < count; ++k) total += values[k];
+  return total;
+}
+
+void deform(const TetArrays& arrays, const TetRun& run, const double* x, double* volume_changes) {
+  for (int k = 0; k < numBatches(run); ++k) {
+    const int b = run.first_batch + k;
+    const TetBatch& batch = arrays.batches[b];
+    double change[kBatchSize];
+    for (int lane = 0; lane < kBatchSize; lane += kWidth) {
+      const Mat F = deformation(batch, lane, x);
+      double* F_out = arrays.F + 9 * kBatchSize * static_cast<long>(b);
+      for (int c = 0; c < 9; ++c) store(F_out + kBatchSize * c + lane, F.col[c / 3].v[c % 3]);
+      const Lanes J = dot(F.col[0], cross(F.col[1], F.col[2]));
+      store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
+      store(change + lane, 0.25 * load(batch.volume + lane) * (J - 1.0));
+    }
+    const TetPressures& corners = arrays.pressures[b];
+    for (int e = 0; e < countOf(run, k); ++e) {
+      for (int a = 0; a < 4; ++a) volume_changes[corners.corner[a][e]] += change[e];
+    }
+  }
+}
+
+template <class Law>
+void energies(const TetArrays& arrays, const TetRun& run, const double* x) {
+  const Law law{run.mu, run.kappa};
+  for (int k = 0; k < numBatches(run); ++k) {
+    const int b = run.first_batch + k;
+    const TetBatch& batch = arrays.batches[b];
+    double energy[kBatchSize];
+    for (int lane = 0; lane < kBatchSize; lane += kWidth) {
+      const Mat F = arrays.pressures ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
+                                     : deformation(batch, lane, x);
+      const Lanes J = dot(F.col[0], cross(F.col[1], F.col[2]));
+      if (!arrays.pressures) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
+      const auto point = law.at(squaredNorm(F), J, Lanes{});
+      store(energy + lane, load(batch.volume + lane) * point.psi);
+    }
+    arrays.energy[b] = sum(energy, countOf(run, k));
+  }
+}
+
+template <class Law>
+void gradients(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+               double* g) {
+  const Law law{run.mu, run.kappa};
+  for (int k = 0; k < numBatches(run); ++k) {
+    const int b = run.first_batch + k;
+    const TetBatch& batch = arrays.batches[b];
+    double energy[kBatchSize], force[12][kBatchSize];
+    for (int lane = 0; lane < kBatchSize; lane += kWidth) {
+      const Mat F = pressure ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
+                             : deformation(batch, lane, x);
+      const Mat cof = cofactor(F);
+      const Lanes J = dot(F.col[0], cof.col[0]);
+      if (!pressure) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
+      const Lanes p = pressure ? meanPressure(arrays.pressures[b], lane, pressure) : Lanes{};
+      const auto point = law.at(squaredNorm(F), J, p);
+      const Lanes volume = load(batch.volume + lane);
+      store(energy + lane, volume * point.psi);
+      Mat P;
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+          P.col[j].v[i] = volume * (point.f * F.col[j].v[i] + point.c * cof.col[j].v[i]);
+        }
+      }
+      Vec last{};
+      for (int a = 0; a < 3; ++a) {
+        const Vec f = times(P, shapeGradient(batch, a, lane));
+        last = last + f;
+        for (int i = 0; i < 3; ++i) store(force[3 * a + 3 + i] + lane, f.v[i]);
+      }
+      for (int i = 0; i < 3; ++i) store(force[i] + lane, -last.v[i]);
+    }
+    const int count = countOf(run, k);
+    arrays.energy[b] = sum(energy, count);
+    for (int e = 0; e < count; ++e) {
+      for (int a = 0; a < 4; ++a) {
+        double* at = g + batch.node[a][e];
+        for (int i = 0; i < 3; ++i) at[i] += force[3 * a + i][e];
+      }
+    }
+  }
+}
+
+// Blocks of an element: sum of its matrix's parts, up to its volume,
+//   K_ab = f (g_a . g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T) + c S(F (g_a x g_b))
+// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J.
+template <class Point>
+inline Mat block(const Point& point, Lanes volume, Lanes g_dot_g, const Vec& fa, const Vec& ca,
+                 const Vec& fb, const Vec& cb) {
+  Mat K;
+  for (int j = 0; j < 3; ++j) {
+    const Lanes on_c = volume * (point.cc * cb.v[j] + point.fc * fb.v[j]);
+    const Lanes on_f = volume * (point.fc * cb.v[j]);
+    for (int i = 0; i < 3; ++i) K.col[j].v[i] = ca.v[i] * on_c + fa.v[i] * on_f;
+    K.col[j].v[j] += volume * (point.f * g_dot_g);
+  }
+  return K;
+}
+
+inline void addSpin(Lanes s, const Vec& w, Mat* K) {
+  K->col[1].v[0] += s * w.v[2];
+  K->col[0].v[1] -= s * w.v[2];
+  K->col[0].v[2] += s * w.v[1];
+  K->col[2].v[0] -= s * w.v[1];
+  K->col[2].v[1] += s * w.v[0];
+  K->col[1].v[2] -= s * w.v[0];
+}
+
+// A row of four blocks adds up to nothing: a shift of all nodes changes no force.
+inline Mat minusSum(const Mat& A, const Mat& B, const Mat& C) {
+  Mat K;
+  for (int j = 0; j < 3; ++j) K.col[j] = negative(A.col[j] + B.col[j] + C.col[j]);
+  return K;
+}
+inline Mat transposed(const Mat& A) {
+  Mat B;
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) B.col[j].v[i] = A.col[i].v[j];
+  }
+  return B;
+}
+inline void storeBlock(const Mat& K, double (*out)[kBatchSize], int lane) {
+  for (int c = 0; c < 9; ++c) store(out[c] + lane, K.col[c / 3].v[c % 3]);
+}
+
+template <class Law>
+void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+              double* blocks, double* rows) {
+  const Law law{run.mu, run.kappa};
+  for (int k = 0; k < numBatches(run); ++k) {
+    const int b = run.first_batch + k;
+    const TetBatch& batch = arrays.batches[b];
+    alignas(64) double values[54][kBatchSize];
+    double dilatation[12][kBatchSize];
+    for (int lane = 0; lane < kBatchSize; lane += kWidth) {
+      const Mat F = pressure ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
+                             : deformation(batch, lane, x);
+      const Mat cof = cofactor(F);
+      const Lanes J = dot(F.col[0], cof.col[0]);
+      const Lanes p = pressure ? meanPressure(arrays.pressures[b], lane, pressure) : Lanes{};
+      const auto point = law.at(squaredNorm(F), J, p);
+      const Lanes volume = load(batch.volume + lane);
+      const Lanes spin = volume * point.c;
+      Vec g[3], f[3], c[3];
+      for (int a = 0; a < 3; ++a) {
+        g[a] = shapeGradient(batch, a, lane);
+        f[a] = times(F, g[a]);
+        c[a] = times(cof, g[a]);
+      }
+      const Mat K11 = block(point, volume, dot(g[0], g[0]), f[0], c[0], f[0], c[0]);
+      const Mat K22 = block(point, volume, dot(g[1], g[1]), f[1], c[1], f[1], c[1]);
+      const Mat K33 = block(point, volume, dot(g[2], g[2]), f[2], c[2], f[2], c[2]);
+      Mat K12 = block(point, volume, dot(g[0], g[1]), f[0], c[0], f[1], c[1]);
+      addSpin(spin, times(F, cross(g[0], g[1])), &K12);
+      Mat K13 = block(point, volume, dot(g[0], g[2]), f[0], c[0], f[2], c[2]);
+      addSpin(spin, times(F, cross(g[0], g[2])), &K13);
+      Mat K23 = block(point, volume, dot(g[1], g[2]), f[1], c[1], f[2], c[2]);
+      addSpin(spin, times(F, cross(g[1], g[2])), &K23);
+      const Mat K01 = minusSum(K11, transposed(K12), transposed(K13));
+      const Mat K02 = minusSum(K12, K22, transposed(K23));
+      const Mat K03 = minusSum(K13, K23, K33);
+      const Mat* above[6] = {&K01, &K02, &K03, &K12, &K13, &K23};
+      for (int n = 0; n < 6; ++n) storeBlock(*above[n], values + 9 * n, lane);
+      if (!pressure) continue;
+      const Vec c0 = negative(c[0] + c[1] + c[2]);
+      const Lanes quarter = 0.25 * volume;
+      for (int i = 0; i < 3; ++i) {
+        store(dilatation[i] + lane, quarter * c0.v[i]);
+        for (int a = 0; a < 3; ++a) store(dilatation[3 * a + 3 + i] + lane, quarter * c[a].v[i]);
+      }
+    }
+    const int count = countOf(run, k);
+    const TetBlocks& where = arrays.blocks[b];
+    for (int n = 0; n < 6; ++n) addNines(values + 9 * n, where.offset[n], count, blocks);
+    if (!pressure) continue;
+    const TetPressures& corners = arrays.pressures[b];
+    for (int n = 0; n < 12; ++n) {
+      const int node = n / 3 <= n % 3 ? n % 3 + 1 : n % 3;
+      for (int e = 0; e < count; ++e) {
+        double* at = rows + corners.row[n][e];
+        for (int i = 0; i < 3; ++i) at[i] += dilatation[3 * node + i][e];
+      }
+    }
+  }
+}
+
+void energy(const TetArrays& arrays, const TetRun& run, const double* x) {
+  if (run.law == TetLaw::kNeoHookean) return energies<NeoHookeanPoints>(arrays, run, x);
+  energies<StableNeoHookeanPoints>(arrays, run, x);
+}
+void gradient(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+              double* g) {
+  if (run.law == TetLaw::kNeoHookean) {
+    return gradients<NeoHookeanPoints>(arrays, run, x, pressure, g);
+  }
+  gradients<StableNeoHookeanPoints>(arrays, run, x, pressure, g);
+}
+void hessian(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+             double* blocks, double* rows) {
+  if (run.law == TetLaw::kNeoHookean) {
+    return hessians<NeoHookeanPoints>(arrays, run, x, pressure, blocks, rows);
+  }
+  hessians<StableNeoHookeanPoints>(arrays, run, x, pressure, blocks, rows);
+}
+
+}  // namespace
+
+extern const TetKernels kTetKernels;
+const TetKernels kTetKernels{deform, energy, gradient, hessian};
+
+}  // namespace palpate::fem::PALPATE_ISA

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "kernels/tet_kernels.h"
+#include "nodal_pressure.h"
+#include "palpate/base/thread_pool.h"
+#include "palpate/fem/composition.h"
+#include "palpate/fem/stiffness.h"
+#include "palpate/mesh/tet_mesh.h"
+#include "rest_shape.h"
+#include "upper_blocks.h"
+
+namespace palpate::fem {
+
+/// Linear tetrahedra whose laws have vector kernels, packed for these. What is computed at one x is
+/// kept for the next call at the same x.
+class PackedTetrahedra {
+ public:
+  /// Null where a solid has a law without kernel, or is viscous. `element_kappa`: the part of each
+  /// solid's bulk modulus that the elements have [Pa]; `pressure` has the rest, if there is one.
+  /// `pattern`: of the matrix.
+  static std::unique_ptr<PackedTetrahedra> make(const mesh::TetMesh& mesh,
+                                                const RestShape<4>& shape,
+                                                const Composition& composition,
+                                                const std::vector<double>& element_kappa,
+                                                NodalPressure* pressure, const BlockMatrix& pattern,
+                                                ThreadPool* pool, Isa isa = bestIsa());
+
+  double energy(const Points& x);
+  double gradient(const Points& x, Points* g);
+  void hessian(const Points& x, Stiffness* K);
+  double minJacobian(const Points& x);
+  /// The pressures were changed by somebody else.
+  void forget() { at_x_ = false; }
+
+ private:
+  PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>& shape,
+                   const Composition& composition, const std::vector<double>& element_kappa,
+                   NodalPressure* pressure, const BlockMatrix& pattern, ThreadPool* pool, Isa isa);
+
+  void pack(const std::vector<int>& elements, const RestShape<4>& shape, const BlockMatrix& pattern);
+  /// visit(run) on all runs, in an order that the number of threads does not change.
+  template <class Visit>
+  void forRuns(const Visit& visit) const;
+  /// Brings F, J and the pressures to x.
+  void moveTo(const Points& x);
+  double sumEnergies() const;
+  TetArrays arrays();
+
+  const TetKernels& kernels_;
+  ThreadPool* pool_;
+  NodalPressure* pressure_;  // may be null
+  UpperBlocks upper_;
+  std::vector<TetBatch> batches_;
+  std::vector<TetBlocks> blocks_;
+  std::vector<TetPressures> pressures_;
+  std::vector<std::vector<std::vector<TetRun>>> phases_;  // runs of the parts of the phases
+  std::vector<double> F_, J_, energy_;
+  Points x_;  // where all this is
+  bool at_x_ = false, energy_at_x_ = false;
+};
+
+}  // namespace palpate::fem
