@@ -21,8 +21,9 @@ function(palpate_kernels room)
     target_compile_options(${target} PRIVATE -O3 -ffp-contract=off -fno-math-errno
       -fno-trapping-math ${flags_${isa}})
     palpate_warnings(${target})
-    # GCC 12 warns of its own headers' deliberately undefined registers.
-    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+    # GCC 12 warns of its own headers' deliberately undefined registers, and
+    # of registers passed between functions, which are all inlined.
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-psabi)
     target_sources(palpate_core PRIVATE $<TARGET_OBJECTS:${target}>)
   endforeach()
 endfunction()

@@ -1,87 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/base/thread_pool.h"
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace palpate {
+namespace {
+
+// A pause takes 40 to 140 cycles: some tens of microseconds in all.
+constexpr int kPausesAwake = 1000;
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#else
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+#endif
+}
+
+}  // namespace
 
 struct ThreadPool::Team {
-  using Body = std::function<void(std::size_t, std::size_t)>;
+  std::vector<std::thread> helpers;
+  std::size_t parts = 1;
+
+  // Written before `number` is, read after.
+  Loop loop{};
+  std::size_t count = 0;
+  std::atomic<std::uint64_t> number{0};  // of the loop that runs or ran last
+  std::atomic<std::size_t> busy{0};      // helpers still in it
+  std::atomic<bool> stop{false};
 
   std::mutex mutex;
-  std::condition_variable started, finished;
-  std::vector<std::thread> helpers;
-  const Body* body = nullptr;
-  std::size_t count = 0;
-  std::size_t loop = 0;  // number of the running loop
-  std::size_t busy = 0;  // helpers still in it
-  bool stop = false;
+  std::condition_variable woken;
+  std::atomic<int> asleep{0};
 
-  void runPart(const Body& b, std::size_t n, std::size_t part) const {
-    const std::size_t parts = helpers.size() + 1;
-    const std::size_t begin = n * part / parts, end = n * (part + 1) / parts;
-    if (begin < end) b(begin, end);
+  void runPart(std::size_t part) const {
+    const std::size_t begin = count * part / parts, end = count * (part + 1) / parts;
+    if (begin < end) loop.call(loop.body, begin, end);
+  }
+
+  void awaitLoopAfter(std::uint64_t last) {
+    for (int k = 0; k < kPausesAwake; ++k) {
+      if (number.load(std::memory_order_acquire) != last) return;
+      pause();
+    }
+    std::unique_lock<std::mutex> lock(mutex);
+    ++asleep;
+    woken.wait(lock, [&] { return number.load() != last; });
+    --asleep;
   }
 
   void help(std::size_t part) {
-    std::size_t done = 0;
-    for (;;) {
-      std::unique_lock<std::mutex> lock(mutex);
-      started.wait(lock, [&] { return stop || loop != done; });
-      if (stop) return;
-      done = loop;
-      const Body* b = body;
-      const std::size_t n = count;
-      lock.unlock();
-      runPart(*b, n, part);
-      lock.lock();
-      if (--busy == 0) finished.notify_one();
+    for (std::uint64_t last = 0;; ++last) {
+      awaitLoopAfter(last);
+      if (stop.load()) return;
+      runPart(part);
+      busy.fetch_sub(1, std::memory_order_release);
     }
+  }
+
+  void begin() {
+    ++number;
+    if (asleep.load() == 0) return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    woken.notify_all();
   }
 };
 
 ThreadPool::ThreadPool(int threads) {
   if (threads <= 1) return;
   team_ = std::make_unique<Team>();
-  // Reserved first: a helper that starts early must see the whole team's size, under the lock.
-  const std::lock_guard<std::mutex> lock(team_->mutex);
-  for (int part = 1; part < threads; ++part) {
+  team_->parts = static_cast<std::size_t>(threads);
+  for (std::size_t part = 1; part < team_->parts; ++part) {
     team_->helpers.emplace_back([team = team_.get(), part] { team->help(part); });
   }
 }
 
 ThreadPool::~ThreadPool() {
   if (!team_) return;
+  team_->stop = true;
   {
     const std::lock_guard<std::mutex> lock(team_->mutex);
-    team_->stop = true;
+    ++team_->number;
   }
-  team_->started.notify_all();
+  team_->woken.notify_all();
   for (std::thread& helper : team_->helpers) helper.join();
 }
 
-int ThreadPool::size() const { return team_ ? static_cast<int>(team_->helpers.size()) + 1 : 1; }
+int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }
 
-void ThreadPool::forRanges(std::size_t count,
-                           const std::function<void(std::size_t, std::size_t)>& body) {
+void ThreadPool::run(std::size_t count, const Loop& loop) {
   if (!team_) {
-    if (count > 0) body(0, count);
+    if (count > 0) loop.call(loop.body, 0, count);
     return;
   }
-  {
-    const std::lock_guard<std::mutex> lock(team_->mutex);
-    team_->body = &body;
-    team_->count = count;
-    team_->busy = team_->helpers.size();
-    ++team_->loop;
+  team_->loop = loop;
+  team_->count = count;
+  team_->busy.store(team_->helpers.size(), std::memory_order_relaxed);
+  team_->begin();
+  team_->runPart(0);
+  for (int k = 0; team_->busy.load(std::memory_order_acquire) > 0; ++k) {
+    if (k < kPausesAwake) {
+      pause();
+    } else {
+      std::this_thread::yield();  // the helper waits for a processor
+    }
   }
-  team_->started.notify_all();
-  team_->runPart(body, count, 0);
-  std::unique_lock<std::mutex> lock(team_->mutex);
-  team_->finished.wait(lock, [&] { return team_->busy == 0; });
 }
 
 }  // namespace palpate

@@ -16,7 +16,8 @@ std::vector<int> slabs(const Points& X) {
   const auto n = static_cast<std::size_t>(X.cols());
   std::vector<int> order(n), slab(n);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return X(axis, a) < X(axis, b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return X(axis, a) < X(axis, b); });
   for (std::size_t k = 0; k < n; ++k) {
     slab[order[k]] = static_cast<int>(kScheduleParts * k / n);
   }

@@ -149,7 +149,8 @@ void NodalPressure::completeRows(ThreadPool* pool, VolumeStiffness* stiffness) c
   forAll(pool, solid_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const int first = pattern_->start[p], count = pattern_->start[p + 1] - first;
-      stiffness->rows.col(own_entry_[p]) = -stiffness->rows.middleCols(first, count).rowwise().sum();
+      stiffness->rows.col(own_entry_[p]) =
+          -stiffness->rows.middleCols(first, count).rowwise().sum();
     }
   });
 }

@@ -34,8 +34,8 @@ std::unique_ptr<PackedTetrahedra> PackedTetrahedra::make(
   for (const material::Solid& solid : composition.solids) {
     if (!kernelLaw(solid.law) || !solid.prony.empty()) return nullptr;
   }
-  return std::unique_ptr<PackedTetrahedra>(new PackedTetrahedra(
-      mesh, shape, composition, element_kappa, pressure, pattern, pool, isa));
+  return std::unique_ptr<PackedTetrahedra>(
+      new PackedTetrahedra(mesh, shape, composition, element_kappa, pressure, pattern, pool, isa));
 }
 
 PackedTetrahedra::PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>& shape,
@@ -44,15 +44,16 @@ PackedTetrahedra::PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>
                                    NodalPressure* pressure, const BlockMatrix& pattern,
                                    ThreadPool* pool, Isa isa)
     : kernels_(tetKernels(isa)), pool_(pool), pressure_(pressure), upper_(pattern) {
-  for (const std::vector<ElementSchedule::Part>& parts : scheduleElements(mesh, composition).phases) {
+  for (const std::vector<ElementSchedule::Part>& parts :
+       scheduleElements(mesh, composition).phases) {
     phases_.emplace_back();
     for (const ElementSchedule::Part& part : parts) {
       phases_.back().emplace_back();
       for (const ElementSchedule::Run& run : part) {
         const material::Material& law = composition.solids[run.solid].law;
-        phases_.back().back().push_back({*kernelLaw(law), material::moduli(law).mu,
-                                         element_kappa[run.solid], static_cast<int>(batches_.size()),
-                                         static_cast<int>(run.elements.size())});
+        phases_.back().back().push_back(
+            {*kernelLaw(law), material::moduli(law).mu, element_kappa[run.solid],
+             static_cast<int>(batches_.size()), static_cast<int>(run.elements.size())});
         pack(run.elements, shape, pattern);
       }
     }
@@ -144,9 +145,8 @@ double PackedTetrahedra::gradient(const Points& x, Points* g) {
   moveTo(x);
   g->setZero(3, x.cols());
   const double* pressures = pressure_ ? pressure_->pressures().data() : nullptr;
-  forRuns([&](const TetRun& run) {
-    kernels_.gradient(arrays(), run, x.data(), pressures, g->data());
-  });
+  forRuns(
+      [&](const TetRun& run) { kernels_.gradient(arrays(), run, x.data(), pressures, g->data()); });
   energy_at_x_ = true;
   return sumEnergies();
 }

@@ -41,7 +41,8 @@ class PackedTetrahedra {
                    const Composition& composition, const std::vector<double>& element_kappa,
                    NodalPressure* pressure, const BlockMatrix& pattern, ThreadPool* pool, Isa isa);
 
-  void pack(const std::vector<int>& elements, const RestShape<4>& shape, const BlockMatrix& pattern);
+  void pack(const std::vector<int>& elements, const RestShape<4>& shape,
+            const BlockMatrix& pattern);
   /// visit(run) on all runs, in an order that the number of threads does not change.
   template <class Visit>
   void forRuns(const Visit& visit) const;

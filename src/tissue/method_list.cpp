@@ -12,7 +12,7 @@ namespace {
 
 std::unique_ptr<StepMethod> implicitPcg(FemBody* body) {
   return std::make_unique<ImplicitMethod>(
-      body, std::make_unique<solver::BlockPcg>(body->settings.max_linear_iterations));
+      body, std::make_unique<solver::BlockPcg>(body->settings.max_linear_iterations, body->pool));
 }
 
 std::unique_ptr<StepMethod> implicitDirect(FemBody* body) {

@@ -56,7 +56,9 @@ struct System {
       for (int k = volume.pattern->start[p]; k < volume.pattern->start[p + 1]; ++k) {
         B.block<1, 3>(p, 3 * volume.pattern->node[k]) = volume.rows.col(k).transpose();
       }
-      M.col(p) = volume.metric->apply(Eigen::VectorXd::Unit(B.rows(), p));
+      Eigen::VectorXd column;
+      volume.metric->apply(Eigen::VectorXd::Unit(B.rows(), p), &column);
+      M.col(p) = column;
     }
     dense += volume.factor * B.transpose() * M * B;
   }

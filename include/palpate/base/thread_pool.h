@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace palpate {
 
 /// A fixed team of threads for loops whose iterations write to places of their own. Results then
 /// do not depend on the size of the team; sums over iterations are the caller's, in a fixed order.
+/// Helpers stay awake for some microseconds after a loop, so that short loops may follow quickly.
 class ThreadPool {
  public:
   /// `threads` >= 1 counts the calling thread.
@@ -20,11 +20,23 @@ class ThreadPool {
   int size() const;
 
   /// Calls body(begin, end) on contiguous parts of [0, count), one a thread; returns when all are
-  /// done. One loop at a time. `body` must not throw.
-  void forRanges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body);
+  /// done. One loop at a time, none within another. `body` must not throw. Allocates nothing.
+  template <class Body>
+  void forRanges(std::size_t count, const Body& body) {
+    run(count, {[](const void* b, std::size_t begin, std::size_t end) {
+                  (*static_cast<const Body*>(b))(begin, end);
+                },
+                &body});
+  }
 
  private:
+  struct Loop {
+    void (*call)(const void* body, std::size_t begin, std::size_t end);
+    const void* body;
+  };
   struct Team;
+  void run(std::size_t count, const Loop& loop);
+
   std::unique_ptr<Team> team_;  // null for one thread
 };
 

@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <memory>
 
+#include "palpate/base/isa.h"
+#include "palpate/base/thread_pool.h"
 #include "palpate/solver/linear_solver.h"
 
 namespace palpate::solver {
 
 /// Conjugate gradients preconditioned by the inverses of the 3 x 3 diagonal blocks [Saad 2003,
 /// alg. 9.1]. Starts from zero, so that every iterate is a direction of descent.
+///
+/// Vectors are in double precision, products with the matrix are computed in single precision, which
+/// is less than half the work. A tolerance that this could miss is met by iterative refinement with
+/// the matrix itself [Moler 1967]. All matrices must have the pattern of the first one.
 class BlockPcg final : public LinearSolver {
  public:
-  explicit BlockPcg(int max_iterations) : max_iterations_(max_iterations) {}
+  /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x.
+  explicit BlockPcg(int max_iterations, ThreadPool* pool = nullptr, Isa isa = bestIsa());
+  ~BlockPcg() override;
 
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
 
  private:
-  bool invertDiagonal(const fem::Stiffness& A);
-  void precondition(const Points& r, Points* z) const;
-
-  int max_iterations_;
-  std::vector<Mat3> inverse_diagonal_;
-  Points r_, z_, p_, Ap_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::solver

@@ -10,9 +10,9 @@ constexpr int kBatchSize = 8;
 
 /// Nodes of an element ascend. Unused elements of a last batch repeat the one before.
 struct alignas(64) TetBatch {
-  int node[4][kBatchSize];               ///< 3 x node: where its coordinates begin.
-  double gradient[3][3][kBatchSize];     ///< [a][c]: d N_{a+1} / dX_c [1/m]; of N_0 minus the sum.
-  double volume[kBatchSize];             ///< [m^3]
+  int node[4][kBatchSize];            ///< 3 x node: where its coordinates begin.
+  double gradient[3][3][kBatchSize];  ///< [a][c]: d N_{a+1} / dX_c [1/m]; of N_0 minus the sum.
+  double volume[kBatchSize];          ///< [m^3]
 };
 
 /// Where an element's matrix goes: offsets into the values of the blocks (a, b), a < b, row after
