@@ -70,6 +70,7 @@ struct Channels {
   LatestValue<Picture> picture;
   LatestValue<Statistics> statistics;
   std::atomic<bool> picture_wanted{false};  ///< Somebody subscribes to the markers.
+  std::atomic<double> haptics_seconds{0.0};  ///< Of the force loop's last cycle.
   std::condition_variable news;             ///< Wakes the publishing thread; nobody waits for it.
 };
 

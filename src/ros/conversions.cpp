@@ -65,6 +65,14 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.skipped_sleeping_organs = report.skipped.sleeping_organs;
   m.skipped_satisfied_solves = report.skipped.satisfied_solves;
   m.cycle_ms = finite(cycle_ms);
+  m.contact_ms = 1e3 * report.phases[Phase::kContact];
+  m.forces_ms = 1e3 * report.phases[Phase::kForces];
+  m.assembly_ms = 1e3 * report.phases[Phase::kAssembly];
+  m.linear_solve_ms = 1e3 * report.phases[Phase::kLinearSolve];
+  m.line_search_ms = 1e3 * report.phases[Phase::kLineSearch];
+  m.other_ms = 1e3 * report.phases[Phase::kOther];
+  m.haptics_ms = 1e3 * report.phases[Phase::kHaptics];
+  m.publish_ms = 1e3 * report.phases[Phase::kPublish];
   return m;
 }
 

@@ -66,6 +66,7 @@ void HapticLoop::loop() {
     const Steady::time_point now = Steady::now();
     for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
     last = now;
+    channels_.haptics_seconds = inSeconds(Steady::now() - now);
     ++statistics_.cycles;
     next += period_;
     if (next + period_ < now) {

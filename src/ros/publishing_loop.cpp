@@ -27,18 +27,26 @@ void PublishingLoop::loop() {
   // A wake-up that is lost between two waits costs no more than this.
   constexpr double kLongestWait = 0.02;  // [s]
   Throttle diagnostics_due(1.0);
+  PhaseTimes beside;  // of the last turn, for the next report
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     channels_.news.wait_for(lock, seconds(kLongestWait));
     channels_.picture_wanted = organs_.getNumSubscribers() > 0;
+    PhaseTimes times;
     if (channels_.report.hasNew()) {
+      const PhaseTimer timer(&times, Phase::kPublish);
       const ReportFrame& frame = channels_.report.read();
-      report_.publish(toMsg(frame.report, frame.state, frame.stamp, frame.cycle_ms));
+      sim::StepReport report = frame.report;
+      report.phases += beside;
+      report_.publish(toMsg(report, frame.state, frame.stamp, frame.cycle_ms));
     }
     if (channels_.picture.hasNew()) {
+      const PhaseTimer timer(&times, Phase::kPublish);
       const Picture& picture = channels_.picture.read();
       if (organs_.getNumSubscribers() > 0) organs_.publish(markers_.update(picture));
     }
+    if (times[Phase::kPublish] > 0.0) beside[Phase::kPublish] = times[Phase::kPublish];
+    beside[Phase::kHaptics] = channels_.haptics_seconds;
     if (diagnostics_due.due()) {
       diagnostics_.update(channels_.report.read(), channels_.statistics.read());
     }

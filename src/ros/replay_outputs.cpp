@@ -46,7 +46,9 @@ void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
                toMsg(r.body, stamp, config.tf_prefix + config.control_frame));
   }
   const NodeState state = result.report.usable() ? NodeState::kRunning : NodeState::kFault;
-  bag_.write(std::string("/") + kStepReportTopic, stamp, toMsg(result.report, state, stamp, 0.0));
+  sim::StepReport report = result.report;
+  report.phases = PhaseTimes();
+  bag_.write(std::string("/") + kStepReportTopic, stamp, toMsg(report, state, stamp, 0.0));
 }
 
 void ReplayBag::finish() {

@@ -32,6 +32,7 @@ void addCounters(const StepReport& earlier, StepReport* report) {
   report->skipped.far_bodies += earlier.skipped.far_bodies;
   report->skipped.sleeping_organs += earlier.skipped.sleeping_organs;
   report->skipped.satisfied_solves += earlier.skipped.satisfied_solves;
+  report->phases += earlier.phases;
 }
 
 }  // namespace

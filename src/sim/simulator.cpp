@@ -36,6 +36,7 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
   report->skipped.far_bodies += organ.far_bodies;
   report->skipped.sleeping_organs += organ.slept;
   report->skipped.satisfied_solves += organ.satisfied;
+  report->phases += organ.phases;
   Vec3 on_tissue = organ.support_force + organ.gravity_force + organ.inertia_force;
   for (const tissue::TissueContact& c : organ.contacts) on_tissue -= c.force_W;
   if (organ.ok()) report->imbalance += on_tissue.norm();
@@ -125,6 +126,7 @@ Simulator::Simulator(const Scene& scene, const Progress& progress)
 Simulator::~Simulator() = default;
 
 const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt) noexcept {
+  const double begin = steadySeconds();
   Impl& s = *impl_;
   if (!s.accepts(poses, dt)) {
     s.result.report.status = solver::SolveStatus::kNonFinite;
@@ -144,6 +146,8 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   }
   s.time += dt;
   s.finish(last, dt);
+  PhaseTimes& phases = s.result.report.phases;
+  phases[Phase::kOther] = steadySeconds() - begin - phases.cycle();
   return s.result;
 }
 

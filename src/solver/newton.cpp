@@ -30,8 +30,12 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
   LinearReport solved;
   for (const fem::Tangent tangent :
        {fem::Tangent::kExact, fem::Tangent::kConvexTerms, fem::Tangent::kProjected}) {
-    potential.hessian(x, tangent, &A_);
-    A_.constrain(potential.free);
+    {
+      const PhaseTimer timer(&report->phases, Phase::kAssembly);
+      potential.hessian(x, tangent, &A_);
+      A_.constrain(potential.free);
+    }
+    const PhaseTimer timer(&report->phases, Phase::kLinearSolve);
     solved = linear->solve(A_, right_, linear_tolerance, &d_);
     report->linear_iterations += solved.iterations;
     if (solved.status != SolveStatus::kNotPositiveDefinite) break;
@@ -40,7 +44,9 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
   return solved;
 }
 
-bool Newton::lineSearch(const Potential& potential, double value, Points* x, double* next_value) {
+bool Newton::lineSearch(const Potential& potential, double value, Points* x, double* next_value,
+                        NewtonReport* report) {
+  const PhaseTimer timer(&report->phases, Phase::kLineSearch);
   const double slope = g_.cwiseProduct(d_).sum();
   const double norm = freeNorm(g_, potential.free);
   const bool conservative = potential.conservative();
@@ -65,7 +71,11 @@ bool Newton::lineSearch(const Potential& potential, double value, Points* x, dou
 NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& settings,
                               LinearSolver* linear, Points* x) {
   NewtonReport report;
-  double value = potential.gradient(*x, &g_);
+  double value = 0.0;
+  {
+    const PhaseTimer timer(&report.phases, Phase::kForces);
+    value = potential.gradient(*x, &g_);
+  }
   for (;;) {
     report.residual = freeNorm(g_, potential.free);
     if (!std::isfinite(value) || !std::isfinite(report.residual)) {
@@ -84,7 +94,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       report.status = solved.status;
       return report;
     }
-    if (!lineSearch(potential, value, x, &value)) {
+    if (!lineSearch(potential, value, x, &value, &report)) {
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }

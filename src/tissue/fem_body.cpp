@@ -37,6 +37,7 @@ double FemBody::tolerance() const {
 }
 
 void FemBody::reportContacts(TissueStep* out) {
+  const PhaseTimer timer(&out->phases, Phase::kContact);
   contact.collect(x, &contacts_);
   nodal_.setZero(3, x.cols());
   for (const contact::Contact& c : contacts_) {

@@ -63,6 +63,7 @@ class FemTissue final : public TissueModel {
  private:
   void begin(const std::vector<ToolBody>& bodies, double dt) {
     out_ = TissueStep();
+    const PhaseTimer timer(&out_.phases, Phase::kContact);
     const double way = dt * body_.v.colwise().norm().maxCoeff();
     out_.far_bodies = body_.sweep.begin(bodies, body_.x, way);
     body_.sweep.place(1.0);
@@ -82,6 +83,7 @@ class FemTissue final : public TissueModel {
   }
 
   void reportState() {
+    const PhaseTimer timer(&out_.phases, Phase::kForces);
     out_.min_jacobian = body_.elasticity->minJacobian(body_.x);
     out_.kinetic_energy =
         0.5 * body_.v.colwise().squaredNorm().transpose().cwiseProduct(method_->masses()).sum();
@@ -92,8 +94,10 @@ class FemTissue final : public TissueModel {
   // Nothing has changed since the last cycle, at whose end the body came to rest.
   void reportSleep() {
     const int far = out_.far_bodies;
+    const PhaseTimes phases = out_.phases;
     out_ = last_;
     out_.far_bodies = far;
+    out_.phases = phases;
     out_.slept = true;
     out_.satisfied = false;
     out_.newton_iterations = out_.linear_iterations = 0;

@@ -61,6 +61,7 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
   startFromPredictor(begin, h);
   solveStages(begin, end);
   if (!acceptable()) return false;
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
   integrator_.endStep(body_.x, elastic_gradient_);
   body_.elasticity->endStep(body_.x);
@@ -68,6 +69,7 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
 }
 
 void ImplicitMethod::startFromPredictor(double s, double h) {
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
   body_.sweep.place(s);
   const double value_here = potential_.value(body_.x);
   const Points way = h * integrator_.velocities();
@@ -81,9 +83,12 @@ void ImplicitMethod::solveStages(double begin, double end) {
   out_->tolerance = body_.tolerance();
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
-    s = body_.sweep.next(body_.x, s, end);
-    ++out_->sweep_stages;
-    body_.sweep.place(s);
+    {
+      const PhaseTimer timer(&out_->phases, Phase::kContact);
+      s = body_.sweep.next(body_.x, s, end);
+      ++out_->sweep_stages;
+      body_.sweep.place(s);
+    }
     solved = solveStage(s < end);
   }
   out_->status = solved.status;
@@ -102,6 +107,8 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
     solved = newton_.minimize(potential_, settings, linear_.get(), &body_.x);
     out_->newton_iterations += solved.iterations;
     out_->linear_iterations += solved.linear_iterations;
+    out_->phases += solved.phases;
+    const PhaseTimer timer(&out_->phases, Phase::kContact);
     if (body_.sweep.candidatesHold(body_.x)) break;
     body_.sweep.search(body_.x);
   }

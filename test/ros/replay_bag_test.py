@@ -93,6 +93,7 @@ class ReplayBag(unittest.TestCase):
         reports = messages(self.path("a.bag"), "/step_report")
         self.assertEqual(len(reports), 100)
         self.assertEqual({m.cycle_ms for m in reports}, {0.0})
+        self.assertEqual({m.linear_solve_ms for m in reports}, {0.0})
         self.assertEqual(len(messages(self.path("a.bag"), "/probe/measured_js")), 100)
 
     def test_the_same_as_palpate_replay(self):

@@ -100,6 +100,31 @@ TEST_F(SimulatorOnSlab, RestoreRefusesAStateOfAnotherScene) {
   EXPECT_THROW(simulator.restore(state), std::invalid_argument);
 }
 
+TEST_F(SimulatorOnSlab, SaysWhereTheTimeWent) {
+  PhaseTimes pressing;
+  for (const Eigen::VectorXd& q : press) {
+    const double begin = steadySeconds();
+    const PhaseTimes phases = step(q).report.phases;
+    EXPECT_LE(phases.cycle(), steadySeconds() - begin);
+    EXPECT_GE(phases[Phase::kOther], 0.0);
+    pressing += phases;
+  }
+  for (std::size_t k = 0; k < kNumCyclePhases; ++k) {
+    const Phase phase = static_cast<Phase>(k);
+    EXPECT_GT(pressing[phase], 0.0) << toString(phase);
+  }
+  // Little is left that no phase accounts for.
+  EXPECT_LT(pressing[Phase::kOther], 0.3 * pressing.cycle());
+  EXPECT_EQ(pressing[Phase::kHaptics], 0.0);
+
+  simulator.reset();
+  for (int k = 0; k < 20; ++k) step(Eigen::VectorXd::Zero(6));
+  const StepReport asleep = step(Eigen::VectorXd::Zero(6)).report;
+  EXPECT_EQ(asleep.skipped.sleeping_organs, 1);
+  EXPECT_EQ(asleep.phases[Phase::kAssembly], 0.0);
+  EXPECT_EQ(asleep.phases[Phase::kForces], 0.0);
+}
+
 TEST_F(SimulatorOnSlab, SkipsWhatIsNotNeeded) {
   int far = 0, slept = 0;
   for (int k = 0; k < 20; ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/solver/status.h"
 
@@ -33,6 +34,7 @@ struct StepReport {
   double kinetic_energy = 0.0;  ///< [J]
   double elastic_energy = 0.0;  ///< Of viscous organs the potential of the last step [J].
   SkipCounters skipped;
+  PhaseTimes phases;  ///< Wall time; the one part that differs between equal runs.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
   /// The state at the end is one that the tissue really took, if not to full accuracy.

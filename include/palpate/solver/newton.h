@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/base/phase_times.h"
 #include "palpate/solver/linear_solver.h"
 #include "palpate/solver/potential.h"
 
@@ -18,6 +19,7 @@ struct NewtonReport {
   int linear_iterations = 0;
   int projections = 0;    ///< Linear systems that had to be made positive definite.
   double residual = 0.0;  ///< Norm of the free gradient at the end [N].
+  PhaseTimes phases;
 };
 
 /// Minimises a potential by Newton's method with backtracking (Armijo's rule on the value)
@@ -49,7 +51,8 @@ class Newton {
   /// d = -A^-1 g on the free components, from the exact tangent if that is positive definite.
   LinearReport direction(const Potential& potential, const Points& x, double linear_tolerance,
                          LinearSolver* linear, NewtonReport* report);
-  bool lineSearch(const Potential& potential, double value, Points* x, double* next_value);
+  bool lineSearch(const Potential& potential, double value, Points* x, double* next_value,
+                  NewtonReport* report);
 
   fem::Stiffness A_;
   Points g_, d_, right_, x_trial_, g_trial_;

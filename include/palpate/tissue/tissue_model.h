@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/instrument/geometry.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -45,6 +46,7 @@ struct TissueStep {
   int far_bodies = 0;           ///< Bodies that could not touch in this cycle.
   bool slept = false;           ///< At rest and untouched: nothing was solved.
   bool satisfied = false;       ///< The predictor was within tolerance: no iteration was needed.
+  PhaseTimes phases;            ///< Of the model's own; kOther is left to the caller.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
 };

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace palpate::node {
+namespace {
+
+TEST(Conversions, AReportSaysInMillisecondsWhereTheTimeWent) {
+  sim::StepReport report;
+  for (std::size_t k = 0; k < kNumPhases; ++k) {
+    report.phases[static_cast<Phase>(k)] = 1e-3 * static_cast<double>(k + 1);
+  }
+  const palpate::StepReport m = toMsg(report, NodeState::kRunning, ros::Time(1.0), 30.0);
+  EXPECT_DOUBLE_EQ(m.contact_ms, 1.0);
+  EXPECT_DOUBLE_EQ(m.forces_ms, 2.0);
+  EXPECT_DOUBLE_EQ(m.assembly_ms, 3.0);
+  EXPECT_DOUBLE_EQ(m.linear_solve_ms, 4.0);
+  EXPECT_DOUBLE_EQ(m.line_search_ms, 5.0);
+  EXPECT_DOUBLE_EQ(m.other_ms, 6.0);
+  EXPECT_DOUBLE_EQ(m.haptics_ms, 7.0);
+  EXPECT_DOUBLE_EQ(m.publish_ms, 8.0);
+  EXPECT_EQ(m.cycle_ms, 30.0);
+}
+
+TEST(Conversions, NoMessageHoldsANumberThatIsNotFinite) {
+  sim::StepReport report;
+  report.residual = std::numeric_limits<double>::quiet_NaN();
+  report.imbalance = std::numeric_limits<double>::infinity();
+  const palpate::StepReport m = toMsg(report, NodeState::kFault, ros::Time(1.0), 1.0);
+  EXPECT_EQ(m.residual, -1.0);
+  EXPECT_EQ(m.imbalance, -1.0);
+  EXPECT_EQ(m.state, "FAULT");
+}
+
+}  // namespace
+}  // namespace palpate::node
