@@ -34,6 +34,12 @@ void ContactPotential::setBodies(const std::vector<RigidBody>& bodies) {
 void ContactPotential::findCandidates(const Points& x, const std::vector<double>& reach) {
   candidates_.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!skip_distant_) {
+      for (std::size_t s = 0; s < samples_.size(); ++s) {
+        candidates_.push_back({static_cast<int>(s), static_cast<int>(b)});
+      }
+      continue;
+    }
     const Pose X_GW = bodies_[b].X_WG.inverse();
     const double ball = boundingRadius(*bodies_[b].geometry) + reach[b];
     for (const Patch& patch : patches_) {
@@ -65,7 +71,7 @@ void ContactPotential::forEachPenetrating(const Points& x, const Visit& visit) c
     const Vec3 p_W = samples_[c.sample].position(x);
     const Vec3 p_G = X_GW * p_W;
     const double distance = signedDistanceValue(*bodies_[body].geometry, p_G);
-    if (distance < 0.0) visit(c, p_W, p_G, -distance);
+    if (distance < 0.0 || !skip_inactive_) visit(c, p_W, p_G, -distance);
   }
 }
 
@@ -141,6 +147,7 @@ std::vector<double> ContactPotential::allowedMotions(const Points& x) const {
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {
   contacts->clear();
   forEachPenetrating(x, [&](const Candidate& c, const Vec3& p_W, const Vec3& p_G, double p) {
+    if (p <= 0.0) return;
     const SurfaceSample& s = samples_[c.sample];
     const RigidBody& body = bodies_[c.body];
     const Vec3 normal = body.X_WG.linear() * signedDistance(*body.geometry, p_G).normal_G;

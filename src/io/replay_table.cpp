@@ -28,7 +28,7 @@ void writeReplayRow(double t, const sim::StepResult& result, double step_ms, Csv
   const sim::StepReport& r = result.report;
   *csv << r.newton_iterations << r.cg_iterations << r.residual << r.min_jacobian << r.kinetic_energy
        << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
-       << r.skipped.total();
+       << static_cast<int>(r.skipped.total());
   csv->endRow();
 }
 

@@ -50,7 +50,8 @@ struct Statistics {
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
   double sim_speed = 0.0;                                    ///< Simulated over real time.
   long cycles = 0, unsolved = 0, resets = 0;
-  long skipped = 0;                  ///< Work that the cycles could leave out, since the start.
+  sim::SkipCounters skipped;         ///< Work that the cycles could leave out, since the start.
+  long unwatched_pictures = 0;       ///< Pictures not made because nobody subscribes.
   std::vector<std::string> missing;  ///< Inputs that never came.
   std::vector<std::string> stale;    ///< Inputs that stopped.
 };
@@ -69,9 +70,9 @@ struct Channels {
   LatestValue<ReportFrame> report;               ///< These three: read by the publishing thread.
   LatestValue<Picture> picture;
   LatestValue<Statistics> statistics;
-  std::atomic<bool> picture_wanted{false};  ///< Somebody subscribes to the markers.
+  std::atomic<bool> picture_wanted{false};   ///< Somebody subscribes to the markers.
   std::atomic<double> haptics_seconds{0.0};  ///< Of the force loop's last cycle.
-  std::condition_variable news;             ///< Wakes the publishing thread; nobody waits for it.
+  std::condition_variable news;              ///< Wakes the publishing thread; nobody waits for it.
 };
 
 }  // namespace palpate::node

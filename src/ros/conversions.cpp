@@ -61,9 +61,12 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.min_jacobian = finite(report.min_jacobian);
   m.kinetic_energy = finite(report.kinetic_energy);
   m.elastic_energy = finite(report.elastic_energy);
-  m.skipped_far_bodies = report.skipped.far_bodies;
-  m.skipped_sleeping_organs = report.skipped.sleeping_organs;
-  m.skipped_satisfied_solves = report.skipped.satisfied_solves;
+  m.skipped_far_bodies = static_cast<int>(report.skipped.far_bodies);
+  m.skipped_sleeping_organs = static_cast<int>(report.skipped.sleeping_organs);
+  m.skipped_satisfied_solves = static_cast<int>(report.skipped.satisfied_solves);
+  m.skipped_distant_samples = static_cast<int>(report.skipped.distant_samples);
+  m.skipped_inactive_samples = static_cast<int>(report.skipped.inactive_samples);
+  m.skipped_inviscid_solids = static_cast<int>(report.skipped.inviscid_solids);
   m.cycle_ms = finite(cycle_ms);
   m.contact_ms = 1e3 * report.phases[Phase::kContact];
   m.forces_ms = 1e3 * report.phases[Phase::kForces];

@@ -2,6 +2,7 @@
 #include "diagnostics.h"
 
 #include "palpate/base/error.h"
+#include "palpate/sim/skips.h"
 
 namespace palpate::node {
 
@@ -57,7 +58,10 @@ void Diagnostics::simulation(Status& status) {
   status.add("cycles", s.cycles);
   status.add("cycles not solved", s.unsolved);
   status.add("resets", s.resets);
-  status.add("work skipped", s.skipped);
+  for (const sim::Skip& skip : sim::skips()) {
+    if (skip.count) status.add(std::string("skipped ") + skip.counter, s.skipped.*skip.count);
+  }
+  status.add("skipped unwatched_pictures", s.unwatched_pictures);
   status.add("solver status", std::string(solver::toString(report.status)));
   status.add("contacts", report.contacts);
   status.add("imbalance [N]", report.imbalance);

@@ -18,7 +18,8 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       live_(inputs->size(), false),
       poses_(inputs->size()),
       targets_(inputs->size()),
-      picture_(1.0 / simulator->scene().rates.markers) {}
+      picture_(1.0 / simulator->scene().rates.markers),
+      unwatched_(1.0 / simulator->scene().rates.markers) {}
 
 void LiveCycle::run() {
   const Steady::time_point start = Steady::now();
@@ -100,7 +101,7 @@ void LiveCycle::step(Steady::time_point start) {
   facts_.solved = result_->report.usable();
   ++steps_;
   ++window_steps_;
-  skipped_ += result_->report.skipped.total();
+  skipped_ += result_->report.skipped;
   if (!result_->report.ok()) {
     ++unsolved_;
     if (fault_warning_.due()) {
@@ -145,7 +146,10 @@ void LiveCycle::writeReport(Steady::time_point now) {
 }
 
 void LiveCycle::writePicture(Steady::time_point now) {
-  if (!channels_.picture_wanted.load(std::memory_order_relaxed)) return;
+  if (!channels_.picture_wanted.load(std::memory_order_relaxed)) {
+    unwatched_pictures_ += facts_.stepped && unwatched_.due(now);
+    return;
+  }
   if (!(facts_.stepped ? picture_.due(now) : idle_picture_.due(now))) return;
   Picture picture;
   picture.stamp = stamp_;

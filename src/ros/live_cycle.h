@@ -60,11 +60,12 @@ class LiveCycle {
   bool said_anything_ = false;
   NodeState reported_ = NodeState::kWaiting;
 
-  long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, skipped_ = 0;
+  long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, unwatched_pictures_ = 0;
+  sim::SkipCounters skipped_;
   std::vector<double> cycle_times_;  // of this second [ms]
   long window_ticks_ = 0, window_steps_ = 0;
   Steady::time_point window_start_ = Steady::now();
-  Throttle idle_report_{1.0}, picture_, idle_picture_{1.0};
+  Throttle idle_report_{1.0}, picture_, unwatched_, idle_picture_{1.0};
   Throttle waiting_warning_{5.0}, slow_warning_{5.0}, fault_warning_{5.0};
 };
 

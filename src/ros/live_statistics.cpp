@@ -41,6 +41,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.unsolved = unsolved_;
   s.resets = resets_;
   s.skipped = skipped_;
+  s.unwatched_pictures = unwatched_pictures_;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const std::string& name = scene.instruments[i].name;
     if (!samples_[i].valid) {

@@ -10,6 +10,7 @@ PublishingLoop::PublishingLoop(ros::NodeHandle handle, const sim::Simulator& sim
                                double arrow_scale, Channels* channels, Diagnostics* diagnostics)
     : channels_(*channels),
       diagnostics_(*diagnostics),
+      always_(!simulator.scene().solver.skip.unwatched_markers),
       markers_(simulator, arrow_scale),
       organs_(handle.advertise<visualization_msgs::MarkerArray>(kOrgansTopic, 1)),
       report_(handle.advertise<palpate::StepReport>(kStepReportTopic, 1)) {}
@@ -31,7 +32,7 @@ void PublishingLoop::loop() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     channels_.news.wait_for(lock, seconds(kLongestWait));
-    channels_.picture_wanted = organs_.getNumSubscribers() > 0;
+    channels_.picture_wanted = wanted();
     PhaseTimes times;
     if (channels_.report.hasNew()) {
       const PhaseTimer timer(&times, Phase::kPublish);
@@ -43,7 +44,7 @@ void PublishingLoop::loop() {
     if (channels_.picture.hasNew()) {
       const PhaseTimer timer(&times, Phase::kPublish);
       const Picture& picture = channels_.picture.read();
-      if (organs_.getNumSubscribers() > 0) organs_.publish(markers_.update(picture));
+      if (wanted()) organs_.publish(markers_.update(picture));
     }
     if (times[Phase::kPublish] > 0.0) beside[Phase::kPublish] = times[Phase::kPublish];
     beside[Phase::kHaptics] = channels_.haptics_seconds;

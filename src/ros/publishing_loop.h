@@ -26,9 +26,11 @@ class PublishingLoop {
 
  private:
   void loop();
+  bool wanted() const { return always_ || organs_.getNumSubscribers() > 0; }
 
   Channels& channels_;
   Diagnostics& diagnostics_;
+  bool always_;  // make pictures that nobody sees, too
   SceneMarkers markers_;
   ros::Publisher organs_, report_;
   std::mutex mutex_;  // for waiting only; nobody else takes it

@@ -29,9 +29,7 @@ void addCounters(const StepReport& earlier, StepReport* report) {
   report->time_steps = std::max(report->time_steps, earlier.time_steps);
   report->newton_iterations += earlier.newton_iterations;
   report->cg_iterations += earlier.cg_iterations;
-  report->skipped.far_bodies += earlier.skipped.far_bodies;
-  report->skipped.sleeping_organs += earlier.skipped.sleeping_organs;
-  report->skipped.satisfied_solves += earlier.skipped.satisfied_solves;
+  report->skipped += earlier.skipped;
   report->phases += earlier.phases;
 }
 

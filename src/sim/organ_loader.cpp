@@ -104,6 +104,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.max_newton_iterations = scene.solver.max_newton_iterations;
   settings.linear_tolerance = scene.solver.linear_tolerance;
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
+  settings.skip = scene.solver.skip;
   try {
     return tissue::makeFemTissue(mesh, composition, free, settings, pool);
   } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 #include "palpate/sim/scene_fields.h"
 
 #include "palpate/fem/elasticity.h"
+#include "palpate/sim/skips.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem_tissue.h"
 
@@ -105,6 +106,17 @@ void describe(FieldVisitor& v, SolverConfig& solver) {
             solver.max_linear_iterations, Range::closed(1, 100000));
   v.integer({"threads", "", "Threads that share the work; the results are the same bits for any."},
             solver.threads, Range::closed(1, 256));
+  v.section(
+      {"skip", "",
+       "Work to leave out where it is not needed. `false` has it done all the same, to compare "
+       "results and times."},
+      solver.skip);
+}
+
+void describe(FieldVisitor& v, SkipConfig& skip) {
+  for (const Skip& s : skips()) {
+    if (s.key) v.flag({s.key, "", s.doc}, skip.*s.on);
+  }
 }
 
 void describe(FieldVisitor& v, RatesConfig& rates) {

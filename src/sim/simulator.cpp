@@ -7,6 +7,7 @@
 
 #include "loaded_scene.h"
 #include "palpate/contact/signed_distance.h"
+#include "palpate/sim/skips.h"
 
 namespace palpate::sim {
 namespace {
@@ -33,9 +34,9 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
   report->min_jacobian = std::min(report->min_jacobian, organ.min_jacobian);
   report->kinetic_energy += organ.kinetic_energy;
   report->elastic_energy += organ.elastic_energy;
-  report->skipped.far_bodies += organ.far_bodies;
-  report->skipped.sleeping_organs += organ.slept;
-  report->skipped.satisfied_solves += organ.satisfied;
+  for (const Skip& skip : skips()) {
+    if (skip.count) report->skipped.*skip.count += skip.of(organ);
+  }
   report->phases += organ.phases;
   Vec3 on_tissue = organ.support_force + organ.gravity_force + organ.inertia_force;
   for (const tissue::TissueContact& c : organ.contacts) on_tissue -= c.force_W;

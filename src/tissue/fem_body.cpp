@@ -8,6 +8,28 @@
 #include "palpate/solver/static_solver.h"
 
 namespace palpate::tissue {
+namespace {
+
+int numInviscid(const fem::Composition& composition) {
+  return static_cast<int>(std::count_if(composition.solids.begin(), composition.solids.end(),
+                                        [](const material::Solid& s) { return s.prony.empty(); }));
+}
+
+// Has solids without viscous terms treated as if they had some, of no strength to speak of.
+fem::Composition withViscousTerms(fem::Composition composition) {
+  for (material::Solid& solid : composition.solids) {
+    if (!solid.prony.empty()) continue;
+    const std::vector<material::PronyTerm> feeble = {{1e-12, 1.0}};
+    try {
+      material::checkProny(solid.law, feeble);
+      solid.prony = feeble;
+    } catch (const std::invalid_argument&) {  // a law that cannot relax
+    }
+  }
+  return composition;
+}
+
+}  // namespace
 
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
                  fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool)
@@ -17,13 +39,17 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       pool(thread_pool),
       size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
       triangles(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
-      elasticity(fem::makeElasticity(settings.element, mesh, composition, pool)),
+      elasticity(fem::makeElasticity(
+          settings.element, mesh,
+          settings.skip.viscous_terms ? composition : withViscousTerms(composition), pool)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
               settings.penalty),
-      sweep(&contact, size),
+      sweep(&contact, size, settings.skip.far_tools),
+      inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())) {
+  contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm();
   // Force of a small strain on one element.

@@ -36,8 +36,9 @@ struct FemBody {
   fem::DeadLoad gravity;
   contact::ContactPotential contact;
   ToolSweep sweep;
-  Vec3 weight;         ///< Sum of the gravity forces [N].
-  double force_floor;  ///< Keeps the tolerance above zero in a scene at rest [N].
+  int inviscid_solids;  ///< Without viscous terms.
+  Vec3 weight;          ///< Sum of the gravity forces [N].
+  double force_floor;   ///< Keeps the tolerance above zero in a scene at rest [N].
 
   Points x, v;                                      ///< 3 x n, world [m], [m/s].
   double contact_force = 0.0, support_force = 0.0;  ///< Nodal norms of the last cycle [N].

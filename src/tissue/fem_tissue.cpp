@@ -48,10 +48,15 @@ class FemTissue final : public TissueModel {
     }
     x_begin_ = body_.x;
     if (method_->advance(dt, &out_)) {
-      at_rest_ = cameToRest();
+      at_rest_ = body_.settings.skip.sleeping && cameToRest();
       if (at_rest_) stop();
       out_.gravity_force = body_.weight;
       method_->reportForces(&out_);
+      out_.inviscid_solids = body_.inviscid_solids;
+      if (body_.settings.skip.inactive_samples) {
+        out_.inactive_samples =
+            body_.contact.numCandidates() - static_cast<int>(out_.contacts.size());
+      }
     } else {
       stop();
       at_rest_ = false;
@@ -68,6 +73,7 @@ class FemTissue final : public TissueModel {
     out_.far_bodies = body_.sweep.begin(bodies, body_.x, way);
     body_.sweep.place(1.0);
     body_.sweep.search(body_.x);
+    out_.distant_samples = body_.contact.numDistant();
   }
 
   // It neither moves nor would begin to if it were stopped here.
@@ -94,9 +100,12 @@ class FemTissue final : public TissueModel {
   // Nothing has changed since the last cycle, at whose end the body came to rest.
   void reportSleep() {
     const int far = out_.far_bodies;
+    const int distant = out_.distant_samples;
     const PhaseTimes phases = out_.phases;
     out_ = last_;
     out_.far_bodies = far;
+    out_.distant_samples = distant;
+    out_.inactive_samples = out_.inviscid_solids = 0;
     out_.phases = phases;
     out_.slept = true;
     out_.satisfied = false;

@@ -15,7 +15,7 @@ int ToolSweep::begin(const std::vector<ToolBody>& bodies, const Points& x, doubl
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
   near_.clear();
   for (const ToolBody& body : bodies) {
-    if (sweepReaches(body, low, high, margin_)) near_.push_back(body);
+    if (!skip_far_ || sweepReaches(body, low, high, margin_)) near_.push_back(body);
   }
   return static_cast<int>(bodies.size() - near_.size());
 }

@@ -12,8 +12,9 @@ namespace palpate::tissue {
 /// it, and the tissue samples that may meet them.
 class ToolSweep {
  public:
-  /// `size`: of the tissue at rest [m].
-  ToolSweep(contact::ContactPotential* contact, double size) : contact_(*contact), size_(size) {}
+  /// `size`: of the tissue at rest [m]. `skip_far`: leave out bodies that cannot touch.
+  ToolSweep(contact::ContactPotential* contact, double size, bool skip_far = true)
+      : contact_(*contact), size_(size), skip_far_(skip_far) {}
 
   /// Begins a cycle with the tissue at x, 3 x n [m], of which no node goes farther than about
   /// `way` [m] if nothing pushes it. Returns how many bodies cannot touch.
@@ -35,6 +36,7 @@ class ToolSweep {
  private:
   contact::ContactPotential& contact_;
   double size_;
+  bool skip_far_;
   double margin_ = 0.0;  // [m]
   std::vector<ToolBody> near_;
   std::vector<contact::RigidBody> placed_;

@@ -43,6 +43,18 @@ class ContactPotential final : public fem::EnergyTerm {
   /// Takes as candidates of body b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
   bool hasCandidates() const { return !candidates_.empty(); }
+  int numCandidates() const { return static_cast<int>(candidates_.size()); }
+  /// Samples, times bodies, that the last findCandidates() did not take.
+  int numDistant() const {
+    return static_cast<int>(bodies_.size() * samples_.size() - candidates_.size());
+  }
+
+  /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
+  /// default; the sums are the same without.
+  void setSkips(bool distant, bool inactive) {
+    skip_distant_ = distant;
+    skip_inactive_ = inactive;
+  }
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
@@ -76,6 +88,7 @@ class ContactPotential final : public fem::EnergyTerm {
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
   Penalty penalty_;
+  bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<RigidBody> bodies_;
   std::vector<double> radius_;  // inscribed, of each body [m]
   std::vector<Candidate> candidates_;

@@ -8,6 +8,7 @@
 #include "palpate/mesh/selection.h"
 #include "palpate/sim/body_config.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/tissue/skip_switches.h"
 
 namespace palpate::sim {
 
@@ -56,6 +57,10 @@ struct ContactConfig {
                                 ///< the inscribed radius of the thinnest tool shape.
 };
 
+struct SkipConfig : tissue::SkipSwitches {
+  bool unwatched_markers = true;
+};
+
 struct SolverConfig {
   std::string method = "implicit_pcg";
   std::string integrator = "backward_euler";
@@ -65,6 +70,7 @@ struct SolverConfig {
   double linear_tolerance = 1.0e-2;
   int max_linear_iterations = 500;
   int threads = 1;
+  SkipConfig skip;
 };
 
 struct RatesConfig {

@@ -19,6 +19,7 @@ void describe(FieldVisitor& v, SupportConfig& support);
 void describe(FieldVisitor& v, InstrumentConfig& instrument);
 void describe(FieldVisitor& v, ContactConfig& contact);
 void describe(FieldVisitor& v, SolverConfig& solver);
+void describe(FieldVisitor& v, SkipConfig& skip);
 void describe(FieldVisitor& v, RatesConfig& rates);
 void describe(FieldVisitor& v, HapticsConfig& haptics);
 void describe(FieldVisitor& v, mesh::Region& region);

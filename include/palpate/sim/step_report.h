@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/solver/status.h"
@@ -9,11 +11,19 @@ namespace palpate::sim {
 
 /// Work that a cycle did not do because the scene did not need it.
 struct SkipCounters {
-  int far_bodies = 0;        ///< Tool shapes that cannot touch in this cycle: no contact search.
-  int sleeping_organs = 0;   ///< At rest and untouched: no solve.
-  int satisfied_solves = 0;  ///< The predictor was already within tolerance: no Newton iteration.
+  std::int64_t far_bodies = 0;  ///< Tool shapes that cannot touch in this cycle: no contact search.
+  std::int64_t sleeping_organs = 0;  ///< At rest and untouched: no solve.
+  std::int64_t satisfied_solves =
+      0;  ///< The predictor was already within tolerance: no Newton iteration.
+  std::int64_t distant_samples =
+      0;  ///< Surface points, times near tool shapes, that were out of reach.
+  std::int64_t inactive_samples =
+      0;  ///< Those within reach that did not touch at the end: no derivative.
+  std::int64_t inviscid_solids = 0;  ///< Solids of solved organs without viscous terms: no memory.
 
-  int total() const { return far_bodies + sleeping_organs + satisfied_solves; }
+  /// Of the pieces of work: shapes, organs, solves. See sim/skips.h.
+  std::int64_t total() const;
+  SkipCounters& operator+=(const SkipCounters& other);
 };
 
 /// What one cycle did. Sums over organs where several are in the scene, maxima where said.

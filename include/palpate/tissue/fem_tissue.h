@@ -10,6 +10,7 @@
 #include "palpate/fem/composition.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/tissue/skip_switches.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::tissue {
@@ -27,6 +28,7 @@ struct FemSettings {
   int max_newton_iterations = 20;
   double linear_tolerance = 1.0e-2;
   int max_linear_iterations = 500;
+  SkipSwitches skip;
 };
 
 /// How a cycle may be solved; the first is the default.

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is left out does not change what the hand feels, is counted, and can be switched off.
+#include "palpate/sim/skips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "palpate/sim/simulator.h"
+#include "slab_scene.h"
+#include "support/contains.h"
+#include "support/input_error.h"
+
+namespace palpate::sim {
+namespace {
+
+constexpr double kStep = 0.01;
+
+TEST(Skips, AreOnUnlessTheSceneSaysOtherwise) {
+  const test::SlabScene slab;
+  const SkipConfig usual = slab.scene().solver.skip;
+  for (const Skip& skip : skips()) {
+    if (!skip.key) continue;
+    EXPECT_TRUE(usual.*skip.on) << skip.key;
+    const SkipConfig off =
+        slab.scene("solver: {skip: {" + std::string(skip.key) + ": false}}").solver.skip;
+    for (const Skip& other : skips()) {
+      if (!other.key) continue;
+      EXPECT_EQ(off.*other.on, &other != &skip) << skip.key << " " << other.key;
+    }
+  }
+  EXPECT_TRUE(
+      test::hasProblem(test::problemsOf([&] { slab.scene("solver: {skip: {sleepy: true}}"); }),
+                       "solver.skip.sleepy", "sleeping"));
+}
+
+TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
+  const std::string message =
+      test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/msg/StepReport.msg");
+  SkipCounters ones, sum;
+  std::int64_t total = 0;
+  for (const Skip& skip : skips()) {
+    if (!skip.count) continue;
+    EXPECT_TRUE(test::contains(message, " skipped_" + std::string(skip.counter) + " "))
+        << skip.counter;
+    ones.*skip.count = 1;
+    total += skip.in_total;
+  }
+  sum += ones;
+  sum += ones;
+  for (const Skip& skip : skips()) {
+    if (!skip.count) continue;
+    EXPECT_EQ(sum.*skip.count, 2) << skip.counter;
+  }
+  EXPECT_EQ(sum.total(), 2 * total);
+}
+
+// A run over the slab: at rest, pressed, at rest again.
+struct Outcome {
+  std::vector<Vec3> forces;
+  Points positions;
+  SkipCounters skipped;
+  double seconds_per_cycle = 0.0;  // the fastest of the last ones
+};
+
+Outcome run(const Scene& scene) {
+  Simulator simulator(scene);
+  Outcome run;
+  std::vector<Eigen::VectorXd> joints(30, Eigen::VectorXd::Zero(6));
+  const std::vector<Eigen::VectorXd> press = test::SlabScene::press();
+  joints.insert(joints.end(), press.begin(), press.end());
+  joints.resize(joints.size() + 30, press.back());
+  run.seconds_per_cycle = 1.0;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const StepResult& result = simulator.step({simulator.linkPoses(0, joints[k])}, kStep);
+    EXPECT_TRUE(result.report.ok());
+    run.forces.push_back(result.instruments[0].spatial.force);
+    run.skipped += result.report.skipped;
+    if (k > 20 && k < 30) {
+      run.seconds_per_cycle = std::min(run.seconds_per_cycle, result.report.phases.cycle());
+    }
+  }
+  run.positions = simulator.positions(0);
+  return run;
+}
+
+class SkipOf : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Simulation, SkipOf,
+                         ::testing::Values("far_tools", "sleeping", "distant_samples",
+                                           "inactive_samples", "viscous_terms"),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(SkipOf, ChangesNothingThatIsFelt) {
+  const auto skip = std::find_if(skips().begin(), skips().end(),
+                                 [](const Skip& s) { return s.key && GetParam() == s.key; });
+  ASSERT_NE(skip, skips().end());
+  const test::SlabScene slab;
+  Scene scene = slab.scene();
+  const Outcome on = run(scene);
+  scene.solver.skip.*skip->on = false;
+  const Outcome off = run(scene);
+  EXPECT_GT(on.skipped.*skip->count, 0);
+  EXPECT_EQ(off.skipped.*skip->count, 0);
+  double peak = 0.0, difference = 0.0;
+  for (std::size_t k = 0; k < on.forces.size(); ++k) {
+    peak = std::max(peak, off.forces[k].norm());
+    difference = std::max(difference, (on.forces[k] - off.forces[k]).norm());
+  }
+  EXPECT_GT(peak, 0.2);
+  EXPECT_LT(difference, 2e-3 * peak);
+  EXPECT_LT((on.positions - off.positions).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST(Skips, ARestingSceneCostsNextToNothing) {
+  const test::SlabScene slab;
+  Scene scene = slab.scene();
+  const double asleep = run(scene).seconds_per_cycle;
+  scene.solver.skip.sleeping = false;
+  const double awake = run(scene).seconds_per_cycle;
+  std::printf("a cycle at rest: %.1f us asleep, %.1f us awake\n", 1e6 * asleep, 1e6 * awake);
+  EXPECT_LT(asleep, 1e-4);  // 1 % of a core at 100 Hz
+  EXPECT_LT(asleep, 0.5 * awake);
+}
+
+}  // namespace
+}  // namespace palpate::sim
