@@ -4,19 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/solver/block_pcg.h"
-#include "palpate/solver/cholmod_solver.h"
+#include "palpate/solver/minimizer_list.h"
 
 namespace palpate::io {
 namespace {
 
 constexpr int kMaxLinearIterations = 5000;
 constexpr int kMaxCuts = 6;  // halvings of a step that fails
-
-std::unique_ptr<solver::LinearSolver> makeLinearSolver(const std::string& method) {
-  if (method == "implicit_direct") return std::make_unique<solver::CholmodSolver>();
-  return std::make_unique<solver::BlockPcg>(kMaxLinearIterations);
-}
 
 }  // namespace
 
@@ -28,8 +22,8 @@ CaseDynamics::CaseDynamics(const DynamicAnalysis& analysis, CaseModel* model,
       integrator_(analysis.integrator, model->elasticity().masses(),
                   {analysis.damping.mass, analysis.damping.stiffness}),
       potential_(model->potential()),
-      linear_(makeLinearSolver(analysis.method)),
-      newton_(model->elasticity().makeMatrix()) {
+      minimizer_(solver::makeMinimizer(analysis.method, {kMaxLinearIterations},
+                                       model->elasticity().makeMatrix())) {
   integrator_.addTerms(&potential_);
   model->setLoadFactor(1.0);
   load_norm_ = model->loadNorm();
@@ -48,6 +42,7 @@ solver::SolveStatus CaseDynamics::run(Points* x, SolveResult* result, ProbeHisto
   history->rows.push_back(
       CaseProbes::row(0.0, probes_.measure(model_, *x, Points::Zero(3, x->cols()))));
   for (int k = 1; k <= steps; ++k) {
+    minimizer_->beginCycle();
     const solver::SolveStatus status = advance((k - 1) * analysis_.dt, analysis_.dt, x, result);
     if (status != solver::SolveStatus::kConverged) return status;
     result->load_steps = k;
@@ -87,15 +82,15 @@ solver::SolveStatus CaseDynamics::tryStep(double t, double h, Points* x, SolveRe
   const Points move = (model_.heldPositions(std::min(1.0, t / ramp)) - *x).array() *
                       (1.0 - potential_.free.array());
   if (!move.isZero(0.0)) {
-    const solver::SolveStatus moved = newton_.predict(potential_, move, linear_.get(), x);
+    const solver::SolveStatus moved = minimizer_->predict(potential_, move, x);
     if (moved != solver::SolveStatus::kConverged) return moved;
   }
   solver::NewtonSettings settings;
   const double scale = std::max({load_norm_, last_reaction_, force_floor_});
-  settings.tolerance = std::max(analysis_.tolerance * scale, newton_.roundoffForce(*x));
+  settings.tolerance = std::max(analysis_.tolerance * scale, minimizer_->roundoffForce(*x));
   settings.max_iterations = analysis_.max_newton_iterations;
   settings.linear_tolerance = analysis_.linear_tolerance;
-  const solver::NewtonReport solved = newton_.minimize(potential_, settings, linear_.get(), x);
+  const solver::NewtonReport solved = minimizer_->minimize(potential_, settings, x);
   result->newton_iterations += solved.iterations;
   result->residual = solved.residual / scale;
   if (solved.status != solver::SolveStatus::kConverged) return solved.status;

@@ -8,7 +8,7 @@
 #include "case_probes.h"
 #include "palpate/io/case_solver.h"
 #include "palpate/solver/integrator.h"
-#include "palpate/solver/newton.h"
+#include "palpate/solver/minimizer.h"
 
 namespace palpate::io {
 
@@ -33,8 +33,7 @@ class CaseDynamics {
   const CaseProbes& probes_;
   solver::Integrator integrator_;
   solver::Potential potential_;
-  std::unique_ptr<solver::LinearSolver> linear_;
-  solver::Newton newton_;
+  std::unique_ptr<solver::Minimizer> minimizer_;
   double load_norm_ = 0.0, force_floor_ = 0.0, last_reaction_ = 0.0;  // [N]
 };
 

@@ -6,6 +6,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/sim/scene_fields.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/solver/minimizer_list.h"
 
 namespace palpate::io {
 
@@ -14,7 +15,7 @@ using sim::Need;
 using sim::Range;
 using Analysis = std::variant<StaticAnalysis, DynamicAnalysis>;
 
-std::vector<std::string> methodNames() { return {"implicit_pcg", "implicit_direct"}; }
+std::vector<std::string> methodNames() { return solver::minimizerNames(); }
 std::vector<std::string> quantityNames() { return {"reaction"}; }
 
 void describe(FieldVisitor& v, BoxMesh& box) {

@@ -8,10 +8,6 @@
 namespace palpate::solver {
 namespace {
 
-constexpr double kSufficientDecrease = 1e-4;
-constexpr int kMaxHalvings = 30;
-constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
-
 // Near the end a linear solve to the last digit asked for is cheaper than another iteration with
 // its assembly; far from it, accuracy is lost on a model that is not good yet.
 double linearTolerance(const NewtonSettings& settings, double residual) {
@@ -20,12 +16,10 @@ double linearTolerance(const NewtonSettings& settings, double residual) {
   return near_the_end ? std::min(settings.linear_tolerance, last) : settings.linear_tolerance;
 }
 
-double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
-
 }  // namespace
 
 LinearReport Newton::direction(const Potential& potential, const Points& x, double linear_tolerance,
-                               LinearSolver* linear, NewtonReport* report) {
+                               NewtonReport* report) {
   right_ = -g_.cwiseProduct(potential.free);
   LinearReport solved;
   for (const fem::Tangent tangent :
@@ -36,7 +30,7 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
       A_.constrain(potential.free);
     }
     const PhaseTimer timer(&report->phases, Phase::kLinearSolve);
-    solved = linear->solve(A_, right_, linear_tolerance, &d_);
+    solved = linear_->solve(A_, right_, linear_tolerance, &d_);
     report->linear_iterations += solved.iterations;
     if (solved.status != SolveStatus::kNotPositiveDefinite) break;
     ++report->projections;
@@ -44,32 +38,8 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
   return solved;
 }
 
-bool Newton::lineSearch(const Potential& potential, double value, Points* x, double* next_value,
-                        NewtonReport* report) {
-  const PhaseTimer timer(&report->phases, Phase::kLineSearch);
-  const double slope = g_.cwiseProduct(d_).sum();
-  const double norm = freeNorm(g_, potential.free);
-  const bool conservative = potential.conservative();
-  double alpha = potential.maxStep(*x, d_);
-  for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
-    x_trial_ = *x + alpha * d_;
-    *next_value = potential.gradient(x_trial_, &g_trial_);
-    const double next_norm = freeNorm(g_trial_, potential.free);
-    if (!std::isfinite(*next_value) || !std::isfinite(next_norm)) continue;
-    const bool smaller_residual = next_norm <= (1.0 - kSufficientDecrease * alpha) * norm;
-    const bool decrease = *next_value <= value + kSufficientDecrease * alpha * slope;
-    const bool in_the_noise = std::abs(alpha * slope) <= kRoundoff * std::abs(value);
-    if (conservative ? decrease || (in_the_noise && smaller_residual) : smaller_residual) {
-      x->swap(x_trial_);
-      g_.swap(g_trial_);
-      return true;
-    }
-  }
-  return false;
-}
-
 NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& settings,
-                              LinearSolver* linear, Points* x) {
+                              Points* x) {
   NewtonReport report;
   double value = 0.0;
   {
@@ -88,13 +58,14 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       return report;
     }
     const LinearReport solved =
-        direction(potential, *x, linearTolerance(settings, report.residual), linear, &report);
+        direction(potential, *x, linearTolerance(settings, report.residual), &report);
     if (solved.status == SolveStatus::kNonFinite ||
         solved.status == SolveStatus::kNotPositiveDefinite) {
       report.status = solved.status;
       return report;
     }
-    if (!lineSearch(potential, value, x, &value, &report)) {
+    const PhaseTimer timer(&report.phases, Phase::kLineSearch);
+    if (!line_search_.run(potential, d_, x, &g_, &value)) {
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }
@@ -102,23 +73,24 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
   }
 }
 
-double Newton::roundoffForce(const Points& x) const {
+double roundoffForce(const fem::Stiffness& A, const Points& x) {
   double stiffness = 0.0;
   std::vector<Mat3> diagonal;
-  A_.diagonal(&diagonal);
+  A.diagonal(&diagonal);
   for (const Mat3& block : diagonal) stiffness += block.trace();
-  return 1e-15 * stiffness / (3.0 * A_.numNodes()) * x.norm();
+  return 1e-15 * stiffness / (3.0 * A.numNodes()) * x.norm();
 }
 
-SolveStatus Newton::predict(const Potential& potential, const Points& move, LinearSolver* linear,
-                            Points* x) {
+double Newton::roundoffForce(const Points& x) const { return solver::roundoffForce(A_, x); }
+
+SolveStatus Newton::predict(const Potential& potential, const Points& move, Points* x) {
   const double value = potential.gradient(*x, &g_);
   if (!std::isfinite(value) || !g_.allFinite()) return SolveStatus::kNonFinite;
   potential.hessian(*x, fem::Tangent::kProjected, &A_);
   A_.multiply(move, &right_);
   right_ = -(g_ + right_).cwiseProduct(potential.free);
   A_.constrain(potential.free);
-  const LinearReport solved = linear->solve(A_, right_, 1e-8, &d_);
+  const LinearReport solved = linear_->solve(A_, right_, 1e-8, &d_);
   if (solved.status != SolveStatus::kConverged) return solved.status;
   x_trial_ = *x + move + d_;
   if (!std::isfinite(potential.value(x_trial_))) return SolveStatus::kLineSearchFailed;

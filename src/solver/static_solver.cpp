@@ -25,8 +25,7 @@ StaticReport solveStatic(const Potential& potential, const std::function<Points(
                          const StaticSettings& settings, Points* x,
                          const std::function<void(double)>& progress) {
   StaticReport report;
-  CholmodSolver linear;
-  Newton newton(potential.elasticity->makeMatrix());
+  Newton newton(potential.elasticity->makeMatrix(), std::make_unique<CholmodSolver>());
   const fem::FreeMask held = 1.0 - potential.free.array();
   const double step = 1.0 / std::max(settings.load_steps, 1);
   double cut = 1.0;
@@ -37,20 +36,20 @@ StaticReport solveStatic(const Potential& potential, const std::function<Points(
     Points trial = *x;
     const Points move = (setLoad(target) - trial).cwiseProduct(held);
     NewtonReport solved;
-    solved.status = newton.predict(potential, move, &linear, &trial);
+    solved.status = newton.predict(potential, move, &trial);
     if (solved.status == SolveStatus::kConverged) {
       NewtonSettings newton_settings;
       newton_settings.max_iterations = settings.max_newton_iterations;
       const double scale = forceScale(potential, trial, &g);
       newton_settings.tolerance = std::max(settings.tolerance * scale, newton.roundoffForce(trial));
-      solved = newton.minimize(potential, newton_settings, &linear, &trial);
+      solved = newton.minimize(potential, newton_settings, &trial);
       report.newton_iterations += solved.iterations + 1;
       if (solved.status == SolveStatus::kConverged) {
         // The scale at the guess may be far above the one at equilibrium: ask again.
         const double final_scale = forceScale(potential, trial, &g);
         newton_settings.tolerance =
             std::max(settings.tolerance * final_scale, newton.roundoffForce(trial));
-        solved = newton.minimize(potential, newton_settings, &linear, &trial);
+        solved = newton.minimize(potential, newton_settings, &trial);
         report.newton_iterations += solved.iterations;
         report.residual = final_scale > 0.0 ? solved.residual / final_scale : 0.0;
       }

@@ -14,17 +14,17 @@ constexpr int kMaxSearches = 4;
 
 }  // namespace
 
-ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::LinearSolver> linear)
+ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer)
     : body_(*body),
       integrator_(body->settings.integrator, body->elasticity->masses(),
                   {body->settings.mass_damping, body->settings.stiffness_damping}),
       potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free},
-      linear_(std::move(linear)),
-      newton_(body->elasticity->makeMatrix()) {
+      minimizer_(std::move(minimizer)) {
   integrator_.addTerms(&potential_);
 }
 
 void ImplicitMethod::restart() {
+  minimizer_->restart();
   integrator_.start(body_.x, body_.v);
   if (integrator_.needsElasticGradient()) {
     body_.elasticity->gradient(body_.x, &elastic_gradient_);
@@ -35,6 +35,7 @@ void ImplicitMethod::restart() {
 // The cycle in one step, or, where that fails, in more and shorter ones.
 bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_ = out;
+  minimizer_->beginCycle();
   const solver::Integrator begin = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
@@ -104,7 +105,7 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   settings.max_iterations = on_the_way ? kStageIterations : body_.settings.max_newton_iterations;
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
-    solved = newton_.minimize(potential_, settings, linear_.get(), &body_.x);
+    solved = minimizer_->minimize(potential_, settings, &body_.x);
     out_->newton_iterations += solved.iterations;
     out_->linear_iterations += solved.linear_iterations;
     out_->phases += solved.phases;
@@ -123,13 +124,13 @@ bool ImplicitMethod::acceptable() const {
 
 double ImplicitMethod::unbalancedForce() {
   inertia_forces_ = integrator_.inertiaForces(body_.x);
-  return (newton_.gradient() + inertia_forces_).cwiseProduct(body_.free).norm();
+  return (minimizer_->gradient() + inertia_forces_).cwiseProduct(body_.free).norm();
 }
 
 void ImplicitMethod::reportForces(TissueStep* out) {
   inertia_forces_ = integrator_.inertiaForces(body_.x);
   out->inertia_force = inertia_forces_.rowwise().sum();
-  body_.reportSupport(newton_.gradient(), out);
+  body_.reportSupport(minimizer_->gradient(), out);
   body_.reportContacts(out);
 }
 

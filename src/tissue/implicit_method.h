@@ -4,18 +4,17 @@
 #include <memory>
 
 #include "palpate/solver/integrator.h"
-#include "palpate/solver/linear_solver.h"
-#include "palpate/solver/newton.h"
+#include "palpate/solver/minimizer.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
 
 /// Implicit steps: each minimises the incremental potential (inertia, elasticity, gravity, contact)
-/// by Newton's method. A cycle whose solve fails is rejected and tried again in 2, 4 and 8 shorter
+/// with a minimiser. A cycle whose solve fails is rejected and tried again in 2, 4 and 8 shorter
 /// steps.
 class ImplicitMethod final : public StepMethod {
  public:
-  ImplicitMethod(FemBody* body, std::unique_ptr<solver::LinearSolver> linear);
+  ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
 
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;
@@ -34,8 +33,7 @@ class ImplicitMethod final : public StepMethod {
   FemBody& body_;
   solver::Integrator integrator_;
   solver::Potential potential_;
-  std::unique_ptr<solver::LinearSolver> linear_;
-  solver::Newton newton_;
+  std::unique_ptr<solver::Minimizer> minimizer_;
 
   Points elastic_gradient_, inertia_forces_, predicted_;
   TissueStep* out_ = nullptr;  // of the cycle under way

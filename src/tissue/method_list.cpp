@@ -3,41 +3,40 @@
 
 #include "implicit_method.h"
 #include "palpate/base/error.h"
-#include "palpate/solver/block_pcg.h"
-#include "palpate/solver/cholmod_solver.h"
+#include "palpate/solver/minimizer_list.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
 namespace {
 
-std::unique_ptr<StepMethod> implicitPcg(FemBody* body) {
+std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
+  solver::MinimizerSettings settings;
+  settings.max_linear_iterations = body->settings.max_linear_iterations;
+  settings.pool = body->pool;
   return std::make_unique<ImplicitMethod>(
-      body, std::make_unique<solver::BlockPcg>(body->settings.max_linear_iterations, body->pool));
+      body, solver::makeMinimizer(name, settings, body->elasticity->makeMatrix()));
 }
 
-std::unique_ptr<StepMethod> implicitDirect(FemBody* body) {
-  return std::make_unique<ImplicitMethod>(body, std::make_unique<solver::CholmodSolver>());
-}
-
-// Every method; the first is the default. To add one: write its header and source, add it here.
+// Every method beside those of solver::minimizerNames(), the first of which is the default. To add
+// one: write its header and source, add it here.
 struct Entry {
   const char* name;
   std::unique_ptr<StepMethod> (*make)(FemBody*);
 };
-constexpr Entry kMethods[] = {
-    {"implicit_pcg", implicitPcg},
-    {"implicit_direct", implicitDirect},
-};
+const std::vector<Entry> kMethods = {};
 
 }  // namespace
 
 std::vector<std::string> methodNames() {
-  std::vector<std::string> names;
+  std::vector<std::string> names = solver::minimizerNames();
   for (const Entry& entry : kMethods) names.emplace_back(entry.name);
   return names;
 }
 
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body) {
+  for (const std::string& known : solver::minimizerNames()) {
+    if (name == known) return implicit(name, body);
+  }
   for (const Entry& entry : kMethods) {
     if (name == entry.name) return entry.make(body);
   }

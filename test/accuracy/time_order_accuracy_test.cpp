@@ -42,8 +42,7 @@ Points swing(const std::string& integrator, int steps, const Damped& damped) {
   time.addTerms(&potential);
   body->relax(mesh.points);
   time.start(mesh.points, v);
-  solver::CholmodSolver linear;
-  solver::Newton newton(body->makeMatrix());
+  solver::Newton newton(body->makeMatrix(), std::make_unique<solver::CholmodSolver>());
   const double h = kDuration / steps;
   Points x = mesh.points, g;
   for (int k = 0; k < steps; ++k) {
@@ -51,7 +50,7 @@ Points swing(const std::string& integrator, int steps, const Damped& damped) {
     body->beginStep(h);
     solver::NewtonSettings settings;
     settings.tolerance = 1e-11 + 1e-16 * body->masses().sum() / (h * h);  // above roundoff
-    const solver::NewtonReport report = newton.minimize(potential, settings, &linear, &x);
+    const solver::NewtonReport report = newton.minimize(potential, settings, &x);
     EXPECT_EQ(report.status, solver::SolveStatus::kConverged);
     body->gradient(x, &g);
     time.endStep(x, g);

@@ -23,12 +23,12 @@ struct Swing {
   fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
   Integrator time;
   Potential potential;
-  CholmodSolver linear;
   Newton newton;
   Points x = mesh.points;
 
   explicit Swing(const std::string& integrator, const RayleighDamping& damping = {})
-      : time(integrator, body->masses(), damping), newton(body->makeMatrix()) {
+      : time(integrator, body->masses(), damping),
+        newton(body->makeMatrix(), std::make_unique<CholmodSolver>()) {
     for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
       if (mesh.points(2, i) == 0.0) free.col(i).setZero();
       x(0, i) += 2.0 * mesh.points(2, i) * mesh.points(2, i);
@@ -48,7 +48,7 @@ struct Swing {
     time.beginStep(h, &potential);
     NewtonSettings settings;
     settings.tolerance = 1e-9;
-    ASSERT_EQ(newton.minimize(potential, settings, &linear, &x).status, SolveStatus::kConverged);
+    ASSERT_EQ(newton.minimize(potential, settings, &x).status, SolveStatus::kConverged);
     Points g;
     body->gradient(x, &g);
     time.endStep(x, g);

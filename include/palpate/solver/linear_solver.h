@@ -21,6 +21,11 @@ class LinearSolver {
   /// kIterationLimit: `x` is the best so far, still a direction of descent.
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
+
+  /// The next cycle begins: the only time at which work that was done beside is taken into use.
+  virtual void beginCycle() {}
+  /// Forgets what it learnt from earlier systems: from here on it does what a new one would.
+  virtual void restart() {}
 };
 
 }  // namespace palpate::solver

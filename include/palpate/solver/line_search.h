@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/solver/potential.h"
+
+namespace palpate::solver {
+
+/// Norm of the free components of g, 3 x n.
+double freeNorm(const Points& g, const fem::FreeMask& free);
+
+/// Backtracking along a direction d: Armijo's rule on the value [Nocedal, Wright 2006, alg. 3.1],
+/// or on the norm of the free gradient where the potential has non-conservative terms or
+/// differences of the value drown in rounding. Keeps its scratch memory between calls.
+class LineSearch {
+ public:
+  /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
+  /// do, and stay where they are if there is none: false. `d` is zero on held components.
+  bool run(const Potential& potential, const Points& d, Points* x, Points* g, double* value);
+
+ private:
+  Points x_trial_, g_trial_;
+};
+
+}  // namespace palpate::solver

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/base/phase_times.h"
+#include "palpate/solver/potential.h"
+#include "palpate/solver/status.h"
+
+namespace palpate::solver {
+
+struct NewtonSettings {
+  double tolerance = 0.0;  ///< Absolute [N], on the norm of the free gradient.
+  int max_iterations = 20;
+  double linear_tolerance = 1e-2;  ///< Relative, of the linear solves; tighter for the last.
+};
+
+struct NewtonReport {
+  SolveStatus status = SolveStatus::kConverged;
+  int iterations = 0;  ///< Steps taken.
+  int linear_iterations = 0;
+  int projections = 0;    ///< Linear systems that had to be made positive definite.
+  double residual = 0.0;  ///< Norm of the free gradient at the end [N].
+  PhaseTimes phases;
+};
+
+/// Finds minima of potentials of one body, one after another. Keeps its scratch memory, and what it
+/// learnt, between calls.
+class Minimizer {
+ public:
+  virtual ~Minimizer() = default;
+
+  /// Improves x, 3 x n, whose held components stay. x is never worse than it was and always finite.
+  virtual NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
+                                Points* x) = 0;
+  /// Moves the held components by `move` (3 x n, zero where free) and the free ones as the tangent
+  /// at x says, a good first guess for the next load step. x is untouched if the solve fails.
+  virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;
+
+  /// All components of the gradient where the last minimize() ended; on held ones it is the force
+  /// that the support exerts on the body.
+  virtual const Points& gradient() const = 0;
+  /// Norm of the force that rounding alone makes at x, with the last matrix assembled [N]: no
+  /// residual gets below it.
+  virtual double roundoffForce(const Points& x) const = 0;
+
+  /// The next cycle begins: the only time at which work that was done beside is taken into use.
+  virtual void beginCycle() {}
+  /// Forgets what it learnt: from here on it does what a new one would.
+  virtual void restart() {}
+};
+
+}  // namespace palpate::solver

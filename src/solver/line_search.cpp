@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/line_search.h"
+
+#include <cmath>
+
+namespace palpate::solver {
+namespace {
+
+constexpr double kSufficientDecrease = 1e-4;
+constexpr int kMaxHalvings = 30;
+constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
+
+}  // namespace
+
+double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
+
+bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Points* g,
+                     double* value) {
+  const double slope = g->cwiseProduct(d).sum();
+  const double norm = freeNorm(*g, potential.free);
+  const bool conservative = potential.conservative();
+  double alpha = potential.maxStep(*x, d);
+  for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
+    x_trial_ = *x + alpha * d;
+    const double next_value = potential.gradient(x_trial_, &g_trial_);
+    const double next_norm = freeNorm(g_trial_, potential.free);
+    if (!std::isfinite(next_value) || !std::isfinite(next_norm)) continue;
+    const bool smaller_residual = next_norm <= (1.0 - kSufficientDecrease * alpha) * norm;
+    const bool decrease = next_value <= *value + kSufficientDecrease * alpha * slope;
+    const bool in_the_noise = std::abs(alpha * slope) <= kRoundoff * std::abs(*value);
+    if (conservative ? decrease || (in_the_noise && smaller_residual) : smaller_residual) {
+      x->swap(x_trial_);
+      g->swap(g_trial_);
+      *value = next_value;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace palpate::solver

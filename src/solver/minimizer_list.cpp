@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/minimizer_list.h"
+
+#include <stdexcept>
+
+#include "palpate/base/error.h"
+#include "palpate/solver/block_pcg.h"
+#include "palpate/solver/cholmod_solver.h"
+#include "palpate/solver/newton.h"
+
+namespace palpate::solver {
+namespace {
+
+std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, const fem::Stiffness& A) {
+  return std::make_unique<Newton>(A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool));
+}
+
+std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings&, const fem::Stiffness& A) {
+  return std::make_unique<Newton>(A, std::make_unique<CholmodSolver>());
+}
+
+// To add one: write its header and source, add it here.
+struct Entry {
+  const char* name;
+  std::unique_ptr<Minimizer> (*make)(const MinimizerSettings&, const fem::Stiffness&);
+};
+constexpr Entry kMinimizers[] = {
+    {"implicit_pcg", implicitPcg},
+    {"implicit_direct", implicitDirect},
+};
+
+}  // namespace
+
+std::vector<std::string> minimizerNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kMinimizers) names.emplace_back(entry.name);
+  return names;
+}
+
+std::unique_ptr<Minimizer> makeMinimizer(const std::string& name, const MinimizerSettings& settings,
+                                         const fem::Stiffness& A) {
+  for (const Entry& entry : kMinimizers) {
+    if (name == entry.name) return entry.make(settings, A);
+  }
+  throw std::invalid_argument("method = " + name + ": must be one of " +
+                              joinNames(minimizerNames()));
+}
+
+}  // namespace palpate::solver
