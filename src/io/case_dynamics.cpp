@@ -42,7 +42,7 @@ solver::SolveStatus CaseDynamics::run(Points* x, SolveResult* result, ProbeHisto
   history->rows.push_back(
       CaseProbes::row(0.0, probes_.measure(model_, *x, Points::Zero(3, x->cols()))));
   for (int k = 1; k <= steps; ++k) {
-    minimizer_->beginCycle();
+    minimizer_->beginCycle(analysis_.dt);
     const solver::SolveStatus status = advance((k - 1) * analysis_.dt, analysis_.dt, x, result);
     if (status != solver::SolveStatus::kConverged) return status;
     result->load_steps = k;

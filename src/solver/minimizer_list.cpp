@@ -6,7 +6,9 @@
 #include "palpate/base/error.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/cholmod_solver.h"
+#include "palpate/solver/lbfgs.h"
 #include "palpate/solver/newton.h"
+#include "palpate/solver/stale_pcg.h"
 
 namespace palpate::solver {
 namespace {
@@ -19,6 +21,16 @@ std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings&, const fem::S
   return std::make_unique<Newton>(A, std::make_unique<CholmodSolver>());
 }
 
+std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings,
+                                         const fem::Stiffness& A) {
+  return std::make_unique<Newton>(
+      A, std::make_unique<StalePcg>(A, settings.max_linear_iterations, settings.pool && settings.pool->size() > 1));
+}
+
+std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, const fem::Stiffness& A) {
+  return std::make_unique<Lbfgs>(A);
+}
+
 // To add one: write its header and source, add it here.
 struct Entry {
   const char* name;
@@ -27,6 +39,8 @@ struct Entry {
 constexpr Entry kMinimizers[] = {
     {"implicit_pcg", implicitPcg},
     {"implicit_direct", implicitDirect},
+    {"implicit_async", implicitAsync},
+    {"lbfgs", lbfgs},
 };
 
 }  // namespace

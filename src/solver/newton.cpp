@@ -83,13 +83,26 @@ double roundoffForce(const fem::Stiffness& A, const Points& x) {
 
 double Newton::roundoffForce(const Points& x) const { return solver::roundoffForce(A_, x); }
 
-SolveStatus Newton::predict(const Potential& potential, const Points& move, Points* x) {
-  const double value = potential.gradient(*x, &g_);
-  if (!std::isfinite(value) || !g_.allFinite()) return SolveStatus::kNonFinite;
-  potential.hessian(*x, fem::Tangent::kProjected, &A_);
-  A_.multiply(move, &right_);
-  right_ = -(g_ + right_).cwiseProduct(potential.free);
+void Newton::prepare(const Potential& potential, const Points& x) {
+  if (!linear_->prepares()) return;
+  potential.hessian(x, fem::Tangent::kProjected, &A_);
   A_.constrain(potential.free);
+  linear_->prepare(A_);
+}
+
+bool tangentSystem(const Potential& potential, const Points& x, const Points& move,
+                   fem::Stiffness* A, Points* g, Points* right) {
+  const double value = potential.gradient(x, g);
+  if (!std::isfinite(value) || !g->allFinite()) return false;
+  potential.hessian(x, fem::Tangent::kProjected, A);
+  A->multiply(move, right);
+  *right = -(*g + *right).cwiseProduct(potential.free);
+  A->constrain(potential.free);
+  return true;
+}
+
+SolveStatus Newton::predict(const Potential& potential, const Points& move, Points* x) {
+  if (!tangentSystem(potential, *x, move, &A_, &g_, &right_)) return SolveStatus::kNonFinite;
   const LinearReport solved = linear_->solve(A_, right_, 1e-8, &d_);
   if (solved.status != SolveStatus::kConverged) return solved.status;
   x_trial_ = *x + move + d_;

@@ -24,6 +24,7 @@ ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer>
 }
 
 void ImplicitMethod::restart() {
+  prepared_ = false;
   minimizer_->restart();
   integrator_.start(body_.x, body_.v);
   if (integrator_.needsElasticGradient()) {
@@ -35,7 +36,7 @@ void ImplicitMethod::restart() {
 // The cycle in one step, or, where that fails, in more and shorter ones.
 bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_ = out;
-  minimizer_->beginCycle();
+  minimizer_->beginCycle(dt);
   const solver::Integrator begin = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
@@ -59,6 +60,8 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
 bool ImplicitMethod::timeStep(double begin, double end, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
+  if (!prepared_) minimizer_->prepare(potential_, body_.x);
+  prepared_ = true;
   startFromPredictor(begin, h);
   solveStages(begin, end);
   if (!acceptable()) return false;

@@ -34,6 +34,7 @@ class ImplicitMethod final : public StepMethod {
   solver::Integrator integrator_;
   solver::Potential potential_;
   std::unique_ptr<solver::Minimizer> minimizer_;
+  bool prepared_ = false;  // since the last restart
 
   Points elastic_gradient_, inertia_forces_, predicted_;
   TissueStep* out_ = nullptr;  // of the cycle under way

@@ -7,6 +7,8 @@
 
 namespace palpate::solver {
 
+class CholmodFactor;
+
 /// Sparse Cholesky by CHOLMOD (supernodal where it pays). The symbolic analysis is done at the
 /// first solve and kept: every matrix must have the pattern of the first one.
 class CholmodSolver final : public LinearSolver {
@@ -18,8 +20,7 @@ class CholmodSolver final : public LinearSolver {
                      Points* x) override;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<CholmodFactor> factor_;
 };
 
 }  // namespace palpate::solver

@@ -22,10 +22,17 @@ class LinearSolver {
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 
-  /// The next cycle begins: the only time at which work that was done beside is taken into use.
-  virtual void beginCycle() {}
+  /// Whether prepare() is of use: the first system after a restart, before there is one to solve.
+  virtual bool prepares() const { return false; }
+  virtual void prepare(const fem::Stiffness& /*A*/) {}
+  /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
+  /// into use.
+  virtual void beginCycle(double /*dt*/) {}
   /// Forgets what it learnt from earlier systems: from here on it does what a new one would.
   virtual void restart() {}
+  /// Cycles that began with waiting for work that was done beside; the only figure that depends on
+  /// how fast it was.
+  virtual int waits() const { return 0; }
 };
 
 }  // namespace palpate::solver

@@ -42,10 +42,17 @@ class Minimizer {
   /// residual gets below it.
   virtual double roundoffForce(const Points& x) const = 0;
 
-  /// The next cycle begins: the only time at which work that was done beside is taken into use.
-  virtual void beginCycle() {}
+  /// The first cycle after a restart is about to minimise `potential` near x: time for work that
+  /// would take too long later.
+  virtual void prepare(const Potential& /*potential*/, const Points& /*x*/) {}
+  /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
+  /// into use.
+  virtual void beginCycle(double /*dt*/) {}
   /// Forgets what it learnt: from here on it does what a new one would.
   virtual void restart() {}
+  /// Cycles that began with waiting for work that was done beside; the only figure that depends on
+  /// how fast it was.
+  virtual int waits() const { return 0; }
 };
 
 }  // namespace palpate::solver

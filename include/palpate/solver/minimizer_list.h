@@ -12,7 +12,8 @@ namespace palpate::solver {
 
 struct MinimizerSettings {
   int max_linear_iterations = 500;
-  ThreadPool* pool = nullptr;  ///< Null: one thread. Must outlive the minimiser.
+  /// Null: one thread. With two, factorisations are done beside. Must outlive the minimiser.
+  ThreadPool* pool = nullptr;
 };
 
 /// Ways to take an implicit step; the first is the default.

@@ -21,8 +21,10 @@ class Newton final : public Minimizer {
   SolveStatus predict(const Potential& potential, const Points& move, Points* x) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
-  void beginCycle() override { linear_->beginCycle(); }
+  void prepare(const Potential& potential, const Points& x) override;
+  void beginCycle(double dt) override { linear_->beginCycle(dt); }
   void restart() override { linear_->restart(); }
+  int waits() const override { return linear_->waits(); }
 
  private:
   /// d = -A^-1 g on the free components, from the exact tangent if that is positive definite.
@@ -34,6 +36,11 @@ class Newton final : public Minimizer {
   LineSearch line_search_;
   Points g_, d_, right_, x_trial_;
 };
+
+/// The system A d = right of Minimizer::predict(), A the projected tangent at x, and the gradient g
+/// there. False if that is not finite.
+bool tangentSystem(const Potential& potential, const Points& x, const Points& move,
+                   fem::Stiffness* A, Points* g, Points* right);
 
 /// Norm of the force that rounding alone makes at x with the stiffness A [N].
 double roundoffForce(const fem::Stiffness& A, const Points& x);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/solver/block_pcg.h"
+#include "palpate/solver/linear_solver.h"
+
+namespace palpate::solver {
+
+class Background;
+class StaleFactor;
+
+/// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, which is made
+/// beside [Courtecuisse et al. 2014, sec. 4]. A factorisation that begins in cycle k is taken into
+/// use in cycle k + m, m from the number of its operations, and waited for if it is not done by
+/// then: the results do not depend on how fast it was. Until there is one, as BlockPcg.
+class StalePcg final : public LinearSolver {
+ public:
+  /// `A` has the pattern of all matrices to come; it is analysed here. `own_thread`: factorise in a
+  /// thread of its own; otherwise when the factor is wanted, with the same results.
+  StalePcg(const fem::Stiffness& A, int max_iterations, bool own_thread);
+  ~StalePcg() override;
+
+  LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                     Points* x) override;
+  bool prepares() const override { return true; }
+  /// Factorises A at once.
+  void prepare(const fem::Stiffness& A) override;
+  void beginCycle(double dt) override;
+  void restart() override;
+  int waits() const override { return waits_; }
+
+ private:
+  void beginFactor(const fem::Stiffness& A);
+  bool scaleFactor(const fem::Stiffness& A);
+
+  int max_iterations_;
+  BlockPcg plain_;
+  std::unique_ptr<StaleFactor> used_, next_;
+  fem::Stiffness snapshot_;
+  long cycle_ = 0, take_at_ = 0;
+  double dt_ = 0.0;
+  int most_iterations_ = 0;  // of a solve since the last factor was begun
+  bool wanted_ = true;
+  int waits_ = 0;
+  std::vector<Mat3> diagonal_;
+  Points r_, z_, p_, Ap_;
+  std::unique_ptr<Background> background_;  // last: ends before what it works on
+};
+
+}  // namespace palpate::solver

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/lbfgs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/solver/newton.h"
+#include "stale_factor.h"
+#include "unit_costs.h"
+
+namespace palpate::solver {
+namespace {
+
+// More are taken for a sign that the factor is old. A fresh one needs about three; to renew it at
+// once would cost a jolt in a live cycle, for little.
+constexpr int kFewIterations = 8;
+// In one minimisation, before the factor is renewed whatever it costs.
+constexpr int kPatience = 30;
+constexpr int kIterationsForOne = 10;  // of Newton's
+
+// Pairs whose curvature is no more than noise are left out.
+constexpr double kLeastCurvature = 1e-10;
+
+}  // namespace
+
+Lbfgs::Lbfgs(const fem::Stiffness& A)
+    : A_(A), factor_(std::make_unique<StaleFactor>()), terms_(A.blocks()) {
+  factor_->analyze(A);
+  renewal_ = factorizationSeconds(factor_->factor().flops()) /
+             triangularSolveSeconds(factor_->factor().nonzeros());
+}
+
+Lbfgs::~Lbfgs() = default;
+
+void Lbfgs::restart() {
+  factor_->forget();
+  num_pairs_ = 0;
+  wasted_ = 0.0;
+}
+
+// The projected tangent: always positive definite where masses or supports hold the body.
+SolveStatus Lbfgs::renew(const Potential& potential, const Points& x) {
+  potential.hessian(x, fem::Tangent::kProjected, &A_);
+  A_.constrain(potential.free);
+  num_pairs_ = 0;
+  wasted_ = 0.0;
+  const SolveStatus status = factor_->factorize(A_);
+  if (status != SolveStatus::kConverged) return status;
+  elastic_diagonal_ = factor_->diagonal();
+  terms_.setZero();
+  for (const fem::EnergyTerm* term : potential.terms) {
+    term->addHessian(x, fem::Tangent::kProjected, &terms_);
+  }
+  for (int i = 0; i < terms_.numNodes(); ++i) {
+    const auto F = potential.free.col(i).asDiagonal();
+    elastic_diagonal_[i] -= F * terms_.block(terms_.diagonal(i)) * F;
+  }
+  return status;
+}
+
+bool Lbfgs::scaleFactor(const Potential& potential, const Points& x) {
+  terms_.setZero();
+  for (const fem::EnergyTerm* term : potential.terms) {
+    term->addHessian(x, fem::Tangent::kProjected, &terms_);
+  }
+  diagonal_.resize(elastic_diagonal_.size());
+  for (int i = 0; i < terms_.numNodes(); ++i) {
+    const auto F = potential.free.col(i).asDiagonal();
+    diagonal_[i] = elastic_diagonal_[i] + F * terms_.block(terms_.diagonal(i)) * F;
+  }
+  return factor_->scaleTo(diagonal_);
+}
+
+// d = -H g by the two loops of alg. 7.4.
+bool Lbfgs::direction(const Potential& potential, const Points& x) {
+  if (!scaleFactor(potential, x)) return false;
+  right_ = -g_.cwiseProduct(potential.free);
+  for (int k = 0; k < num_pairs_; ++k) {
+    Pair& p = pair(k);
+    p.alpha = p.s.cwiseProduct(right_).sum() / p.sy;
+    right_ -= p.alpha * p.y;
+  }
+  if (!factor_->apply(right_, &d_)) return false;
+  for (int k = num_pairs_ - 1; k >= 0; --k) {
+    const Pair& p = pair(k);
+    const double beta = p.y.cwiseProduct(d_).sum() / p.sy;
+    d_ += (p.alpha - beta) * p.s;
+  }
+  return d_.cwiseProduct(g_).sum() < 0.0;
+}
+
+// From the step that led to x.
+void Lbfgs::learn(const Potential& potential, const Points& x) {
+  const int place = (newest_ + 1) % kPairs;
+  Pair& p = pairs_[place];
+  p.s = x - x_begin_;
+  p.y = (g_ - g_begin_).cwiseProduct(potential.free);
+  p.sy = p.s.cwiseProduct(p.y).sum();
+  if (!(p.sy > kLeastCurvature * p.s.norm() * p.y.norm())) {
+    if (num_pairs_ == kPairs) --num_pairs_;  // its place is gone
+    return;
+  }
+  newest_ = place;
+  num_pairs_ = std::min(num_pairs_ + 1, kPairs);
+}
+
+NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& settings,
+                             Points* x) {
+  NewtonReport report;
+  double value = potential.gradient(*x, &g_);
+  int since_renewal = 0;
+  for (;;) {
+    report.residual = freeNorm(g_, potential.free);
+    if (!std::isfinite(value) || !std::isfinite(report.residual)) {
+      report.status = SolveStatus::kNonFinite;
+      return report;
+    }
+    if (report.residual <= settings.tolerance) return report;
+    if (report.iterations == kIterationsForOne * settings.max_iterations) {
+      report.status = SolveStatus::kIterationLimit;
+      return report;
+    }
+    bool fresh = false;
+    if (!factor_->ready() || wasted_ >= renewal_ || since_renewal >= kPatience) {
+      report.status = renew(potential, *x);
+      if (report.status != SolveStatus::kConverged) return report;
+      since_renewal = 0;
+      fresh = true;
+    }
+    x_begin_ = *x;
+    g_begin_ = g_;
+    while (!direction(potential, *x) || !line_search_.run(potential, d_, x, &g_, &value)) {
+      report.status = fresh ? SolveStatus::kLineSearchFailed : renew(potential, *x);
+      if (report.status != SolveStatus::kConverged) return report;
+      since_renewal = 0;
+      fresh = true;
+    }
+    learn(potential, *x);
+    ++report.iterations;
+    ++since_renewal;
+    if (since_renewal > kFewIterations) wasted_ += 1.0;
+  }
+}
+
+double Lbfgs::roundoffForce(const Points& x) const { return solver::roundoffForce(A_, x); }
+
+SolveStatus Lbfgs::predict(const Potential& potential, const Points& move, Points* x) {
+  if (!tangentSystem(potential, *x, move, &A_, &g_, &right_)) return SolveStatus::kNonFinite;
+  restart();
+  SolveStatus status = factor_->factorize(A_);
+  factor_->forget();  // its diagonal has not been split into parts
+  if (status == SolveStatus::kConverged && !factor_->apply(right_, &d_)) {
+    status = SolveStatus::kNonFinite;
+  }
+  if (status != SolveStatus::kConverged) return status;
+  x_trial_ = *x + move + d_;
+  if (!std::isfinite(potential.value(x_trial_))) return SolveStatus::kLineSearchFailed;
+  x->swap(x_trial_);
+  return SolveStatus::kConverged;
+}
+
+}  // namespace palpate::solver

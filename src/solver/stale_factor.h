@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cholmod_factor.h"
+
+namespace palpate::solver {
+
+/// A Cholesky factor of some earlier matrix F that stands for a later one, A: S F S, with S block
+/// diagonal such that the 3 x 3 diagonal blocks are those of A. Contact is what changes most from
+/// one matrix to the next, and it is mostly on the diagonal. Always positive definite.
+class StaleFactor {
+ public:
+  void analyze(const fem::Stiffness& A) { factor_.analyze(A); }
+  /// Makes F = A. kNotPositiveDefinite, kNonFinite: there is no factor.
+  SolveStatus factorize(const fem::Stiffness& A);
+  bool ready() const { return ready_; }
+  void forget() { ready_ = false; }
+
+  /// The diagonal blocks of A; false if one is not positive definite.
+  bool scaleTo(const std::vector<Mat3>& diagonal);
+  /// z = (S F S)^-1 r, both 3 x n; false if z is not finite.
+  bool apply(const Points& r, Points* z);
+
+  /// Those of F.
+  const std::vector<Mat3>& diagonal() const { return diagonal_; }
+  const CholmodFactor& factor() const { return factor_; }
+
+ private:
+  CholmodFactor factor_;
+  bool ready_ = false;
+  std::vector<Mat3> diagonal_, inverse_scale_;  // S^-1
+  Points scaled_;
+};
+
+}  // namespace palpate::solver

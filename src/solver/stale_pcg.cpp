@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/stale_pcg.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "background.h"
+#include "stale_factor.h"
+#include "unit_costs.h"
+
+namespace palpate::solver {
+namespace {
+
+// With no more iterations than this the factor is young enough.
+constexpr int kFewIterations = 12;
+// What the factorisation is allowed beyond its own time: the core is not its alone.
+constexpr double kLeeway = 1.5;
+
+}  // namespace
+
+StalePcg::StalePcg(const fem::Stiffness& A, int max_iterations, bool own_thread)
+    : max_iterations_(max_iterations),
+      plain_(max_iterations),
+      used_(std::make_unique<StaleFactor>()),
+      next_(std::make_unique<StaleFactor>()),
+      snapshot_(A),
+      background_(std::make_unique<Background>(own_thread)) {
+  used_->analyze(A);
+  next_->analyze(A);
+}
+
+StalePcg::~StalePcg() = default;
+
+void StalePcg::restart() {
+  background_->wait();
+  used_->forget();
+  most_iterations_ = 0;
+  wanted_ = true;
+}
+
+void StalePcg::prepare(const fem::Stiffness& A) {
+  used_->factorize(A);  // or BlockPcg goes on
+  wanted_ = !used_->ready();
+}
+
+void StalePcg::beginCycle(double dt) {
+  ++cycle_;
+  dt_ = dt;
+  if (background_->underWay()) {
+    if (cycle_ < take_at_) return;
+    if (background_->wait()) ++waits_;
+    if (next_->ready()) used_.swap(next_);
+    most_iterations_ = 0;
+  }
+  wanted_ = !used_->ready() || most_iterations_ > kFewIterations;
+}
+
+void StalePcg::beginFactor(const fem::Stiffness& A) {
+  const double seconds = kLeeway * factorizationSeconds(next_->factor().flops());
+  take_at_ = cycle_ + 1 + static_cast<long>(std::ceil(std::min(seconds / dt_, 1e6)));
+  snapshot_ = A;
+  background_->begin([this] { next_->factorize(snapshot_); });
+  wanted_ = false;
+}
+
+bool StalePcg::scaleFactor(const fem::Stiffness& A) {
+  A.diagonal(&diagonal_);
+  return used_->scaleTo(diagonal_);
+}
+
+LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                             Points* x) {
+  if (!used_->ready()) {
+    const LinearReport report = plain_.solve(A, b, relative_tolerance, x);
+    const bool good = report.status == SolveStatus::kConverged;
+    if (wanted_ && good && dt_ > 0.0 && !background_->underWay()) beginFactor(A);
+    return report;
+  }
+  LinearReport report;
+  x->setZero(3, b.cols());
+  const double target = relative_tolerance * b.norm();
+  if (!std::isfinite(target)) return {SolveStatus::kNonFinite, 0};
+  if (!scaleFactor(A)) return {SolveStatus::kNotPositiveDefinite, 0};
+  r_ = b;
+  double rz = 0.0;
+  while (r_.norm() > target) {
+    if (report.iterations == max_iterations_) {
+      report.status = SolveStatus::kIterationLimit;
+      break;
+    }
+    if (!used_->apply(r_, &z_)) return {SolveStatus::kNonFinite, report.iterations};
+    const double rz_next = r_.cwiseProduct(z_).sum();
+    if (report.iterations == 0) {
+      p_ = z_;
+    } else {
+      p_ = z_ + (rz_next / rz) * p_;
+    }
+    rz = rz_next;
+    A.multiply(p_, &Ap_);
+    const double curvature = p_.cwiseProduct(Ap_).sum();
+    if (!(curvature > 0.0)) {
+      report.status =
+          std::isfinite(curvature) ? SolveStatus::kNotPositiveDefinite : SolveStatus::kNonFinite;
+      return report;
+    }
+    const double alpha = rz / curvature;
+    *x += alpha * p_;
+    r_ -= alpha * Ap_;
+    ++report.iterations;
+  }
+  most_iterations_ = std::max(most_iterations_, report.iterations);
+  if (wanted_ && !background_->underWay()) beginFactor(A);
+  return report;
+}
+
+}  // namespace palpate::solver
