@@ -41,7 +41,7 @@ void Integrator::beginStep(double h, Potential* potential) {
     k_ = 2.0 / 3.0 * h;
     x_hat_ = (4.0 * x_ - x_old_) / 3.0;
     v_hat_ = (4.0 * v_ - v_old_) / 3.0;
-    g_hat_ = (4.0 * g_ - g_old_) / 3.0;
+    if (needsElasticGradient()) g_hat_ = (4.0 * g_ - g_old_) / 3.0;
   } else {
     k_ = h;
     x_hat_ = x_;
@@ -63,11 +63,13 @@ void Integrator::beginStep(double h, Potential* potential) {
 void Integrator::endStep(const Points& x, const Points& g) {
   x_old_.swap(x_);
   v_old_.swap(v_);
-  g_old_.swap(g_);
+  if (needsElasticGradient()) {
+    g_old_.swap(g_);
+    g_ = g;
+  }
   h_old_ = h_;
   x_ = x;
   v_ = (x - x_hat_) / k_;
-  g_ = g;
 }
 
 void Integrator::stop() {
