@@ -150,9 +150,13 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
     if (p <= 0.0) return;
     const SurfaceSample& s = samples_[c.sample];
     const RigidBody& body = bodies_[c.body];
-    const Vec3 normal = body.X_WG.linear() * signedDistance(*body.geometry, p_G).normal_G;
-    contacts->push_back(
-        {c.sample, c.body, p, p_W, -s.area * penalty_.pressure(p, radius(c)) * normal});
+    const Distance d = signedDistance(*body.geometry, p_G);
+    const Mat3 R = body.X_WG.linear();
+    const double pressure = penalty_.pressure(p, radius(c));
+    const Mat3 H_G = penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose() -
+                     pressure * d.hessian_G;
+    contacts->push_back({c.sample, c.body, p, p_W, -s.area * pressure * (R * d.normal_G),
+                         s.area * R * H_G * R.transpose()});
   });
 }
 

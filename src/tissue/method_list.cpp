@@ -5,6 +5,7 @@
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
 #include "step_method.h"
+#include "tled_method.h"
 
 namespace palpate::tissue {
 namespace {
@@ -17,13 +18,17 @@ std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
       body, solver::makeMinimizer(name, settings, body->elasticity->makeMatrix()));
 }
 
+std::unique_ptr<StepMethod> tled(FemBody* body) { return std::make_unique<TledMethod>(body); }
+
 // Every method beside those of solver::minimizerNames(), the first of which is the default. To add
 // one: write its header and source, add it here.
 struct Entry {
   const char* name;
   std::unique_ptr<StepMethod> (*make)(FemBody*);
 };
-const std::vector<Entry> kMethods = {};
+const std::vector<Entry> kMethods = {
+    {"tled", tled},
+};
 
 }  // namespace
 

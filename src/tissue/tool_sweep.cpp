@@ -44,4 +44,13 @@ double ToolSweep::next(const Points& x, double s, double end) const {
   return std::min(end, nextSweepStage(near_, contact_.allowedMotions(x), s));
 }
 
+double ToolSweep::leap(double size) const {
+  double longest = 0.0;
+  for (const ToolBody& body : near_) {
+    const double way = contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end);
+    longest = std::max(longest, way / std::min(size, contact::inscribedRadius(*body.geometry)));
+  }
+  return longest;
+}
+
 }  // namespace palpate::tissue

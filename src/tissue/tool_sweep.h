@@ -30,6 +30,9 @@ class ToolSweep {
   void place(double s);
   /// The part, after s and up to `end`, to which the tissue at x can follow in one solve.
   double next(const Points& x, double s, double end) const;
+  /// The longest way of a body in this cycle, over its inscribed radius or `size` [m], whichever is
+  /// less.
+  double leap(double size) const;
   /// Instrument of the `body`-th body of the contact potential.
   int instrument(int body) const { return near_[body].instrument; }
 

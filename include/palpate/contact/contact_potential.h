@@ -24,6 +24,7 @@ struct Contact {
   double penetration;  ///< [m], > 0
   Vec3 p_W;            ///< The sample [m].
   Vec3 force_W;        ///< What the tissue does to the tool, at p_W [N].
+  Mat3 stiffness_W;    ///< Derivative of the force by p_W: second derivative of the energy [N/m].
 };
 
 /// Penalty energy of a tissue surface against rigid bodies,

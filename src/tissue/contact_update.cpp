@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_update.h"
+
+#include <cmath>
+
+namespace palpate::tissue {
+namespace {
+
+constexpr int kMaxIterations = 30;
+constexpr int kMaxLinearIterations = 30;
+constexpr double kLinearTolerance = 0.03;
+// Of c, the curvature that may enter.
+constexpr double kCurvature = 0.5;
+
+}  // namespace
+
+ContactUpdate::ContactUpdate(FemBody* body)
+    : body_(*body), touched_(static_cast<std::size_t>(body->x.cols()), 0) {
+  for (Points* p : {&gradient_, &free_x_, &right_, &step_, &r_, &p_, &Ap_, &inverse_diagonal_}) {
+    p->setZero(3, body->x.cols());
+  }
+  curvature_.setZero(body->x.cols());
+}
+
+void ContactUpdate::clear() {
+  for (int i : nodes_) {
+    gradient_.col(i).setZero();
+    touched_[i] = 0;
+  }
+  nodes_.clear();
+  residual_ = 0.0;
+}
+
+void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance, Points* x) {
+  clear();
+  collect(*x);
+  for (int k = 0; !contacts_.empty() || k > 0; ++k) {
+    residual_ = unbalanced(coefficients, *x);
+    if (!(residual_ > tolerance) || k == kMaxIterations) return;
+    linearise(coefficients);
+    solve(coefficients);
+    for (int i : nodes_) x->col(i) += step_.col(i);
+    collect(*x);
+  }
+}
+
+bool ContactUpdate::limit(const Eigen::VectorXd& coefficients, const Points& begin, double longest,
+                          Points* x) {
+  bool all = true;
+  for (int i : nodes_) {
+    const Vec3 way = x->col(i) - begin.col(i);
+    const double length = way.norm();
+    if (length <= longest) continue;
+    all = false;
+    x->col(i) = begin.col(i) + longest / length * way;
+    // The force that moves it that far.
+    gradient_.col(i) = coefficients[i] * (free_x_.col(i) - x->col(i));
+  }
+  return all;
+}
+
+// The contacts at x, their forces, and the nodes they touch, which are added to those before.
+void ContactUpdate::collect(const Points& x) {
+  body_.contact.collect(x, &contacts_);
+  for (int i : nodes_) gradient_.col(i).setZero();
+  for (const contact::Contact& c : contacts_) {
+    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
+    for (int k = 0; k < 3; ++k) {
+      if (s.weights[k] == 0.0) continue;
+      const int i = s.nodes[k];
+      if (!touched_[i]) {
+        touched_[i] = 1;
+        nodes_.push_back(i);
+        free_x_.col(i) = x.col(i);
+      }
+      gradient_.col(i) += s.weights[k] * c.force_W;
+    }
+  }
+}
+
+double ContactUpdate::unbalanced(const Eigen::VectorXd& coefficients, const Points& x) {
+  double square = 0.0;
+  for (int i : nodes_) {
+    right_.col(i) = (coefficients[i] * (free_x_.col(i) - x.col(i)) - gradient_.col(i))
+                        .cwiseProduct(body_.free.col(i));
+    square += right_.col(i).squaredNorm();
+  }
+  return std::sqrt(square);
+}
+
+// The contacts' stiffness along their normals, and all of it where A stays positive definite.
+void ContactUpdate::linearise(const Eigen::VectorXd& coefficients) {
+  stiffness_.clear();
+  for (int i : nodes_) curvature_[i] = 0.0;
+  for (const contact::Contact& c : contacts_) {
+    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
+    const Vec3 n = c.force_W.stableNormalized();
+    stiffness_.push_back(n.dot(c.stiffness_W * n) * n * n.transpose());
+    const double curvature = (stiffness_.back() - c.stiffness_W).trace();
+    for (int k = 0; k < 3; ++k) curvature_[s.nodes[k]] += s.weights[k] * curvature;
+  }
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    bool small = true;
+    for (int k = 0; k < 3; ++k) {
+      const int i = s.nodes[k];
+      small = small && (s.weights[k] == 0.0 || curvature_[i] <= kCurvature * coefficients[i]);
+    }
+    if (small) stiffness_[c] = contacts_[c].stiffness_W;
+  }
+}
+
+// A d with A = diag(c) + the contacts' stiffness.
+void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& d,
+                             Points* Ad) const {
+  for (int i : nodes_) Ad->col(i) = coefficients[i] * d.col(i);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    const Vec3 force = stiffness_[c] * s.position(d);
+    for (int k = 0; k < 3; ++k) {
+      if (s.weights[k] != 0.0) Ad->col(s.nodes[k]) += s.weights[k] * force;
+    }
+  }
+  for (int i : nodes_) Ad->col(i).array() *= body_.free.col(i).array();
+}
+
+// step = A^-1 right, about.
+void ContactUpdate::solve(const Eigen::VectorXd& coefficients) {
+  for (int i : nodes_) inverse_diagonal_.col(i).setConstant(coefficients[i]);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 diagonal = stiffness_[c].diagonal().cwiseMax(0.0);
+      inverse_diagonal_.col(s.nodes[k]) += s.weights[k] * s.weights[k] * diagonal;
+    }
+  }
+  double rz = 0.0;
+  for (int i : nodes_) {
+    inverse_diagonal_.col(i) = inverse_diagonal_.col(i).cwiseInverse();
+    step_.col(i).setZero();
+    r_.col(i) = right_.col(i);
+    p_.col(i) = inverse_diagonal_.col(i).cwiseProduct(r_.col(i));
+    rz += r_.col(i).dot(p_.col(i));
+  }
+  const double target = kLinearTolerance * kLinearTolerance * rz;
+  for (int k = 0; k < kMaxLinearIterations && rz > target; ++k) {
+    multiply(coefficients, p_, &Ap_);
+    double curvature = 0.0, next = 0.0;
+    for (int i : nodes_) curvature += p_.col(i).dot(Ap_.col(i));
+    const double alpha = rz / curvature;
+    for (int i : nodes_) {
+      step_.col(i) += alpha * p_.col(i);
+      r_.col(i) -= alpha * Ap_.col(i);
+      next += r_.col(i).cwiseAbs2().dot(inverse_diagonal_.col(i));
+    }
+    for (int i : nodes_) {
+      p_.col(i) = inverse_diagonal_.col(i).cwiseProduct(r_.col(i)) + next / rz * p_.col(i);
+    }
+    rz = next;
+  }
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tled_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "palpate/solver/integrator.h"
+
+namespace palpate::tissue {
+namespace {
+
+// Part of the critical step.
+constexpr double kSafety = 0.9;
+constexpr int kMaxCaution = 8;
+constexpr double kMaxSubSteps = 1e5;
+// A tool goes no farther in a sub-step than this part of its inscribed radius and of an element,
+// unless it leaps.
+constexpr double kToolWay = 0.25;
+constexpr double kMaxLeapSteps = 256.0;
+// Contact moves no node farther in a sub-step than this part of an element.
+constexpr double kContactWay = 0.5;
+// Times the energy that is known to have come in: beyond it, the scheme made it.
+constexpr double kEnergyGain = 4.0;
+
+void refuseWhatItCannot(const FemSettings& settings) {
+  if (settings.integrator != solver::integratorNames().front()) {
+    throw std::invalid_argument("integrator = " + settings.integrator +
+                                ": method tled has its own, central differences; leave the key "
+                                "out or choose an implicit method");
+  }
+  if (settings.stiffness_damping != 0.0) {
+    throw std::invalid_argument(
+        "damping.stiffness = " + std::to_string(settings.stiffness_damping) +
+        ": method tled damps in proportion to mass only; set it to zero or choose an implicit "
+        "method");
+  }
+}
+
+}  // namespace
+
+TledMethod::TledMethod(FemBody* body)
+    : body_(*body),
+      masses_(body->elasticity->masses()),
+      inverse_masses_(body->free * masses_.cwiseInverse().asDiagonal()),
+      element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(masses_.size()))),
+      critical_(body->elasticity.get(), body->free),
+      update_(body) {
+  refuseWhatItCannot(body->settings);
+  critical_.begin(body->mesh.points);
+  u_ = contact_g_ = inertia_ = Points::Zero(3, masses_.size());
+}
+
+void TledMethod::restart() {
+  caution_ = 1;
+  update_.clear();
+  contact_g_.setZero();
+  inertia_.setZero();
+  forces(std::numeric_limits<double>::infinity());
+}
+
+void TledMethod::stop() {
+  contact_g_.setZero();
+  inertia_.setZero();
+}
+
+// Gradient and energy of all but contact, at body_.x.
+void TledMethod::forces(double h) {
+  if (body_.elasticity->viscous()) body_.elasticity->beginStep(h);
+  potential_ = body_.elasticity->gradient(body_.x, &g_);
+  potential_ += body_.gravity.addGradient(body_.x, &g_);
+}
+
+double TledMethod::kineticEnergy() const {
+  return 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
+}
+
+int TledMethod::subSteps(double dt) {
+  critical_.follow(body_.x);
+  const double stable = std::ceil(dt / (kSafety * critical_.seconds()));
+  const double leap =
+      std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
+  const double steps = std::max({1.0, stable, leap});
+  return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
+}
+
+bool TledMethod::advance(double dt, TissueStep* out) {
+  out->status = solver::SolveStatus::kNonFinite;
+  if (!body_.v.allFinite()) return false;
+  out->tolerance = body_.tolerance();
+  const int steps = subSteps(dt);
+  if (steps == 0) {
+    out->status = solver::SolveStatus::kIterationLimit;
+    return false;
+  }
+  x_begin_ = body_.x;
+  v_begin_ = body_.v;
+  g_begin_ = g_;
+  const double potential_begin = potential_;
+  const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
+  for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
+    if (run(dt, caution_ * steps, out)) return true;
+    body_.x = x_begin_;
+    body_.v = v_begin_;
+    g_ = g_begin_;
+    potential_ = potential_begin;
+    body_.elasticity->restoreViscousState(viscous.get());
+  }
+  caution_ = kMaxCaution;
+  return false;
+}
+
+bool TledMethod::run(double dt, int steps, TissueStep* out) {
+  const double h = dt / steps;
+  const double damping = 0.5 * body_.settings.mass_damping * h;
+  const double kinetic_begin = kineticEnergy(), potential_begin = potential_;
+  coefficients_ = (1.0 + damping) / (h * h) * masses_;
+  work_ = 0.0;
+  jumped_ = limited_ = false;
+  out->time_steps = out->sweep_stages = steps;
+  out->status = solver::SolveStatus::kNonFinite;
+
+  // What the half-step before it would have ended with, braked.
+  u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
+  for (int k = 1; k <= steps; ++k) {
+    if (k > 1) u_ *= 1.0 - damping;
+    subStep(h, k / static_cast<double>(steps));
+    if (jumped_ || !std::isfinite(potential_)) break;
+  }
+  if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
+  if (jumped_ || !std::isfinite(potential_) || !body_.x.allFinite()) return false;
+
+  contact_g_ = update_.gradient();
+  body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
+  if (!body_.v.allFinite() || !plausible(kinetic_begin, potential_begin)) return false;
+  inertia_ =
+      -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
+  out->residual = update_.residual();
+  out->status = limited_                          ? solver::SolveStatus::kLineSearchFailed
+                : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
+                                                  : solver::SolveStatus::kIterationLimit;
+  return true;
+}
+
+// From x to the next x, with the braked velocities in u, where the tools are at part `s` of their
+// way.
+void TledMethod::subStep(double h, double s) {
+  const double damping = 0.5 * body_.settings.mass_damping * h;
+  u_ = (u_ - h * inverse_masses_.cwiseProduct(g_)) / (1.0 + damping);
+  next_ = h * u_;
+  body_.sweep.place(s);
+  update_.clear();
+  limited_ = false;
+  if (body_.contact.hasCandidates() && body_.contact.maxStep(body_.x, next_) < 1.0) {
+    jumped_ = true;
+    return;
+  }
+  next_ += body_.x;
+  if (!body_.sweep.candidatesHold(next_)) body_.sweep.search(next_);
+  if (body_.contact.hasCandidates()) {
+    update_.apply(coefficients_, body_.tolerance(), &next_);
+    limited_ = !update_.limit(coefficients_, body_.x, kContactWay * element_size_, &next_);
+    for (int i : update_.nodes()) {
+      const Vec3 way = next_.col(i) - body_.x.col(i);
+      u_.col(i) = way / h;
+      work_ += std::abs(way.dot(update_.gradient().col(i)));
+    }
+  }
+  body_.x.swap(next_);
+  forces(h);
+  if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
+}
+
+// Motion has come from motion, from what potential energy was let go, or from the tools.
+bool TledMethod::plausible(double kinetic_begin, double potential_begin) const {
+  const double released = std::max(0.0, potential_begin - potential_);
+  const double noise = 1e-3 * body_.force_floor * element_size_;
+  return kineticEnergy() <= kEnergyGain * (kinetic_begin + released + work_ + noise);
+}
+
+double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(body_.free).norm(); }
+
+void TledMethod::reportForces(TissueStep* out) {
+  out->inertia_force = inertia_.rowwise().sum();
+  next_ = g_ + contact_g_;
+  body_.reportSupport(next_, out);
+  body_.reportContacts(out);
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact_update.h"
+#include "critical_step.h"
+#include "step_method.h"
+
+namespace palpate::tissue {
+
+/// Explicit total Lagrangian dynamics [Miller, Joldes, Lance, Wittek 2007]: central differences
+/// with lumped masses m and damping a by mass, in sub-steps h shorter than the critical one,
+///
+///   (1 + a h/2) u_{n+1/2} = (1 - a h/2) u_{n-1/2} + h/m (f(x_n) + c(x_{n+1})),
+///   x_{n+1} = x_n + h u_{n+1/2},
+///
+/// f the elastic forces and gravity, c the contact's, taken implicitly (ContactUpdate), so that the
+/// penalty does not bound h. The tools go on by a part of their way in each sub-step. In a viscous
+/// body each sub-step is one of its memory.
+///
+/// TissueStep: time_steps is the number of sub-steps; `residual` what the last ContactUpdate left
+/// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
+/// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
+/// repeated with 2, 4 and 8 times the sub-steps, then fails. Status line_search_failed with a state
+/// that went on: a tool is deep in the tissue, which is still being pushed out.
+class TledMethod final : public StepMethod {
+ public:
+  /// @throws std::invalid_argument for an integrator other than the default, or damping in
+  /// proportion to stiffness, which an explicit step cannot take.
+  explicit TledMethod(FemBody* body);
+
+  bool advance(double dt, TissueStep* out) override;
+  void reportForces(TissueStep* out) override;
+  double unbalancedForce() override;
+  const Eigen::VectorXd& masses() const override { return masses_; }
+  void restart() override;
+  void stop() override;
+
+ private:
+  int subSteps(double dt);
+  bool run(double dt, int steps, TissueStep* out);
+  void subStep(double h, double s);
+  void forces(double h);
+  bool plausible(double kinetic_begin, double potential_begin) const;
+  double kineticEnergy() const;
+
+  FemBody& body_;
+  Eigen::VectorXd masses_;
+  Points inverse_masses_;  // 1/m where free, else 0; 3 x n
+  double element_size_;    // [m]
+  CriticalStep critical_;
+  ContactUpdate update_;
+
+  Points g_;          // gradient of elasticity and gravity at x, 3 x n [N]
+  double potential_;  // their energy [J]
+  Points u_, next_;   // velocities amid steps; positions of the next one
+  Points contact_g_;  // of the contact, at the last cycle's end
+  Points inertia_;    // inertial and damping forces at the cycle's end
+  Points x_begin_, v_begin_, g_begin_;
+  Eigen::VectorXd coefficients_;
+  double work_ = 0.0;    // sum of the moduli of the contact's work in this cycle [J]
+  bool jumped_ = false;  // tissue would have gone through a tool
+  bool limited_ = false;
+  int caution_ = 1;  // times as many sub-steps as the critical one needs
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/tissue/critical_step.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "liver_slab.h"
+
+namespace palpate::tissue {
+namespace {
+
+struct Body {
+  test::Slab slab;
+  std::unique_ptr<fem::Elasticity> elasticity;
+
+  explicit Body(const std::string& element, double poisson_ratio = 0.45)
+      : slab("tled", Eigen::Vector3i(3, 3, 2), element) {
+    const material::Material law = test::Slab::liver("stable_neo_hookean", poisson_ratio);
+    elasticity = fem::makeElasticity(element, slab.mesh, fem::Composition::uniform(law, 1060.0));
+  }
+
+  // 2 / sqrt of the largest eigenvalue of M^-1 K at x, of the whole spectrum.
+  double criticalStep(const Points& x) {
+    fem::Stiffness K = elasticity->makeMatrix();
+    elasticity->hessian(x, fem::Tangent::kExact, &K);
+    const Eigen::VectorXd& m = elasticity->masses();
+    const Points scale = slab.free * m.cwiseSqrt().cwiseInverse().asDiagonal();
+    Eigen::MatrixXd A(x.size(), x.size());
+    Points unit = Points::Zero(3, x.cols()), column;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      unit.data()[k] = scale.data()[k];
+      K.multiply(unit, &column);
+      A.col(k) = Eigen::Map<const Eigen::VectorXd>(column.data(), x.size())
+                     .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(scale.data(), x.size()));
+      unit.data()[k] = 0.0;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, Eigen::EigenvaluesOnly);
+    return 2.0 / std::sqrt(solver.eigenvalues().maxCoeff());
+  }
+};
+
+class EveryElement : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(CriticalStep, EveryElement, ::testing::ValuesIn(fem::elementNames()),
+                         [](const auto& kind) { return kind.param; });
+
+TEST_P(EveryElement, IsThatOfTheWholeSpectrumAtRestAndNeverLonger) {
+  for (const double poisson_ratio : {0.3, 0.49}) {
+    Body body(GetParam(), poisson_ratio);
+    CriticalStep critical(body.elasticity.get(), body.slab.free);
+    critical.begin(body.slab.mesh.points);
+    const double right = body.criticalStep(body.slab.mesh.points);
+    EXPECT_LE(critical.seconds(), right * (1.0 + 1e-9));
+    EXPECT_GT(critical.seconds(), 0.97 * right);
+  }
+}
+
+// A bulge that grows in ten cycles: the stiffest mode moves to its elements.
+TEST_P(EveryElement, FollowsABodyThatStiffens) {
+  Body body(GetParam());
+  CriticalStep critical(body.elasticity.get(), body.slab.free);
+  const Points& X = body.slab.mesh.points;
+  critical.begin(X);
+  const double rest = critical.seconds();
+  Points x = X;
+  for (int k = 1; k <= 10; ++k) {
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      const double distance = std::hypot(X(0, i) - 0.033, X(1, i) - 0.033);
+      x(2, i) = X(2, i) * (1.0 + 0.06 * k * std::exp(-std::pow(distance / 0.03, 2)));
+    }
+    critical.follow(x);
+  }
+  const double right = body.criticalStep(x);
+  EXPECT_LT(right, 0.95 * rest);
+  EXPECT_NEAR(critical.seconds(), right, 0.08 * right);
+  critical.follow(X);
+  EXPECT_EQ(critical.seconds(), rest);
+}
+
+TEST(CriticalStep, IsEndlessWhereNothingIsFree) {
+  Body body("tet4");
+  CriticalStep critical(body.elasticity.get(), fem::FreeMask::Zero(3, body.slab.mesh.numPoints()));
+  critical.begin(body.slab.mesh.points);
+  critical.follow(2.0 * body.slab.mesh.points);
+  EXPECT_EQ(critical.seconds(), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace palpate::tissue
