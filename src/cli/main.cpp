@@ -14,7 +14,7 @@ using palpate::cli::Action;
 
 constexpr void (*kCommands[])(CLI::App&, Action&) = {
     palpate::cli::addMesh,   palpate::cli::addOrgan, palpate::cli::addDocs,
-    palpate::cli::addReplay, palpate::cli::addSolve,
+    palpate::cli::addReplay, palpate::cli::addSolve, palpate::cli::addBench,
 };
 
 // CLI11 has an exit status for each kind of mistake; here they are all bad input.

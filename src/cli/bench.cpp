@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdlib.h>  // mkdtemp: POSIX
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "bench_report.h"
+#include "commands.h"
+#include "files.h"
+#include "options.h"
+#include "palpate/base/error.h"
+#include "palpate/fem/elasticity.h"
+
+namespace palpate::cli {
+namespace {
+
+struct Options {
+  std::string scene, out;
+  bool small = false;
+  BenchChoice choice;
+  std::map<std::string, std::string> shorthands;  // key of the scene -> value
+  std::vector<std::string> sets;                  // KEY=VALUE
+  std::optional<double> duration;
+  double frame = 0.02;
+  int repeats = 3;
+};
+
+// For meshes and tools where nobody wants to keep them.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const std::string& wanted) {
+    if (!wanted.empty()) {
+      path_ = makeFolder(wanted).string();
+      return;
+    }
+    path_ = (std::filesystem::temp_directory_path() / "palpate_bench_XXXXXX").string();
+    if (!mkdtemp(&path_[0])) throw std::runtime_error("no temporary folder");
+    temporary_ = true;
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    if (temporary_) std::filesystem::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  bool temporary_ = false;
+};
+
+Settings settingsFrom(const Options& options) {
+  Settings settings(options.shorthands.begin(), options.shorthands.end());
+  for (const std::string& set : options.sets) {
+    const std::size_t equals = set.find('=');
+    if (equals == std::string::npos) {
+      throw InputError("command line", "--set", set, "must be KEY=VALUE, as solver.step=0.005");
+    }
+    settings.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+  }
+  return settings;
+}
+
+double poissonRatio(const sim::Scene& scene) {
+  const auto& constants = scene.organs[0].material.constants;
+  const auto found = constants.find("poisson_ratio");
+  return found == constants.end() ? 0.0 : found->second.front();
+}
+
+BenchResult runScene(const BenchScene& scene, const Options& options, const BenchChoice& choice,
+                     const std::string& folder, BenchTitle* title) {
+  BenchCase bench = scene.make(choice, folder);
+  if (bench.scene.file.empty()) bench.scene.file = folder + "/scene";
+  applySettings(settingsFrom(options), &bench.scene);
+  *title = {scene.name, bench.scene.organs[0].element, poissonRatio(bench.scene),
+            settingsOf(bench.scene)};
+  const double duration = options.duration.value_or(bench.duration);
+  BenchResult result = runBench(bench, {duration, options.frame, options.repeats});
+  std::cerr << result.note;
+  return result;
+}
+
+int list() {
+  for (const BenchScene& scene : benchScenes()) std::printf("%-12s %s\n", scene.name, scene.what);
+  return kOk;
+}
+
+// A tenth of a second of every scene that is a box, on few tetrahedra.
+int runSmall(Options options) {
+  options.duration = options.duration.value_or(0.1);
+  options.repeats = 1;
+  bool usable = true;
+  printBenchHead();
+  for (const BenchScene& scene : benchScenes()) {
+    if (scene.small_tets == 0) continue;
+    BenchChoice choice = options.choice;
+    choice.tets = scene.small_tets;
+    const std::string out = options.out.empty() ? "" : options.out + "/" + scene.name;
+    const WorkFolder folder(out);
+    BenchTitle title;
+    const BenchResult result = runScene(scene, options, choice, folder.path(), &title);
+    printBenchLine(scene.name, result);
+    if (!out.empty()) writeBench(folder.path(), title, result);
+    usable = usable && result.usable;
+  }
+  return usable ? kOk : kNotConverged;
+}
+
+int run(const Options& options) {
+  if (options.duration) requirePositive("--duration", *options.duration);
+  requirePositive("--frame", options.frame);
+  if (options.choice.edge_length) requirePositive("--edge-length", *options.choice.edge_length);
+  const std::vector<std::string> elements = fem::elementNames();
+  const std::string element = options.choice.element.value_or(elements.front());
+  if (!std::count(elements.begin(), elements.end(), element)) {
+    throw InputError("command line", "--element", element, "must be one of " + joinNames(elements));
+  }
+  if (options.small) return runSmall(options);
+  if (options.scene.empty()) return list();
+  const BenchScene& scene = benchScene(options.scene);
+  const WorkFolder folder(options.out);
+  BenchTitle title;
+  const BenchResult result = runScene(scene, options, options.choice, folder.path(), &title);
+  printBench(title, result);
+  if (!options.out.empty()) writeBench(folder.path(), title, result);
+  return result.usable ? kOk : kNotConverged;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "bench", "Run one of several fixed scenes and measure it; without --scene, list them");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--scene", options->scene, "One of the list");
+  command->add_flag("--small", options->small, "Small versions of the scenes, in seconds");
+  command->add_option("--tets", options->choice.tets, "About so many tetrahedra (boxes)")
+      ->check(CLI::Range(6, 2000000));
+  command->add_option("--edge-length", options->choice.edge_length,
+                      "Of the tetrahedra [m] (livers)");
+  command->add_option("--poisson-ratio", options->choice.poisson_ratio, "Of the soft material");
+  command->add_option("--element", options->choice.element, "Finite element");
+  const auto shorthand = [&](const char* option, const char* key, const char* what) {
+    command->add_option_function<std::string>(
+        option, [options, key](const std::string& value) { options->shorthands[key] = value; },
+        what);
+  };
+  shorthand("--method", "solver.method", "Method of solution");
+  shorthand("--integrator", "solver.integrator", "Time integration");
+  shorthand("--step", "solver.step", "Length of a cycle [s]");
+  shorthand("--tolerance", "solver.tolerance", "Of the unbalanced force, relative");
+  shorthand("--linear-tolerance", "solver.linear_tolerance", "Of the linear solver, relative");
+  shorthand("--max-newton", "solver.max_newton_iterations", "Newton iterations in a cycle");
+  shorthand("--threads", "solver.threads", "Threads that share the work");
+  command->add_option("--set", options->sets,
+                      "KEY=VALUE: any key of the scene's sections solver and contact");
+  command->add_option("--duration", options->duration, "Simulated time [s]");
+  command->add_option("--frame", options->frame, "Displacements are kept this far apart [s]");
+  command->add_option("--repeat", options->repeats, "Runs from the start; times are of all of them")
+      ->check(CLI::Range(1, 1000));
+  command->add_option(
+      "--out", options->out,
+      "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace palpate::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "progress_line.h"
+
+namespace palpate::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin, double per_second) {
+  return per_second * std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// A line of /proc/self/status, in MB; 0 where there is no such file.
+double statusMegabytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, key.size(), key) != 0) continue;
+    double kilobytes = 0.0;
+    std::istringstream(line.substr(key.size())) >> kilobytes;
+    return kilobytes / 1024.0;
+  }
+  return 0.0;
+}
+
+// To the start of the case, as if it had just been loaded.
+void rewind(const BenchCase& bench, sim::Simulator* simulator) {
+  simulator->reset();
+  if (bench.start_velocity.isZero()) return;
+  sim::SimulatorState state = simulator->state();
+  for (std::size_t i = 0; i < state.velocities.size(); ++i) {
+    state.velocities[i].colwise() = bench.start_velocity;
+    for (const sim::SupportConfig& support : bench.scene.organs[i].supports) {
+      for (int node :
+           mesh::selectPoints(simulator->restPositions(static_cast<int>(i)), support.select)) {
+        state.velocities[i].col(node).setZero();
+      }
+    }
+  }
+  simulator->restore(state);
+}
+
+std::vector<sim::LinkPoses> posesAt(double t, const BenchCase& bench,
+                                    const sim::Simulator& simulator) {
+  std::vector<sim::LinkPoses> poses;
+  for (int i = 0; i < simulator.numInstruments(); ++i) {
+    poses.push_back(simulator.linkPoses(i, bench.joints(t)));
+  }
+  return poses;
+}
+
+bool isMultiple(double t, double frame) {
+  return std::abs(t / frame - std::round(t / frame)) < 1e-6;
+}
+
+BenchCycle cycleOf(double t, const sim::StepResult& result) {
+  return {t, result.instruments.empty() ? Wrench() : result.instruments[0].spatial, result.report};
+}
+
+bool sameBits(const Wrench& a, const Wrench& b) {
+  return a.force == b.force && a.torque == b.torque;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  const double rank = std::ceil(q * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
+  BenchResult result;
+  ProgressLine line;
+  const auto begin = Clock::now();
+  sim::Simulator simulator(
+      bench.scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
+  line.finish();
+  result.load_seconds = since(begin, 1.0);
+  result.loaded_megabytes = statusMegabytes("VmRSS:");
+  result.mesh = simulator.organMesh(0);
+  for (int i = 0; i < simulator.numOrgans(); ++i) {
+    result.nodes += static_cast<int>(simulator.organMesh(i).numPoints());
+    result.tets += static_cast<int>(simulator.organMesh(i).numTets());
+  }
+  for (const std::string& warning : simulator.warnings()) result.note += warning + "\n";
+
+  const double step = bench.scene.solver.step;
+  const int cycles = std::max(1, static_cast<int>(std::lround(timing.duration / step)));
+  for (int repeat = 0; repeat < timing.repeats; ++repeat) {
+    rewind(bench, &simulator);
+    std::vector<double> milliseconds;
+    for (int k = 1; k <= cycles; ++k) {
+      const double t = k * step;
+      const std::vector<sim::LinkPoses> poses = posesAt(t, bench, simulator);
+      const auto start = Clock::now();
+      const sim::StepResult& done = simulator.step(poses, step);
+      milliseconds.push_back(since(start, 1.0e3));
+      if (repeat == 0) {
+        result.cycles.push_back(cycleOf(t, done));
+        result.usable &= done.report.usable();
+        if (isMultiple(t, timing.frame) || k == cycles) {
+          result.frame_times.push_back(t);
+          result.frames.push_back(simulator.positions(0) - simulator.restPositions(0));
+        }
+      } else {
+        result.same_bits &= sameBits(cycleOf(t, done).wrench, result.cycles[k - 1].wrench);
+      }
+      line.show("repeat " + std::to_string(repeat + 1), static_cast<double>(k) / cycles);
+    }
+    result.milliseconds.push_back(milliseconds);
+  }
+  line.finish();
+  result.peak_megabytes = statusMegabytes("VmHWM:");
+  return result;
+}
+
+}  // namespace palpate::cli

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "palpate/base/error.h"
+#include "palpate/base/number.h"
+#include "palpate/base/resource.h"
+#include "palpate/io/output_file.h"
+#include "palpate/io/trajectory.h"
+#include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/vtu_writer.h"
+
+namespace palpate::cli {
+namespace {
+
+constexpr double kEdge = 0.1;      // of the cube [m]
+constexpr double kRadius = 0.015;  // of the ball that presses it [m]
+constexpr double kGap = 0.001;     // between ball and cube at the start [m]
+constexpr double kDepth = 0.015;   // to which the ball goes in [m]
+constexpr double kThrow = 0.15;    // speed of the beam at the start [m/s]
+constexpr double kSpeed = 0.05;    // of the ball, down and then sideways [m/s]
+constexpr double kApproach = 1.0;  // what is left out of the recorded palpation [s]
+
+// A ball on three slides; its centre is at (x, y, z) for joints x, y, z.
+constexpr const char* kBall = R"(<?xml version="1.0"?>
+<robot name="ball">
+  <link name="base"/><link name="x_slide"/><link name="y_slide"/>
+  <link name="tip"><collision><geometry><sphere radius="RADIUS"/></geometry></collision></link>
+  <joint name="x" type="prismatic">
+    <parent link="base"/><child link="x_slide"/><axis xyz="1 0 0"/>
+    <limit lower="-1" upper="1" effort="100" velocity="10"/>
+  </joint>
+  <joint name="y" type="prismatic">
+    <parent link="x_slide"/><child link="y_slide"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="100" velocity="10"/>
+  </joint>
+  <joint name="z" type="prismatic">
+    <parent link="y_slide"/><child link="tip"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="100" velocity="10"/>
+  </joint>
+</robot>
+)";
+
+void refuse(const char* scene, const char* option, const std::string& why) {
+  throw InputError("command line", option, "",
+                   std::string("has no place in ") + scene + ": " + why);
+}
+
+sim::MaterialConfig gel(double young_modulus, double poisson_ratio) {
+  sim::MaterialConfig material;
+  material.law = "stable_neo_hookean";
+  material.constants = {{"young_modulus", {young_modulus}}, {"poisson_ratio", {poisson_ratio}}};
+  material.density = 1000.0;
+  return material;
+}
+
+// A box of about `tets` tetrahedra in cells whose numbers are as `ratio`, held at z = 0.
+sim::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
+                     const BenchChoice& choice, const std::string& folder) {
+  if (choice.edge_length) refuse("a box", "--edge-length", "give --tets");
+  const double wanted = choice.tets.value_or(tets) / (6.0 * ratio.prod());
+  const int cells = std::max(1, static_cast<int>(std::lround(std::cbrt(wanted))));
+  mesh::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells * ratio), {}, {});
+  sim::OrganConfig organ;
+  organ.name = "body";
+  organ.tetrahedra = "body.vtu";
+  organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
+  organ.element = choice.element.value_or("anp");
+  organ.supports = {{mesh::PlaneRegion{2, 0.0, -1.0}}};
+  return organ;
+}
+
+void addBall(const std::string& folder, sim::Scene* scene) {
+  std::string urdf = kBall;
+  urdf.replace(urdf.find("RADIUS"), 6, formatNumber(kRadius));
+  io::OutputFile file(folder + "/ball.urdf");
+  file.write(urdf);
+  file.close();
+  sim::InstrumentConfig ball;
+  ball.name = "ball";
+  ball.urdf = "ball.urdf";
+  ball.control_frame = "tip";
+  scene->instruments = {ball};
+}
+
+// The ball goes down over the middle of the cube's top and then sideways.
+Eigen::VectorXd pressAndSlide(double t) {
+  const double down = (kGap + kDepth) / kSpeed;
+  const double slid = kSpeed * std::max(0.0, t - down);
+  return Vec3(kEdge / 2 + slid, kEdge / 2, kEdge + kRadius + kGap - kSpeed * std::min(t, down));
+}
+
+BenchCase cube(const BenchChoice& choice, const std::string& folder) {
+  BenchCase made;
+  made.scene.gravity.setZero();
+  made.scene.organs = {box(Vec3::Constant(kEdge), {1, 1, 1}, 4374, choice, folder)};
+  made.scene.contact.stiffness = 7.5e6;
+  addBall(folder, &made.scene);
+  made.joints = pressAndSlide;
+  return made;
+}
+
+BenchCase inclusion(const BenchChoice& choice, const std::string& folder) {
+  BenchCase made = cube(choice, folder);
+  sim::RegionConfig stiff;
+  stiff.name = "inclusion";
+  stiff.select = mesh::SphereRegion{Vec3(0.06, 0.05, 0.07), 0.016};
+  stiff.material = gel(1.0e5, choice.poisson_ratio.value_or(0.45));
+  made.scene.organs[0].regions = {stiff};
+  return made;
+}
+
+BenchCase capsule(const BenchChoice& choice, const std::string& folder) {
+  BenchCase made = cube(choice, folder);
+  sim::RegionConfig skin;
+  skin.name = "capsule";
+  skin.select = mesh::DepthRegion{0.0, 0.006};
+  skin.material = gel(1.0e5, choice.poisson_ratio.value_or(0.45));
+  made.scene.organs[0].regions = {skin};
+  return made;
+}
+
+BenchCase beam(const BenchChoice& choice, const std::string& folder) {
+  BenchCase made;
+  made.scene.gravity.setZero();
+  made.scene.organs = {box(Vec3(0.1, 0.1, 0.4), {1, 1, 4}, 3000, choice, folder)};
+  made.start_velocity = Vec3(0.0, -kThrow, 0.0);
+  return made;
+}
+
+BenchCase rest(const BenchChoice& choice, const std::string& folder) {
+  BenchCase made = cube(choice, folder);
+  made.scene.gravity = Vec3(0.0, 0.0, -9.81);
+  made.joints = [](double) { return Vec3(kEdge / 2, kEdge / 2, 2 * kEdge); };
+  return made;
+}
+
+// Between the rows of the table; at its ends beyond.
+Eigen::VectorXd interpolate(const io::Trajectory& table, double t) {
+  const auto after = std::upper_bound(table.t.begin(), table.t.end(), t);
+  if (after == table.t.begin()) return table.values.col(0);
+  if (after == table.t.end()) return table.values.rightCols(1);
+  const Eigen::Index k = after - table.t.begin();
+  const double s = (t - table.t[k - 1]) / (table.t[k] - table.t[k - 1]);
+  return (1.0 - s) * table.values.col(k - 1) + s * table.values.col(k);
+}
+
+// The shipped scene and its recorded hand, with the liver meshed to `edge_length` [m].
+BenchCase liverOf(double edge_length, const BenchChoice& choice) {
+  if (choice.tets) refuse("the liver", "--tets", "give --edge-length");
+  BenchCase made;
+  const auto shipped = [](const std::string& file) {
+    try {
+      return resolveResource("package://palpate/config/" + file, ".");
+    } catch (const std::invalid_argument& error) {
+      throw InputError("command line", "--scene", "liver", error.what());
+    }
+  };
+  made.scene = sim::readScene(shipped("scenes/liver_palpation.yaml"));
+  sim::OrganConfig& organ = made.scene.organs[0];
+  organ.edge_length = choice.edge_length.value_or(edge_length);
+  if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};
+  organ.element = choice.element.value_or(organ.element);
+  made.scene.solver.threads = 1;
+  const auto table = std::make_shared<const io::Trajectory>(
+      io::readTrajectory(shipped("trajectories/liver_palpation.csv")));
+  made.joints = [table](double t) { return interpolate(*table, kApproach + t); };
+  made.duration = 4.0;
+  return made;
+}
+
+template <int micrometres>
+BenchCase liver(const BenchChoice& choice, const std::string&) {
+  return liverOf(1.0e-6 * micrometres, choice);
+}
+
+}  // namespace
+
+const std::vector<BenchScene>& benchScenes() {
+  static const std::vector<BenchScene> scenes = {
+      {"cube", "gel cube of 100 mm, a ball of 15 mm presses it 15 mm deep and slides", 162, cube},
+      {"inclusion", "the cube with a ball of 20 times the stiffness under the surface", 750,
+       inclusion},
+      {"capsule", "the cube with an outer layer of 20 times the stiffness", 750, capsule},
+      {"beam", "gel beam of 100 x 100 x 400 mm held at one end, thrown sideways at 0.15 m/s", 192,
+       beam},
+      {"rest", "the cube at rest under its weight, the ball far above", 162, rest},
+      {"liver", "the shipped liver, palpated as recorded (1020 nodes)", 0, liver<15500>},
+      {"liver_500", "the same, coarser (about 500 nodes)", 0, liver<22500>},
+      {"liver_150", "the same, coarser still (150 tetrahedra)", 0, liver<100000>},
+  };
+  return scenes;
+}
+
+const BenchScene& benchScene(const std::string& name) {
+  std::vector<std::string> known;
+  for (const BenchScene& scene : benchScenes()) {
+    if (name == scene.name) return scene;
+    known.push_back(scene.name);
+  }
+  const std::string nearest = nearestName(name, known);
+  throw InputError("command line", "--scene", name,
+                   "must be one of " + joinNames(known) +
+                       (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace palpate::cli

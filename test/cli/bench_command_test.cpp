@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "palpate/mesh/tet_io.h"
+#include "run_cli.h"
+#include "support/contains.h"
+
+namespace palpate {
+namespace {
+
+using test::contains;
+using test::runCli;
+
+constexpr const char* kCube = "bench --scene cube --tets 162 --duration 0.06 --repeat 2 ";
+
+class BenchCommand : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return folder.path(name); }
+  test::CliResult cube(const std::string& out, const std::string& more = "") const {
+    return runCli(kCube + ("--out '" + path(out) + "' ") + more);
+  }
+  test::TempFolder folder;
+};
+
+TEST_F(BenchCommand, ListsScenesWithoutOne) {
+  const test::CliResult result = runCli("bench");
+  EXPECT_EQ(result.status, 0);
+  for (const char* scene : {"cube", "beam", "inclusion", "capsule", "rest", "liver_500"}) {
+    EXPECT_TRUE(contains(result.out, scene)) << result.out;
+  }
+}
+
+TEST_F(BenchCommand, WritesWhatItMeasured) {
+  const test::CliResult result = cube("a");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "162 tetrahedra, 64 nodes"));
+  const std::string summary = test::fileBytes(path("a/summary.json"));
+  EXPECT_TRUE(contains(summary, "\"solver.step\": \"0.01\""));
+  EXPECT_TRUE(contains(summary, "\"same_bits\": true"));
+  EXPECT_TRUE(contains(summary, "\"frame_times\": [0.02, 0.04, 0.06]"));
+  const std::string forces = test::fileBytes(path("a/forces.csv"));
+  EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 7);
+  EXPECT_EQ(test::fileBytes(path("a/displacements.bin")).size(), 3u * 64u * 3u * sizeof(double));
+  EXPECT_EQ(mesh::readTetMesh(path("a/mesh.vtu")).numPoints(), 64);
+}
+
+// The ball is 2 mm inside at the end: the tissue pushes it up.
+TEST_F(BenchCommand, TheToolFeelsTheTissue) {
+  ASSERT_EQ(cube("a").status, 0);
+  std::string forces = test::fileBytes(path("a/forces.csv"));
+  forces.pop_back();
+  std::istringstream last(forces.substr(forces.rfind('\n') + 1));
+  std::string cell;
+  std::vector<double> row;
+  for (int k = 0; k < 4 && std::getline(last, cell, ','); ++k) row.push_back(std::stod(cell));
+  EXPECT_DOUBLE_EQ(row[0], 0.06);
+  EXPECT_GT(row[3], 0.05);
+  EXPECT_LT(row[3], 1.0);
+}
+
+TEST_F(BenchCommand, SameBitsInTwoRunsAndForTwoThreads) {
+  ASSERT_EQ(cube("a").status, 0);
+  ASSERT_EQ(cube("b").status, 0);
+  ASSERT_EQ(cube("c", "--threads 2").status, 0);
+  for (const char* file : {"/forces.csv", "/displacements.bin"}) {
+    const std::string a = test::fileBytes(path(std::string("a") + file));
+    EXPECT_EQ(a, test::fileBytes(path(std::string("b") + file)));
+    EXPECT_EQ(a, test::fileBytes(path(std::string("c") + file)));
+  }
+}
+
+TEST_F(BenchCommand, TakesTheSettingsThatAreGiven) {
+  ASSERT_EQ(cube("a",
+                 "--set solver.step=0.02 --set contact.stiffness=1e6 --threads 2 "
+                 "--poisson-ratio 0.49 --element tet4")
+                .status,
+            0);
+  const std::string summary = test::fileBytes(path("a/summary.json"));
+  EXPECT_TRUE(contains(summary, "\"element\": \"tet4\""));
+  EXPECT_TRUE(contains(summary, "\"poisson_ratio\": 0.49"));
+  EXPECT_TRUE(contains(summary, "\"solver.step\": \"0.02\""));
+  EXPECT_TRUE(contains(summary, "\"solver.threads\": \"2\""));
+  EXPECT_TRUE(contains(summary, "\"contact.stiffness\": \"1000000\""));
+  EXPECT_TRUE(contains(summary, "\"cycles\": 3"));
+}
+
+TEST_F(BenchCommand, SaysAllThatIsWrongWithTheSettings) {
+  const test::CliResult result =
+      runCli(kCube + std::string("--set solver.tolerence=1e-3 --set solver.step=1 "
+                                 "--integrator euler"));
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(contains(result.err, "did you mean solver.tolerance?"));
+  EXPECT_TRUE(contains(result.err, "solver.step = 1: must be in (0, 0.1]"));
+  EXPECT_TRUE(contains(result.err, "solver.integrator = euler: must be one of backward_euler"));
+}
+
+TEST_F(BenchCommand, BadOptionsAreBadInput) {
+  const test::CliResult scene = runCli("bench --scene cubes");
+  EXPECT_EQ(scene.status, 2);
+  EXPECT_TRUE(contains(scene.err, "did you mean cube?"));
+  EXPECT_EQ(runCli(kCube + std::string("--set solver.step")).status, 2);
+  EXPECT_EQ(runCli(kCube + std::string("--duration 0")).status, 2);
+  EXPECT_EQ(runCli(kCube + std::string("--poisson-ratio 0.5")).status, 2);
+  EXPECT_EQ(runCli(kCube + std::string("--element tet5")).status, 2);
+  EXPECT_EQ(runCli(kCube + std::string("--edge-length 0.01")).status, 2);
+}
+
+TEST_F(BenchCommand, SmallRunsEverySceneThatIsABox) {
+  const test::CliResult result = runCli("bench --small");
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* scene : {"cube", "inclusion", "capsule", "beam", "rest"}) {
+    EXPECT_TRUE(contains(result.out, scene)) << result.out;
+  }
+}
+
+}  // namespace
+}  // namespace palpate
