@@ -2,6 +2,7 @@
 # Installs the Debian packages that palpate needs. Nothing happens where they are all there.
 #
 #   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo rviz dev accuracy
+#                                                     benchmark
 #
 # Without a set: build, test and demo. --list prints the packages and installs nothing.
 # This file is the one place where packages are listed.
@@ -47,6 +48,11 @@ accuracy=(
   calculix-ccx python3-dolfinx-real build-essential
   python3-numpy python3-scipy python3-meshio python3-matplotlib)
 
+# scripts/benchmark.sh: single kernels, other programs on the same meshes, plots.
+benchmark=(
+  libbenchmark-dev libbullet-dev calculix-ccx
+  python3-numpy python3-scipy python3-meshio python3-matplotlib)
+
 readme="README.md, section 'Other ways to build'"
 
 die() {
@@ -59,9 +65,9 @@ sets=()
 for argument in "$@"; do
   case $argument in
     --list) list_only=true ;;
-    build | test | demo | rviz | dev | accuracy) sets+=("$argument") ;;
-    -h | --help) sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) die "unknown set '$argument'; known: build test demo rviz dev accuracy" ;;
+    build | test | demo | rviz | dev | accuracy | benchmark) sets+=("$argument") ;;
+    -h | --help) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) die "unknown set '$argument'; known: build test demo rviz dev accuracy benchmark" ;;
   esac
 done
 [ ${#sets[@]} -gt 0 ] || sets=(build test demo)
