@@ -102,7 +102,7 @@ def _output(*command):
         return "unknown"
 
 
-def machine(seconds):
+def machine(seconds, what="all cases"):
     cpu = platform.machine()
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -111,7 +111,7 @@ def machine(seconds):
         pass
     return (f"Commit {_output('git', 'describe', '--always', '--dirty', '--abbrev=10')}, "
             f"{cpu}, {os.cpu_count()} cores, {platform.system()} {platform.release()}; "
-            f"all cases took {seconds / 60:.1f} minutes.")
+            f"{what} took {seconds / 60:.1f} minutes.")
 
 
 def terminal(sections):

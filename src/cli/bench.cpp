@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -28,6 +29,7 @@ struct Options {
   std::optional<double> duration;
   double frame = 0.02;
   int repeats = 3;
+  double seconds = std::numeric_limits<double>::infinity();
 };
 
 // For meshes and tools where nobody wants to keep them.
@@ -81,7 +83,7 @@ BenchResult runScene(const BenchScene& scene, const Options& options, const Benc
   *title = {scene.name, bench.scene.organs[0].element, poissonRatio(bench.scene),
             settingsOf(bench.scene)};
   const double duration = options.duration.value_or(bench.duration);
-  BenchResult result = runBench(bench, {duration, options.frame, options.repeats});
+  BenchResult result = runBench(bench, {duration, options.frame, options.repeats, options.seconds});
   std::cerr << result.note;
   return result;
 }
@@ -164,6 +166,7 @@ void addBench(CLI::App& app, Action& action) {
   command->add_option("--frame", options->frame, "Displacements are kept this far apart [s]");
   command->add_option("--repeat", options->repeats, "Runs from the start; times are of all of them")
       ->check(CLI::Range(1, 1000));
+  command->add_option("--seconds", options->seconds, "Begin no other repeat after so long");
   command->add_option(
       "--out", options->out,
       "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");

@@ -35,6 +35,7 @@ struct BenchTiming {
   double duration;  ///< Simulated [s].
   double frame;     ///< Displacements are kept this far apart [s].
   int repeats;      ///< From the start each time.
+  double seconds;   ///< No other repeat begins later than this [s].
 };
 
 /// Runs the case: sim::Simulator, one cycle a step of the scene. Time is taken around

@@ -57,13 +57,21 @@ sim::MaterialConfig gel(double young_modulus, double poisson_ratio) {
   return material;
 }
 
-// A box of about `tets` tetrahedra in cells whose numbers are as `ratio`, held at z = 0.
+// About `tets` tetrahedra, six a cell: as many cells as `ratio` says, and along z what fits best.
+Eigen::Vector3i cellsFor(int tets, const Eigen::Vector3i& ratio) {
+  const double cells = tets / 6.0;
+  Eigen::Vector3i n =
+      std::max(1, static_cast<int>(std::lround(std::cbrt(cells / ratio.prod())))) * ratio;
+  n.z() = std::max(1, static_cast<int>(std::lround(cells / (n.x() * n.y()))));
+  return n;
+}
+
+// A box of about `tets` tetrahedra, held at z = 0.
 sim::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
                      const BenchChoice& choice, const std::string& folder) {
   if (choice.edge_length) refuse("a box", "--edge-length", "give --tets");
-  const double wanted = choice.tets.value_or(tets) / (6.0 * ratio.prod());
-  const int cells = std::max(1, static_cast<int>(std::lround(std::cbrt(wanted))));
-  mesh::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells * ratio), {}, {});
+  const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
+  mesh::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
   sim::OrganConfig organ;
   organ.name = "body";
   organ.tetrahedra = "body.vtu";

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a suite works with: measured runs, references, progress, and the table of everything."""
+
+import concurrent.futures
+import csv
+import os
+import pathlib
+import time
+
+from accuracy.solve import Failed, build_folder
+
+from . import norms
+from .runs import Run, bench, methods
+
+# Of references: backward differences of order two with steps ten times as short and more, and
+# Newton and linear tolerances far below those that are judged.
+REFERENCE = {"integrator": "bdf2", "step": 5e-4, "tolerance": 1e-7, "linear_tolerance": 1e-3,
+             "max_newton": 50, "threads": 1, "sets": ()}
+COLUMNS = ["suite", "scene", "tets", "nodes", "element", "poisson_ratio", "method", "integrator", "step",
+           "tolerance", "linear_tolerance", "threads", "sets", "force_error_rms", "force_error_max",
+           "displacement_error", "median_ms", "p99_ms", "max_ms", "ms_per_second", "typical_median_ms",
+           "typical_p99_ms", "newton_iterations", "linear_iterations", "skipped", "failed_cycles",
+           "peak_megabytes"]
+
+
+class Context:
+    def __init__(self, work, images, quick, resume):
+        self.work, self.images, self.quick, self.resume = pathlib.Path(work), images, quick, resume
+        self.start, self.suite = time.time(), ""
+        self.methods = methods()
+        self.lines = {}  # of the table of everything, by the run's folder
+        self.commands = []
+
+    def progress(self, text):
+        print(f"[{time.time() - self.start:6.0f} s] {self.suite}: {text}", flush=True)
+
+    def measure(self, config, repeats=3, seconds=4.0):
+        """A timed run; nothing else of this program runs meanwhile. With --resume one that was
+        finished before by the same program is taken as it is."""
+        if config.method is not None and config.method not in self.methods:
+            raise Failed(f"this build has no method {config.method}")
+        folder = self.work / "runs" / config.name()
+        known = str(folder) in self.lines
+        if known or (self.resume and (folder / "summary.json").exists()):
+            run = Run(config, folder)
+        else:
+            run = bench(config, folder, repeats, seconds)
+            self.progress(f"{' '.join(config.arguments())}: {run.median_ms:.3g} ms, p99 {run.p99_ms:.3g}"
+                          + (" FAILED CYCLES" if run.failed else ""))
+        if not known:
+            self.lines[str(folder)] = self._line(run)
+        return run
+
+    def attempt(self, config, **options):
+        """As measure(), or None where the program refuses (a method that a scene does not allow)."""
+        try:
+            return self.measure(config, **options)
+        except Failed as failure:
+            self.progress(f"left out: {failure}")
+            return None
+
+    def reference(self, config):
+        """The reference of a configuration: same scene, mesh, element and law. Kept for ever."""
+        reference = self._reference_config(config)
+        folder = self.work / "references" / reference.name()
+        if not (folder / "summary.json").exists():
+            begin = time.time()
+            bench(reference, folder)
+            self.progress(f"reference {' '.join(reference.arguments())}: {time.time() - begin:.0f} s")
+        return Run(reference, folder)
+
+    def prepare(self, configs):
+        """Computes references side by side; times do not matter for them."""
+        names = {self._reference_config(c).name(): c for c in configs}
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(self.reference, names.values()))
+
+    def _reference_config(self, config):
+        # By factorisation, which shares no linear solver with what is judged, where that is cheap.
+        small = config.tets is not None and config.tets < 3000
+        method = "implicit_direct" if small and "implicit_direct" in self.methods else "implicit_pcg"
+        return config.but(method=method, **REFERENCE)
+
+    def errors(self, run, reference=None):
+        """{"rms", "max", "displacement"} of a run; a force error is NaN where no tool touches. Kept
+        in the table of everything."""
+        reference = reference or self.reference(run.config)
+        found = {"displacement": norms.displacement_error(*run.frames(), *reference.frames())}
+        try:
+            found["rms"], found["max"] = norms.force_error(*run.forces(), *reference.forces())
+        except ValueError:
+            found["rms"] = found["max"] = float("nan")
+        if run.failed:
+            found = {key: float("nan") for key in found}
+        line = self.lines.get(str(run.folder))
+        if line is not None:
+            line.update(force_error_rms=found["rms"], force_error_max=found["max"],
+                        displacement_error=found["displacement"])
+        return found
+
+    def _line(self, run):
+        s, settings = run.summary, run.summary["settings"]
+        line = {"suite": self.suite, "sets": " ".join(run.config.sets), **s["fastest"],
+                "typical_median_ms": s["typical"]["median_ms"], "typical_p99_ms": s["typical"]["p99_ms"]}
+        for key in ("scene", "tets", "nodes", "element", "poisson_ratio", "newton_iterations",
+                    "linear_iterations", "skipped", "failed_cycles", "peak_megabytes"):
+            line[key] = s[key]
+        for key in ("method", "integrator", "step", "tolerance", "linear_tolerance", "threads"):
+            line[key] = settings.get("solver." + key, "")
+        return line
+
+    def write_table(self, file):
+        """Every measured run as a row."""
+        with open(file, "w", encoding="utf-8", newline="") as text:
+            table = csv.DictWriter(text, COLUMNS, restval="", extrasaction="ignore")
+            table.writeheader()
+            table.writerows(self.lines.values())
+
+
+def build_work():
+    return build_folder() / "benchmark"

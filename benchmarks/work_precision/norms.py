@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors of forces and displacements, Pareto fronts, exponents of growth."""
+
+import numpy as np
+
+
+def _at(times, wanted):
+    """Indices of `wanted` in `times`, both ascending [s]; raises ValueError if one is missing."""
+    index = np.clip(np.searchsorted(times, wanted - 1e-9), 0, len(times) - 1)
+    if np.abs(times[index] - wanted).max(initial=0.0) > 1e-9:
+        raise ValueError("the reference lacks a time of the run")
+    return index
+
+
+def force_error(times, forces, reference_times, reference_forces):
+    """(RMS, maximum) over the run's times of |F - F_ref|, as parts of the largest |F_ref|.
+    times (k) [s], forces (k, 3) [N]; the reference has these times among others."""
+    wanted = reference_forces[_at(reference_times, times)]
+    scale = np.linalg.norm(reference_forces, axis=1).max()
+    if not scale > 0.0:
+        raise ValueError("the reference feels no force")
+    error = np.linalg.norm(forces - wanted, axis=1) / scale
+    return float(np.sqrt(np.mean(error ** 2))), float(error.max())
+
+
+def displacement_error(times, frames, reference_times, reference_frames):
+    """Relative L2 over all nodes and common times: frames (k, n, 3) [m] of the same nodes."""
+    wanted = reference_frames[_at(reference_times, times)]
+    return float(np.linalg.norm(frames - wanted) / np.linalg.norm(wanted))
+
+
+def pareto(errors, costs):
+    """Indices of the points than which none is both cheaper and more accurate, by cost. Points
+    that are not finite are left out."""
+    errors, costs = np.asarray(errors, float), np.asarray(costs, float)
+    order = sorted((i for i in range(len(costs)) if np.isfinite(errors[i]) and np.isfinite(costs[i])),
+                   key=lambda i: (costs[i], errors[i]))
+    front, best = [], np.inf
+    for i in order:
+        if errors[i] < best:
+            front.append(i)
+            best = errors[i]
+    return front
+
+
+def exponent(sizes, costs):
+    """p of the power law cost = c size^p nearest to the points in the logarithms."""
+    if len(sizes) < 2:
+        raise ValueError("an exponent needs two sizes")
+    return float(np.polyfit(np.log(sizes), np.log(costs), 1)[0])

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What was set out to be reached, each beside what this run measured."""
+
+import dataclasses
+import math
+
+from accuracy.rows import Section, table
+from accuracy.solve import Failed
+
+from .. import norms
+from ..runs import Config
+from . import beam, kernels, size, threads
+
+QUICK = False
+MARK = 20250  # tetrahedra of the cube of 15^3 cells
+CUBE = Config("cube", tets=MARK, step=0.01, method="implicit_pcg")
+
+
+@dataclasses.dataclass
+class Goal:
+    """A figure and what it should be; `least`: it should be at least that, else at most."""
+    what: str
+    value: float
+    goal: float
+    unit: str
+    least: bool = False
+
+    @property
+    def reached(self):
+        """What is not a number reaches nothing."""
+        return self.value >= self.goal if self.least else self.value <= self.goal
+
+    def verdict(self):
+        if not math.isfinite(self.value):
+            return "**not measured**"
+        if self.reached:
+            return "reached"
+        ratio = self.goal / self.value if self.least else self.value / self.goal
+        return f"**missed, by a factor of {ratio:.2f}**"
+
+    def line(self):
+        sign = ">=" if self.least else "<="
+        return [self.what, f"{self.value:.3g} {self.unit}", f"{sign} {self.goal:g} {self.unit}",
+                self.verdict()]
+
+
+def _kernels(context):
+    found = kernels.measure(context)
+    for element in ("tet4", "anp"):
+        end = f"/{element}/stable_neo_hookean/tets:{MARK}/threads:1"
+        for kernel, goal in (("gradient", 15.0), ("gradient+hessian", 70.0)):
+            yield Goal(f"{kernel} of `{element}`, {MARK} tetrahedra",
+                       1e9 * found[kernel + end]["per_tet"], goal, "ns a tetrahedron")
+    for element in ("tet4", "anp"):
+        end = f"/{element}/tets:{MARK}"
+        share = found["multiply" + end]["bytes_per_second"] / found["read" + end]["bytes_per_second"]
+        yield Goal(f"matrix of `{element}` times vector, {MARK} tetrahedra: share of the read bandwidth",
+                   100 * share, 80.0, "%", least=True)
+
+
+def _beam(context):
+    for element in ("tet4", "anp"):
+        run = context.measure(beam.BASE.but(tets=24000, element=element, method="implicit_pcg",
+                                            **beam.ONE_SOLVE))
+        yield Goal(f"beam of 24 000 `{element}`, one linear solve to 1e-6 a step: median",
+                   run.median_ms, 20.0, "ms")
+
+
+def _cube(context):
+    """The cheapest tolerance whose force error is within half a per cent."""
+    cases = (("anp", 0.45, 12.0), ("tet4", 0.45, 12.0), ("anp", 0.49, 27.0))
+    context.prepare([CUBE.but(element=e, poisson_ratio=p) for e, p, _ in cases])
+    for element, poisson, goal in cases:
+        good, least_error = [], math.inf
+        for tolerance in (1e-4, 1e-3, 1e-2):
+            run = context.measure(CUBE.but(element=element, poisson_ratio=poisson, tolerance=tolerance))
+            rms = context.errors(run)["rms"]
+            least_error = min(least_error, rms)
+            if rms <= 0.005:
+                good.append((run.step_ms, tolerance, rms))
+        ms, tolerance, rms = min(good, default=(math.nan, math.nan, least_error))
+        yield Goal(f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 % "
+                   f"({100 * rms:.2f} % at tolerance {tolerance:g}): mean of a step", ms, goal, "ms")
+
+
+def _small(context):
+    run = context.measure(Config("liver_500", duration=4.0, method="implicit_pcg"))
+    yield Goal(f"liver of {run.summary['nodes']} nodes, palpated, whole cycle: p99", run.p99_ms, 1.0, "ms")
+    run = context.measure(CUBE.but(tets=4860, element="anp", poisson_ratio=0.45))
+    yield Goal(f"cube of {run.summary['tets']} `anp`, nu = 0.45: median", run.median_ms, 2.5, "ms")
+    one, two = threads.pair(context, "anp", MARK)
+    yield Goal(f"two threads, {MARK} `anp`: times faster", one.step_ms / two.step_ms, 1.5, "x", least=True)
+    run = context.measure(Config("rest", tets=MARK, duration=5.0, method="implicit_pcg"))
+    yield Goal(f"cube of {MARK} `anp` at rest, 100 cycles a second: share of a core",
+               run.second_ms / 10, 1.0, "%")
+
+
+def _growth(context):
+    runs = [context.measure(size.base(context, tets, "anp", "implicit_pcg"), repeats=2, seconds=3.0)
+            for tets in size.SIZES]
+    grows = norms.exponent([r.summary["tets"] for r in runs], [r.step_ms for r in runs])
+    yield Goal("time of a step over tetrahedra, 1000 to 50 000 `anp`, nu = 0.45: exponent", grows, 1.25, "")
+    yield Goal(f"memory of the process with {runs[-1].summary['tets']} `anp`, at most",
+               runs[-1].summary["peak_megabytes"], 400.0, "MB")
+
+
+def _yardstick(context):
+    """How much faster than the plainest method a scene may be: shown, there is no goal."""
+    for scene in ("liver_150", "liver_500"):
+        base = Config(scene, duration=2.0)
+        plain = context.attempt(base.but(method="newton_bicgstab"), repeats=1)
+        auto = context.attempt(base.but(method="auto"))
+        if plain is None or auto is None:
+            continue
+        yield [scene, plain.summary["tets"], f"{plain.step_ms:.3g} ms", f"{auto.step_ms:.3g} ms",
+               f"{plain.step_ms / auto.step_ms:.1f}", f"{plain.p99_ms / auto.p99_ms:.1f}"]
+
+
+def run(context):
+    goals = []
+    for part in (_kernels, _beam, _cube, _small, _growth):
+        try:
+            goals += list(part(context))
+        except Failed as failure:
+            context.progress(f"left out: {failure}")
+    tables = [table(["what", "measured", "aim", ""], [g.line() for g in goals])]
+    yardstick = list(_yardstick(context))
+    if yardstick:
+        tables.append("Beside the plainest method, Newton with unpreconditioned BiCGStab:\n\n" + table(
+            ["scene", "tetrahedra", "`newton_bicgstab`, mean of a cycle", "`auto`", "times faster",
+             "p99: times faster"], yardstick))
+    done = sum(g.reached for g in goals)
+    return Section("What was aimed at", TEXT + f" {done} of {len(goals)} are reached.", [], [], tables)
+
+
+TEXT = """Aims that were set before, for one core of the processor below (AVX-512), each beside what this run
+measured."""

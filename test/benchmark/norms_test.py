@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error norms, Pareto fronts, exponents, goals: what a wrong formula would get wrong."""
+
+import math
+import sys
+import unittest
+
+try:
+    import numpy as np
+
+    from work_precision import norms
+    from work_precision.runs import Config
+    from work_precision.suites.kernels import fastest
+    from work_precision.suites.reach import Goal
+except ModuleNotFoundError as missing:
+    if missing.name.split(".")[0] in ("accuracy", "work_precision"):
+        raise
+    print(f"no Python module {missing.name}; run scripts/install_dependencies.sh test")
+    sys.exit(77)
+
+
+class ForceError(unittest.TestCase):
+    times = np.array([0.1, 0.2, 0.3, 0.4])
+    reference = np.array([[0, 0, 1.0], [0, 0, 2.0], [0, 0, -4.0], [0, 3.0, 0]])
+
+    def test_none_against_itself(self):
+        self.assertEqual(norms.force_error(self.times, self.reference, self.times, self.reference), (0, 0))
+
+    def test_is_a_part_of_the_largest_reference_force(self):
+        # Off by 0.4 in x at two of the run's two times; the largest force, 4 N, is not among them.
+        run = self.reference[[1, 3]] + np.array([0.4, 0, 0])
+        rms, largest = norms.force_error(self.times[[1, 3]], run, self.times, self.reference)
+        self.assertAlmostEqual(rms, 0.1)
+        self.assertAlmostEqual(largest, 0.1)
+
+    def test_rms_and_maximum(self):
+        run = self.reference + np.array([[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 2.0]])
+        rms, largest = norms.force_error(self.times, run, self.times, self.reference)
+        self.assertAlmostEqual(rms, 0.25)  # sqrt(2^2 / 4) / 4
+        self.assertAlmostEqual(largest, 0.5)
+
+    def test_times_that_rounding_moved_are_the_same(self):
+        times = self.times + np.array([1e-16, -1e-16, 1e-12, 0])
+        self.assertEqual(norms.force_error(times, self.reference, self.times, self.reference)[1], 0)
+
+    def test_a_time_that_the_reference_lacks_is_refused(self):
+        for time in (0.25, 0.5, 0.05):
+            with self.assertRaises(ValueError):
+                norms.force_error(np.array([time]), self.reference[:1], self.times, self.reference)
+
+    def test_no_force_is_refused(self):
+        with self.assertRaises(ValueError):
+            norms.force_error(self.times, self.reference, self.times, 0 * self.reference)
+
+
+class DisplacementError(unittest.TestCase):
+    def test_relative_over_nodes_and_times(self):
+        reference = np.zeros((2, 5, 3))
+        reference[1, 2] = [3.0, 0, 4.0]
+        run = reference.copy()
+        run[0, 0, 1] = 0.5
+        times = np.array([0.1, 0.2])
+        self.assertAlmostEqual(norms.displacement_error(times, run, times, reference), 0.1)
+        # A reference with more frames.
+        more = np.concatenate([reference[:1], np.ones((1, 5, 3)), reference[1:]])
+        self.assertAlmostEqual(
+            norms.displacement_error(times, run, np.array([0.1, 0.15, 0.2]), more), 0.1)
+
+
+class Pareto(unittest.TestCase):
+    def test_front_by_cost(self):
+        errors = [1.0, 0.5, 0.7, 0.1, 0.4, math.nan]
+        costs = [1.0, 2.0, 3.0, 5.0, 5.0, 0.1]
+        self.assertEqual(norms.pareto(errors, costs), [0, 1, 3])
+
+    def test_of_equals_one(self):
+        self.assertEqual(len(norms.pareto([1.0, 1.0], [2.0, 2.0])), 1)
+
+    def test_empty(self):
+        self.assertEqual(norms.pareto([], []), [])
+
+
+class Exponent(unittest.TestCase):
+    def test_power_law(self):
+        sizes = np.array([1e3, 5e3, 5e4])
+        self.assertAlmostEqual(norms.exponent(sizes, 3.0 * sizes ** 1.25), 1.25)
+
+    def test_needs_two_sizes(self):
+        with self.assertRaises(ValueError):
+            norms.exponent([1.0], [1.0])
+
+
+class Goals(unittest.TestCase):
+    def test_at_most(self):
+        self.assertTrue(Goal("a", 1.0, 1.0, "ms").reached)
+        missed = Goal("a", 3.0, 1.5, "ms")
+        self.assertFalse(missed.reached)
+        self.assertIn("2.00", missed.verdict())
+
+    def test_at_least(self):
+        self.assertTrue(Goal("a", 1.6, 1.5, "x", least=True).reached)
+        self.assertIn("1.50", Goal("a", 1.0, 1.5, "x", least=True).verdict())
+
+    def test_nothing_measured_reaches_nothing(self):
+        for least in (False, True):
+            goal = Goal("a", math.nan, 1.0, "ms", least=least)
+            self.assertFalse(goal.reached)
+            self.assertIn("not measured", goal.verdict())
+
+
+class Configs(unittest.TestCase):
+    def test_arguments_and_names(self):
+        config = Config("cube", tets=6, poisson_ratio=0.45, sets=("solver.step=0.01", "contact.smoothing=1"))
+        self.assertEqual(config.arguments(), ["--scene", "cube", "--tets", "6", "--poisson-ratio", "0.45",
+                                              "--set", "solver.step=0.01", "--set", "contact.smoothing=1"])
+        self.assertNotEqual(config.name(), config.but(poisson_ratio=0.49).name())
+        self.assertEqual(config.name(), config.but(tets=6).name())
+
+
+class Kernels(unittest.TestCase):
+    def test_fastest_of_the_repetitions_in_nanoseconds(self):
+        entry = {"name": "a/real_time", "run_type": "iteration", "time_unit": "us"}
+        mean = {**entry, "name": "a/real_time_mean", "run_type": "aggregate", "real_time": 0.1}
+        found = fastest([{**entry, "real_time": 3.0}, {**entry, "real_time": 2.0}, mean])
+        self.assertEqual(list(found), ["a"])
+        self.assertEqual(found["a"]["ns"], 2000.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
