@@ -128,8 +128,8 @@ void writeForces(const std::string& file, const BenchResult& result) {
     for (int i = 0; i < 3; ++i) csv << cycle.wrench.force[i];
     for (int i = 0; i < 3; ++i) csv << cycle.wrench.torque[i];
     csv << report.contacts << report.max_penetration << report.newton_iterations
-        << report.cg_iterations << report.skipped.total() << report.min_jacobian
-        << std::string(toString(report.status));
+        << report.cg_iterations << static_cast<double>(report.skipped.total())
+        << report.min_jacobian << std::string(toString(report.status));
     csv.endRow();
   }
   csv.close();

@@ -14,7 +14,8 @@ namespace palpate::solver {
 namespace {
 
 std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, const fem::Stiffness& A) {
-  return std::make_unique<Newton>(A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool));
+  return std::make_unique<Newton>(
+      A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool));
 }
 
 std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings&, const fem::Stiffness& A) {
@@ -24,7 +25,8 @@ std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings&, const fem::S
 std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings,
                                          const fem::Stiffness& A) {
   return std::make_unique<Newton>(
-      A, std::make_unique<StalePcg>(A, settings.max_linear_iterations, settings.pool && settings.pool->size() > 1));
+      A, std::make_unique<StalePcg>(A, settings.max_linear_iterations,
+                                    settings.pool && settings.pool->size() > 1));
 }
 
 std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, const fem::Stiffness& A) {

@@ -8,15 +8,10 @@
 namespace palpate::solver {
 namespace {
 
-constexpr int kChunk = 256;        // nodes
-constexpr int kWorthThreads = 16;  // chunks: below it, sharing costs more than it gains
+constexpr int kWorthThreads = 8;  // chunks: below it, sharing costs more than it gains
 constexpr std::size_t kPadding = 16;
 
 int numChunks(int count) { return (count + kChunk - 1) / kChunk; }
-
-void toFloats(const double* from, std::size_t count, float* to) {
-  for (std::size_t k = 0; k < count; ++k) to[k] = static_cast<float>(from[k]);
-}
 
 }  // namespace
 
@@ -36,94 +31,98 @@ void PcgMatrix::forChunks(int count, const Body& body) {
 }
 
 void PcgMatrix::takePattern(const fem::Stiffness& A) {
+  using Rows = std::vector<std::vector<PackedRows::Entry>>;
   const fem::BlockMatrix& K = A.blocks();
   num_nodes_ = K.numNodes();
-  row_start_.push_back(0);
-  for (int i = 0; i < num_nodes_; ++i) row_start_.push_back(K.rowEnd(i));
-  for (int slot = 0; slot < K.numBlocks(); ++slot) column_.push_back(K.column(slot));
-  values_.assign(9 * column_.size() + kPadding, 0.0F);
+  Rows blocks(static_cast<std::size_t>(num_nodes_));
+  for (int i = 0; i < num_nodes_; ++i) {
+    for (int slot = K.rowBegin(i); slot < K.rowEnd(i); ++slot) {
+      blocks[i].push_back({K.column(slot), slot});
+    }
+  }
+  blocks_ = PackedRows(blocks, 9, 4, blocks);
   inverse_diagonal_.assign(9 * static_cast<std::size_t>(num_nodes_) + kPadding, 0.0F);
   partial_.resize(static_cast<std::size_t>(numChunks(num_nodes_)));
   partial_2_ = partial_;
   if (!A.hasVolume()) return;
-  const fem::VolumeStiffness& volume = A.volume();
-  num_pressures_ = static_cast<int>(volume.numRows());
-  start_ = volume.pattern->start;
-  node_ = volume.pattern->node;
-  rows_.assign(3 * node_.size() + kPadding, 0.0F);
-  columns_ = rows_;
-  column_start_.assign(static_cast<std::size_t>(num_nodes_) + 1, 0);
-  for (int n : node_) ++column_start_[n + 1];
-  std::partial_sum(column_start_.begin(), column_start_.end(), column_start_.begin());
-  std::vector<int> next(column_start_.begin(), column_start_.end() - 1);
-  pressure_.resize(node_.size());
-  source_.resize(node_.size());
+  const fem::VolumeStiffness::Pattern& pattern = *A.volume().pattern;
+  num_pressures_ = static_cast<int>(A.volume().numRows());
+  Rows rows(static_cast<std::size_t>(num_pressures_)), columns(blocks.size());
   for (int p = 0; p < num_pressures_; ++p) {
-    for (int k = start_[p]; k < start_[p + 1]; ++k) {
-      const int at = next[node_[k]]++;
-      pressure_[at] = p;
-      source_[at] = k;
+    for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
+      rows[p].push_back({pattern.node[k], k});
+      columns[pattern.node[k]].push_back({p, k});
     }
   }
+  rows_ = PackedRows(rows, 3, 4, rows);
+  columns_ = PackedRows(columns, 3, 1, blocks);
   c_.assign(static_cast<std::size_t>(num_pressures_), 0.0F);
   weights_ = c_;
 }
 
-bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
-  A.diagonal(&diagonal_);
-  for (int i = 0; i < num_nodes_; ++i) {
-    const Mat3& D = diagonal_[static_cast<std::size_t>(i)];
-    // Sylvester's criterion: leading minors.
-    const double minor = D(0, 0) * D(1, 1) - D(0, 1) * D(1, 0);
-    if (!(D(0, 0) > 0.0 && minor > 0.0 && D.determinant() > 0.0)) return false;
-    const Mat3 inverse = D.inverse();
-    for (int k = 0; k < 9; ++k) {  // exactly symmetric
-      inverse_diagonal_[9 * static_cast<std::size_t>(i) + k] =
-          static_cast<float>(inverse(std::min(k % 3, k / 3), std::max(k % 3, k / 3)));
-    }
-  }
-  return true;
+PcgVolumes PcgMatrix::volumes() const {
+  return {rows_.rows(), columns_.rows(), metric_ ? nullptr : weights_.data()};
 }
 
 void PcgMatrix::packVolumes(const fem::VolumeStiffness& volume) {
-  const double* from = volume.rows.data();
-  toFloats(from, 3 * node_.size(), rows_.data());
-  for (std::size_t k = 0; k < source_.size(); ++k) {
-    for (int c = 0; c < 3; ++c)
-      columns_[3 * k + c] = rows_[3 * static_cast<std::size_t>(source_[k]) + c];
-  }
+  const double* values = volume.rows.data();
+  forChunks(num_pressures_, [&](int chunk, int, int) { rows_.assign(chunk, values); });
+  forChunks(num_nodes_, [&](int chunk, int, int) { columns_.assign(chunk, values); });
   factor_ = volume.factor;
   metric_ = volume.metric->isDiagonal() ? nullptr : volume.metric.get();
-  for (int p = 0; p < num_pressures_ && !metric_; ++p) {
+  for (int p = 0; p < num_pressures_; ++p) {
     weights_[p] = static_cast<float>(factor_ * volume.metric->weights()[p]);
   }
 }
 
+bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
+  const fem::BlockMatrix& K = A.blocks();
+  const PcgVolumes B{rows_.rows(), columns_.rows(), weights_.data()};
+  forChunks(num_nodes_, [&](int chunk, int begin, int end) {
+    float* D = inverse_diagonal_.data();
+    for (int i = begin; i < end; ++i) {
+      Eigen::Map<Eigen::Matrix3f>(D + 9 * static_cast<std::ptrdiff_t>(i)) =
+          K.block(K.diagonal(i)).cast<float>();
+    }
+    if (num_pressures_ > 0) kernels_.diagonal(B, begin, end, D);
+    bool definite = true;
+    for (int i = begin; i < end; ++i) {
+      Eigen::Map<Eigen::Matrix3f> block(D + 9 * static_cast<std::ptrdiff_t>(i));
+      const Mat3 d = block.cast<double>();
+      // Sylvester's criterion: leading minors.
+      const double minor = d(0, 0) * d(1, 1) - d(0, 1) * d(1, 0);
+      definite = definite && d(0, 0) > 0.0 && minor > 0.0 && d.determinant() > 0.0;
+      const Mat3 inverse = d.inverse();
+      block = (0.5 * (inverse + inverse.transpose())).cast<float>();  // exactly symmetric
+    }
+    partial_[chunk] = definite ? 1.0 : 0.0;
+  });
+  return std::find(partial_.begin(), partial_.end(), 0.0) == partial_.end();
+}
+
 bool PcgMatrix::assign(const fem::Stiffness& A) {
   if (num_nodes_ == 0) takePattern(A);
-  toFloats(A.blocks().block(0).data(), 9 * column_.size(), values_.data());
+  const double* values = A.blocks().values();
+  forChunks(num_nodes_, [&](int chunk, int, int) { blocks_.assign(chunk, values); });
   if (num_pressures_ > 0) packVolumes(A.volume());
   return invertDiagonal(A);
 }
 
 double PcgMatrix::apply(const PcgVectors& v) {
-  const PcgBlocks K{row_start_.data(), column_.data(), values_.data()};
-  const PcgVolumes B{
-      start_.data(),        node_.data(),     rows_.data(),   metric_ ? nullptr : weights_.data(),
-      column_start_.data(), pressure_.data(), columns_.data()};
-  if (num_pressures_ > 0) {
-    forChunks(num_pressures_, [&](int, int begin, int end) {
-      kernels_.volumes(B, begin, end, v.p_single, c_.data());
-    });
+  const PcgVolumes B = volumes();
+  float* c = num_pressures_ > 0 ? c_.data() : nullptr;
+  if (c) {
+    forChunks(num_pressures_,
+              [&](int, int begin, int end) { kernels_.volumes(B, begin, end, v.p_single, c); });
     if (metric_) {
-      Eigen::Map<Eigen::VectorXf> c(c_.data(), num_pressures_);
-      changes_ = c.cast<double>();
+      Eigen::Map<Eigen::VectorXf> all(c, num_pressures_);
+      changes_ = all.cast<double>();
       metric_->apply(changes_, &pressures_);
-      c = (factor_ * pressures_).cast<float>();
+      all = (factor_ * pressures_).cast<float>();
     }
   }
   forChunks(num_nodes_, [&](int chunk, int begin, int end) {
-    partial_[chunk] = kernels_.apply(K, B, begin, end, num_pressures_ > 0 ? c_.data() : nullptr, v);
+    partial_[chunk] = kernels_.apply(blocks_.rows(), B, begin, end, c, v);
   });
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/pcg_kernels.h"
+#include "packed_rows.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/stiffness.h"
 
@@ -20,7 +21,6 @@ class PcgMatrix {
   /// positive definite.
   bool assign(const fem::Stiffness& A);
 
-  int numNodes() const { return num_nodes_; }
   /// Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
   /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
@@ -30,8 +30,9 @@ class PcgMatrix {
 
  private:
   void takePattern(const fem::Stiffness& A);
-  bool invertDiagonal(const fem::Stiffness& A);
   void packVolumes(const fem::VolumeStiffness& volume);
+  bool invertDiagonal(const fem::Stiffness& A);
+  PcgVolumes volumes() const;
   /// body(chunk, begin, end) on chunks of [0, count).
   template <class Body>
   void forChunks(int count, const Body& body);
@@ -39,14 +40,11 @@ class PcgMatrix {
   const PcgKernels& kernels_;
   ThreadPool* pool_;
   int num_nodes_ = 0, num_pressures_ = 0;
-  std::vector<int> row_start_, column_;
-  std::vector<float> values_, inverse_diagonal_;
-  std::vector<int> start_, node_, column_start_, pressure_, source_;
-  std::vector<float> rows_, columns_, weights_, c_;
+  PackedRows blocks_, rows_, columns_;
+  std::vector<float> inverse_diagonal_, weights_, c_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
   double factor_ = 1.0;
   Eigen::VectorXd changes_, pressures_;  // for a metric that is not diagonal
-  std::vector<Mat3> diagonal_;
   std::vector<double> partial_, partial_2_;
 };
 

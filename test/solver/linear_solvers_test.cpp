@@ -136,6 +136,34 @@ TEST(BlockPcg, SolvesToTheToleranceAskedFor) {
   }
 }
 
+// Large enough that threads share the work.
+TEST(BlockPcg, GivesTheSameBitsWithAllInstructionsAndThreads) {
+  const mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(16));
+  const auto body = fem::makeElasticity(
+      "anp", mesh,
+      fem::Composition::uniform(material::makeMaterial(
+          "stable_neo_hookean", {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}})));
+  fem::Stiffness A = body->makeMatrix();
+  body->hessian(mesh.points, fem::Tangent::kExact, &A);
+  for (int i = 0; i < A.numNodes(); ++i) {
+    A.blocks().block(A.blocks().diagonal(i)).diagonal().array() += 1.0;
+  }
+  test::Random random;
+  const Points b = random.points(mesh.numPoints(), 1.0);
+  Points first;
+  const LinearReport expected = BlockPcg(500, nullptr, Isa::kBaseline).solve(A, b, 1e-3, &first);
+  ASSERT_EQ(expected.status, SolveStatus::kConverged);
+  for (const Isa isa : availableIsas()) {
+    for (const int threads : {1, 2, 3}) {
+      ThreadPool pool(threads);
+      Points x;
+      const LinearReport report = BlockPcg(500, &pool, isa).solve(A, b, 1e-3, &x);
+      EXPECT_EQ(report.iterations, expected.iterations);
+      EXPECT_TRUE(x == first) << toString(isa) << ", " << threads << " threads";
+    }
+  }
+}
+
 TEST(BlockPcg, SaysWhatIsWrong) {
   System s;
   Points x;

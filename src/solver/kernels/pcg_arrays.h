@@ -9,22 +9,19 @@ namespace palpate::solver {
 // single precision: they take most of the time. The last entries of floats that make up the matrix
 // are followed by at least eight more, all finite.
 
-/// 3 x 3 blocks, column-major, row after row.
-struct PcgBlocks {
-  const int* row_start;
-  const int* column;  ///< Node of each block.
-  const float* values;
+/// Rows of entries, sorted by length within each chunk of rows, so that a processor foresees where
+/// each ends. Lengths are even: some rows are filled up with an entry of zeros.
+struct PcgRows {
+  const int* target;       ///< Node (or pressure) of each row.
+  const int* start;        ///< Row r has the entries start[r] .. start[r + 1].
+  const unsigned* source;  ///< 4 x node, or pressure, that an entry is multiplied with.
+  const float* values;     ///< 9 an entry, column-major, or 3.
 };
 
-/// B^T M B, M = diag(weights): B by rows, and once more by columns.
+/// B^T M B, M = diag(weights): B by rows (pressures), and once more by columns (nodes).
 struct PcgVolumes {
-  const int* start;
-  const int* node;       ///< Of each entry.
-  const float* rows;     ///< 3 an entry.
-  const float* weights;  ///< Of each row; null: the metric is applied by somebody else.
-  const int* column_start;
-  const int* pressure;  ///< Of each entry.
-  const float* columns;
+  PcgRows rows, columns;
+  const float* weights;  ///< Of each pressure; null: the metric is applied by somebody else.
 };
 
 struct PcgVectors {
@@ -32,17 +29,18 @@ struct PcgVectors {
   float* p_single;  ///< p, rounded.
 };
 
-/// All from node (or pressure) `begin` to `end`.
 struct PcgKernels {
-  /// c = M B p, without M where there are no weights.
+  /// c = M B p from row `begin` to `end`, without M where there are no weights.
   void (*volumes)(const PcgVolumes&, int begin, int end, const float* p, float* c);
-  /// Ap = K p + B^T c; returns p . Ap. `c` null: no volumes.
-  double (*apply)(const PcgBlocks&, const PcgVolumes&, int begin, int end, const float* c,
+  /// Ap = K p + B^T c from row `begin` to `end`; returns p . Ap. `c` null: no volumes.
+  double (*apply)(const PcgRows& K, const PcgVolumes&, int begin, int end, const float* c,
                   const PcgVectors&);
-  /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
+  /// += B^T M B into the 9 floats of each node's diagonal block.
+  void (*diagonal)(const PcgVolumes&, int begin, int end, float* blocks);
+  /// x += alpha p, r -= alpha Ap, z = D^-1 r from node `begin` to `end`; gives r . z and r . r.
   void (*update)(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors&,
                  double* rz, double* rr);
-  /// p = z + beta p, also in single precision.
+  /// p = z + beta p, also in single precision, from node `begin` to `end`.
   void (*direct)(int begin, int end, double beta, const PcgVectors&);
 };
 

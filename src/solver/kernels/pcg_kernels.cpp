@@ -35,68 +35,87 @@ constexpr Quad kFirstThree = {1.0, 1.0, 1.0, 0.0};
 inline double sum(const Quad& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 inline float sum(Floats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
-// Sum of the blocks from `begin` to `end` times their parts of p: column by column, then the sum of
-// the three columns.
-inline Floats multiplyRow(const PcgBlocks& K, int begin, int end, const float* p) {
+// Sum of the row's blocks times their parts of p: entries in turn into one of two sums, each by
+// columns, then the two, then the three columns.
+inline Floats multiplyRow(const PcgRows& K, int row, const float* p) {
+  const int end = K.start[row + 1];
 #if defined(__AVX512F__)
   const __m512i spread = _mm512_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3);
-  __m512 y = _mm512_setzero_ps();
-  for (int k = begin; k < end; ++k) {
-    const __m512 x = _mm512_castps128_ps512(_mm_loadu_ps(p + 4 * K.column[k]));
-    const __m512 A = _mm512_loadu_ps(K.values + 9 * k);
-    y = _mm512_add_ps(y, _mm512_mul_ps(A, _mm512_permutexvar_ps(spread, x)));
+  __m512 even = _mm512_setzero_ps(), odd = _mm512_setzero_ps();
+  for (int k = K.start[row]; k < end; k += 2) {
+    __builtin_prefetch(K.values + 9 * k + 288);  // some rows ahead
+    const __m512 x0 = _mm512_castps128_ps512(_mm_loadu_ps(p + K.source[k]));
+    const __m512 x1 = _mm512_castps128_ps512(_mm_loadu_ps(p + K.source[k + 1]));
+    const __m512 A0 = _mm512_loadu_ps(K.values + 9 * k);
+    const __m512 A1 = _mm512_loadu_ps(K.values + 9 * k + 9);
+    even = _mm512_add_ps(even, _mm512_mul_ps(A0, _mm512_permutexvar_ps(spread, x0)));
+    odd = _mm512_add_ps(odd, _mm512_mul_ps(A1, _mm512_permutexvar_ps(spread, x1)));
   }
+  const __m512 y = _mm512_add_ps(even, odd);
   const __m512i second = _mm512_setr_epi32(3, 4, 5, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9);
   const __m512i third = _mm512_setr_epi32(6, 7, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9);
   const __m512 two = _mm512_add_ps(y, _mm512_permutexvar_ps(second, y));
   return _mm512_castps512_ps128(_mm512_add_ps(two, _mm512_permutexvar_ps(third, y)));
 #else
-  Floats y0{}, y1{}, y2{};
-  for (int k = begin; k < end; ++k) {
+  Floats even[3] = {}, odd[3] = {};
+  for (int k = K.start[row]; k < end; k += 2) {
     const float* A = K.values + 9 * k;
-    const float* x = p + 4 * K.column[k];
-    y0 += loadFloats(A) * x[0];
-    y1 += loadFloats(A + 3) * x[1];
-    y2 += loadFloats(A + 6) * x[2];
+    const float* x0 = p + K.source[k];
+    const float* x1 = p + K.source[k + 1];
+    for (int c = 0; c < 3; ++c) {
+      even[c] += loadFloats(A + 3 * c) * x0[c];
+      odd[c] += loadFloats(A + 9 + 3 * c) * x1[c];
+    }
   }
-  return (y0 + y1) + y2;
+  return ((even[0] + odd[0]) + (even[1] + odd[1])) + (even[2] + odd[2]);
 #endif
 }
 
 void volumes(const PcgVolumes& B, int begin, int end, const float* p, float* c) {
   for (int row = begin; row < end; ++row) {
     Floats even{}, odd{};
-    int k = B.start[row];
-    for (; k + 1 < B.start[row + 1]; k += 2) {
-      even += loadFloats(B.rows + 3 * k) * loadFloats(p + 4 * B.node[k]);
-      odd += loadFloats(B.rows + 3 * k + 3) * loadFloats(p + 4 * B.node[k + 1]);
+    for (int k = B.rows.start[row]; k < B.rows.start[row + 1]; k += 2) {
+      even += loadFloats(B.rows.values + 3 * k) * loadFloats(p + B.rows.source[k]);
+      odd += loadFloats(B.rows.values + 3 * k + 3) * loadFloats(p + B.rows.source[k + 1]);
     }
-    if (k < B.start[row + 1]) even += loadFloats(B.rows + 3 * k) * loadFloats(p + 4 * B.node[k]);
     const float change = sum(even + odd);
-    c[row] = B.weights ? B.weights[row] * change : change;
+    const int target = B.rows.target[row];
+    c[target] = B.weights ? B.weights[target] * change : change;
   }
 }
 
-double apply(const PcgBlocks& K, const PcgVolumes& B, int begin, int end, const float* c,
+double apply(const PcgRows& K, const PcgVolumes& B, int begin, int end, const float* c,
              const PcgVectors& v) {
   Quad curvature{};
-  for (int i = begin; i < end; ++i) {
-    Floats y = multiplyRow(K, K.row_start[i], K.row_start[i + 1], v.p_single);
+  for (int row = begin; row < end; ++row) {
+    Floats y = multiplyRow(K, row, v.p_single);
     if (c) {
       Floats even{}, odd{};
-      int k = B.column_start[i];
-      for (; k + 1 < B.column_start[i + 1]; k += 2) {
-        even += loadFloats(B.columns + 3 * k) * c[B.pressure[k]];
-        odd += loadFloats(B.columns + 3 * k + 3) * c[B.pressure[k + 1]];
+      for (int k = B.columns.start[row]; k < B.columns.start[row + 1]; k += 2) {
+        even += loadFloats(B.columns.values + 3 * k) * c[B.columns.source[k]];
+        odd += loadFloats(B.columns.values + 3 * k + 3) * c[B.columns.source[k + 1]];
       }
-      if (k < B.column_start[i + 1]) even += loadFloats(B.columns + 3 * k) * c[B.pressure[k]];
       y += even + odd;
     }
+    const int at = 4 * K.target[row];
     const Quad Ap = toDouble(y) * kFirstThree;
-    storeQuad(v.Ap + 4 * i, Ap);
-    curvature += Ap * loadQuad(v.p + 4 * i);
+    storeQuad(v.Ap + at, Ap);
+    curvature += Ap * loadQuad(v.p + at);
   }
   return sum(curvature);
+}
+
+void diagonal(const PcgVolumes& B, int begin, int end, float* blocks) {
+  for (int row = begin; row < end; ++row) {
+    float* D = blocks + 9 * B.columns.target[row];
+    Floats columns[3] = {};
+    for (int k = B.columns.start[row]; k < B.columns.start[row + 1]; ++k) {
+      const float* b = B.columns.values + 3 * k;
+      const Floats weighted = loadFloats(b) * B.weights[B.columns.source[k]];
+      for (int c = 0; c < 3; ++c) columns[c] += weighted * b[c];
+    }
+    for (int c = 0; c < 9; ++c) D[c] += columns[c / 3][c % 3];
+  }
 }
 
 inline Quad multiply(const float* A, const double* x) {
@@ -132,6 +151,6 @@ void direct(int begin, int end, double beta, const PcgVectors& v) {
 }  // namespace
 
 extern const PcgKernels kPcgKernels;
-const PcgKernels kPcgKernels{volumes, apply, update, direct};
+const PcgKernels kPcgKernels{volumes, apply, diagonal, update, direct};
 
 }  // namespace palpate::solver::PALPATE_ISA

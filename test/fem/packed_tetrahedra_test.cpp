@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/fem/packed_tetrahedra.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../../src/fem/element_scatter.h"
+
+namespace palpate::fem {
+namespace {
+
+// 5 x 4 x 3 cells, 360 tetrahedra, of which some are of a second, stiffer solid: no batch of
+// either is a full one at its end.
+class Packed : public ::testing::TestWithParam<bool> {  // with nodal pressures
+ protected:
+  Packed() {
+    mesh = mesh::boxMesh(Vec3(0.05, 0.04, 0.03), Eigen::Vector3i(5, 4, 3));
+    composition.solids = {
+        {material::makeMaterial("neo_hookean", {{"mu", {2e3}}, {"kappa", {2e4}}}), 1000.0, {}},
+        {material::makeMaterial("stable_neo_hookean", {{"mu", {5e4}}, {"kappa", {1e5}}}),
+         1000.0,
+         {}}};
+    for (int e = 0; e < mesh.numTets(); ++e) composition.solid_of.push_back(e % 7 == 3);
+    x = mesh.points;
+    for (Eigen::Index i = 0; i < x.cols(); ++i) {
+      const Vec3 X = mesh.points.col(i);
+      x.col(i) += 1e-3 * Vec3(std::sin(90 * X[1]), std::cos(70 * X[2]), std::sin(50 * X.sum()));
+    }
+    element_kappa = GetParam() ? std::vector<double>{1e3, 2.5e4} : std::vector<double>{2e4, 1e5};
+  }
+
+  struct Body {
+    Body(const Packed& p, Isa isa, ThreadPool* pool)
+        : shape(p.mesh, p.composition), scatter(shape.nodes, static_cast<int>(p.mesh.numPoints())) {
+      if (GetParam()) {
+        pressure = std::make_unique<NodalPressure>(NodalPressure::Kind::kAveraged,
+                                                   std::vector<double>{1.9e4, 7.5e4}, shape,
+                                                   p.composition);
+      }
+      packed = PackedTetrahedra::make(p.mesh, shape, p.composition, p.element_kappa, pressure.get(),
+                                      scatter.pattern(), pool, isa);
+      K = pressure ? Stiffness(scatter.pattern(), pressure->makeStiffness())
+                   : Stiffness(scatter.pattern());
+    }
+    void compute(const Points& at) {
+      energy = packed->gradient(at, &g);
+      packed->hessian(at, &K);
+      K.multiply(g, &Kg);
+    }
+
+    RestShape<4> shape;
+    ElementScatter<4> scatter;
+    std::unique_ptr<NodalPressure> pressure;
+    std::unique_ptr<PackedTetrahedra> packed;
+    Stiffness K;
+    Points g, Kg;
+    double energy = 0.0;
+  };
+
+  mesh::TetMesh mesh;
+  Composition composition;
+  std::vector<double> element_kappa;
+  Points x;
+};
+
+TEST_P(Packed, GivesTheSameBitsWithAllInstructionsAndThreads) {
+  Body first(*this, Isa::kBaseline, nullptr);
+  first.compute(x);
+  ASSERT_GT(first.energy, 0.0);
+  for (const Isa isa : availableIsas()) {
+    for (const int threads : {1, 2, 3}) {
+      ThreadPool pool(threads);
+      Body body(*this, isa, &pool);
+      body.compute(x);
+      EXPECT_EQ(body.energy, first.energy) << toString(isa) << ", " << threads << " threads";
+      EXPECT_TRUE(body.g == first.g) << toString(isa) << ", " << threads << " threads";
+      EXPECT_TRUE(body.Kg == first.Kg) << toString(isa) << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST_P(Packed, WhatIsKeptFromTheLastCallChangesNothing) {
+  Body body(*this, bestIsa(), nullptr), fresh(*this, bestIsa(), nullptr);
+  fresh.compute(x);
+  const Points y = 1.01 * x;
+  Points g;
+  const double there = body.packed->energy(y);
+  EXPECT_EQ(body.packed->energy(x), fresh.energy);
+  EXPECT_EQ(body.packed->energy(x), fresh.energy);
+  EXPECT_EQ(body.packed->gradient(y, &g), there);
+  body.packed->hessian(x, &body.K);
+  EXPECT_EQ(body.packed->gradient(x, &body.g), fresh.energy);
+  body.K.multiply(body.g, &body.Kg);
+  EXPECT_TRUE(body.g == fresh.g);
+  EXPECT_TRUE(body.Kg == fresh.Kg);
+}
+
+// Without nodal pressures the energy is a plain sum over elements.
+TEST_P(Packed, EnergyIsTheSumOfTheLaws) {
+  if (GetParam()) return;
+  Body body(*this, bestIsa(), nullptr);
+  double sum = 0.0, smallest = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < mesh.numTets(); ++e) {
+    Mat3 F = Mat3::Zero();
+    const auto& point = body.shape.points[e][0];
+    for (int a = 0; a < 4; ++a) {
+      F += x.col(body.shape.nodes(a, e)) * point.gradients.col(a).transpose();
+    }
+    smallest = std::min(smallest, F.determinant());
+    sum += point.volume * std::visit([&](const auto& law) { return energyDensity(law, F); },
+                                     composition.solid(e).law);
+  }
+  EXPECT_NEAR(body.packed->energy(x), sum, 1e-12 * sum);
+  EXPECT_NEAR(body.packed->minJacobian(x), smallest, 1e-13);
+}
+
+TEST_P(Packed, InvertedElementHasInfiniteEnergy) {
+  Body body(*this, bestIsa(), nullptr);
+  x.col(mesh.tets(0, 0)) += 3.0 * (x.col(mesh.tets(1, 0)) - x.col(mesh.tets(0, 0)));
+  EXPECT_EQ(body.packed->energy(x), std::numeric_limits<double>::infinity());
+  EXPECT_LT(body.packed->minJacobian(x), 0.0);
+}
+
+TEST_P(Packed, LeavesOtherLawsAndViscousSolidsToOthers) {
+  const RestShape<4> shape(mesh, composition);
+  const ElementScatter<4> scatter(shape.nodes, static_cast<int>(mesh.numPoints()));
+  Composition other = composition;
+  other.solids[1].law = material::makeMaterial("yeoh", material::exampleConstants("yeoh"));
+  EXPECT_EQ(PackedTetrahedra::make(mesh, shape, other, element_kappa, nullptr, scatter.pattern(),
+                                   nullptr),
+            nullptr);
+  other = composition;
+  other.solids[0].prony = {{0.3, 1.0}};
+  EXPECT_EQ(PackedTetrahedra::make(mesh, shape, other, element_kappa, nullptr, scatter.pattern(),
+                                   nullptr),
+            nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pressures, Packed, ::testing::Bool(), [](const auto& test) {
+  return test.param ? std::string("Nodal") : std::string("ByElement");
+});
+
+}  // namespace
+}  // namespace palpate::fem

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "palpate/sim/simulator.h"
+#include "slab_scene.h"
+#include "support/allocations.h"
+
+namespace palpate::sim {
+namespace {
+
+using test::SlabScene;
+
+// A tool presses, and presses again: what the first press needed is there for the second.
+TEST(Simulator, TakesNoMemoryInACycleOnceItHasSeenOneLikeIt) {
+  SlabScene slab;
+  Simulator simulator(slab.scene());
+  std::vector<std::vector<LinkPoses>> poses;
+  for (const Eigen::VectorXd& q : SlabScene::press()) {
+    poses.push_back({simulator.linkPoses(0, q)});
+  }
+  int contacts = 0;
+  for (const bool counted : {false, true}) {
+    simulator.reset();
+    test::countAllocations(counted);
+    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
+    test::countAllocations(false);
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+}
+
+}  // namespace
+}  // namespace palpate::sim
