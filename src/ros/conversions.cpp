@@ -63,6 +63,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.elastic_energy = finite(report.elastic_energy);
   m.skipped_far_bodies = static_cast<int>(report.skipped.far_bodies);
   m.skipped_sleeping_organs = static_cast<int>(report.skipped.sleeping_organs);
+  m.skipped_sleeping_islands = static_cast<int>(report.skipped.sleeping_islands);
   m.skipped_satisfied_solves = static_cast<int>(report.skipped.satisfied_solves);
   m.skipped_distant_samples = static_cast<int>(report.skipped.distant_samples);
   m.skipped_inactive_samples = static_cast<int>(report.skipped.inactive_samples);

@@ -14,7 +14,7 @@
 #include "palpate/mesh/surface_io.h"
 #include "palpate/mesh/tet_io.h"
 #include "palpate/sim/composition.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/islands.h"
 
 namespace palpate::sim {
 namespace {
@@ -106,7 +106,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
   settings.skip = scene.solver.skip;
   try {
-    return tissue::makeFemTissue(mesh, composition, free, settings, pool);
+    return tissue::makeIslands(mesh, composition, free, settings, pool);
   } catch (const std::exception& error) {
     throw InputError(scene.file, key, "", error.what());
   }

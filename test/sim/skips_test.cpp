@@ -114,6 +114,27 @@ TEST_P(SkipOf, ChangesNothingThatIsFelt) {
   EXPECT_LT((on.positions - off.positions).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+// The switch reaches the tissue: an organ of two parts, of which the probe touches one.
+TEST(Skips, AnOrganOfTwoPartsIsSolvedPartByPart) {
+  const test::SlabScene slab;
+  mesh::TetMesh two = mesh::boxMesh(Vec3(0.1, 0.1, 0.04), Eigen::Vector3i(4, 4, 2));
+  const Eigen::Index n = two.numPoints(), m = two.numTets();
+  two.points.conservativeResize(3, 2 * n);
+  two.points.rightCols(n) = two.points.leftCols(n).colwise() + Vec3(0.2, 0.0, 0.0);
+  two.tets.conservativeResize(4, 2 * m);
+  two.tets.rightCols(m) = two.tets.leftCols(m).array() + static_cast<int>(n);
+  mesh::writeVtu(slab.folder().path("slab.vtu"), two, {}, {});
+  Scene scene = slab.scene();
+  const Outcome on = run(scene);
+  scene.solver.skip.islands = false;
+  const Outcome off = run(scene);
+  EXPECT_GT(on.skipped.sleeping_islands, 150);
+  EXPECT_EQ(off.skipped.sleeping_islands, 0);
+  for (std::size_t k = 0; k < on.forces.size(); ++k) {
+    EXPECT_LT((on.forces[k] - off.forces[k]).norm(), 2e-3);
+  }
+}
+
 TEST(Skips, ARestingSceneCostsNextToNothing) {
   const test::SlabScene slab;
   Scene scene = slab.scene();

@@ -12,7 +12,8 @@ namespace palpate::sim {
 /// Work that a cycle did not do because the scene did not need it.
 struct SkipCounters {
   std::int64_t far_bodies = 0;  ///< Tool shapes that cannot touch in this cycle: no contact search.
-  std::int64_t sleeping_organs = 0;  ///< At rest and untouched: no solve.
+  std::int64_t sleeping_organs = 0;   ///< At rest and untouched: no solve.
+  std::int64_t sleeping_islands = 0;  ///< Parts of organs, likewise.
   std::int64_t satisfied_solves =
       0;  ///< The predictor was already within tolerance: no Newton iteration.
   std::int64_t distant_samples =

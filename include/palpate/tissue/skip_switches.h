@@ -7,6 +7,7 @@ namespace palpate::tissue {
 /// that the answer stays and what it costs. What each means and counts stands in sim/skips.h.
 struct SkipSwitches {
   bool sleeping = true;
+  bool islands = true;
   bool far_tools = true;
   bool distant_samples = true;
   bool inactive_samples = true;

@@ -46,6 +46,7 @@ struct TissueStep {
   int far_bodies = 0;           ///< Bodies that could not touch in this cycle.
   bool slept = false;           ///< At rest and untouched: nothing was solved.
   bool satisfied = false;       ///< The predictor was within tolerance: no iteration was needed.
+  int sleeping_islands = 0;     ///< Parts that slept, of a body that consists of several.
   int distant_samples = 0;      ///< Surface points, times near bodies, that were out of reach.
   int inactive_samples = 0;     ///< Those within reach that did not touch at the end.
   int inviscid_solids = 0;      ///< Without viscous terms, in a cycle that was solved.

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/tissue/islands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/mesh/tet_parts.h"
+
+namespace palpate::tissue {
+namespace {
+
+struct Island {
+  std::vector<int> nodes;  // in the whole
+  std::unique_ptr<TissueModel> tissue;
+};
+
+fem::Composition compositionOf(const fem::Composition& whole, const std::vector<int>& tets) {
+  fem::Composition part;
+  part.solids = whole.solids;
+  for (int t : tets) {
+    if (!whole.solid_of.empty()) part.solid_of.push_back(whole.solid_of[t]);
+    if (!whole.frames.empty()) part.frames.push_back(whole.frames[t]);
+  }
+  return part;
+}
+
+Points gather(const Points& whole, const std::vector<int>& nodes) {
+  Points part(3, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) part.col(i) = whole.col(nodes[i]);
+  return part;
+}
+
+void scatter(const Points& part, const std::vector<int>& nodes, Points* whole) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) whole->col(nodes[i]) = part.col(i);
+}
+
+void addIsland(const TissueStep& island, TissueStep* out) {
+  out->status = std::max(out->status, island.status);
+  out->contacts.insert(out->contacts.end(), island.contacts.begin(), island.contacts.end());
+  out->support_force += island.support_force;
+  out->gravity_force += island.gravity_force;
+  out->inertia_force += island.inertia_force;
+  out->sweep_stages = std::max(out->sweep_stages, island.sweep_stages);
+  out->time_steps = std::max(out->time_steps, island.time_steps);
+  out->newton_iterations += island.newton_iterations;
+  out->linear_iterations += island.linear_iterations;
+  out->residual = std::hypot(out->residual, island.residual);
+  out->tolerance = std::hypot(out->tolerance, island.tolerance);
+  out->min_jacobian = std::min(out->min_jacobian, island.min_jacobian);
+  out->kinetic_energy += island.kinetic_energy;
+  out->elastic_energy += island.elastic_energy;
+  out->far_bodies += island.far_bodies;
+  out->slept &= island.slept;
+  out->satisfied &= island.satisfied || island.slept;
+  out->sleeping_islands += island.slept;
+  out->distant_samples += island.distant_samples;
+  out->inactive_samples += island.inactive_samples;
+  out->inviscid_solids += island.inviscid_solids;
+  out->phases += island.phases;
+}
+
+class Islands final : public TissueModel {
+ public:
+  Islands(const mesh::TetMesh& mesh, std::vector<Island> islands)
+      : mesh_(mesh),
+        triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
+        islands_(std::move(islands)),
+        x_(mesh.points),
+        v_(Points::Zero(3, mesh.numPoints())) {
+    for (const Island& island : islands_) take(island);
+  }
+
+  const mesh::TetMesh& restMesh() const override { return mesh_; }
+  const Points& positions() const override { return x_; }
+  const Points& velocities() const override { return v_; }
+  const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
+
+  const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
+    clearReport();
+    out_.slept = out_.satisfied = true;
+    for (const Island& island : islands_) {
+      const TissueStep& done = island.tissue->step(bodies, dt);
+      addIsland(done, &out_);
+      if (!done.slept) take(island);
+    }
+    if (out_.slept) out_.satisfied = false;
+    return out_;
+  }
+
+  void reset() override {
+    for (const Island& island : islands_) {
+      island.tissue->reset();
+      take(island);
+    }
+    out_ = TissueStep();
+  }
+
+  void restore(const Points& positions, const Points& velocities) override {
+    x_ = positions;
+    v_ = velocities;
+    for (const Island& island : islands_) {
+      island.tissue->restore(gather(positions, island.nodes), gather(velocities, island.nodes));
+    }
+    out_ = TissueStep();
+  }
+
+ private:
+  // Keeps the memory of the contacts.
+  void clearReport() {
+    std::vector<TissueContact> contacts = std::move(out_.contacts);
+    contacts.clear();
+    out_ = TissueStep();
+    out_.contacts = std::move(contacts);
+  }
+
+  void take(const Island& island) {
+    scatter(island.tissue->positions(), island.nodes, &x_);
+    scatter(island.tissue->velocities(), island.nodes, &v_);
+  }
+
+  mesh::TetMesh mesh_;
+  Eigen::Matrix3Xi triangles_;
+  std::vector<Island> islands_;
+  Points x_, v_;
+  TissueStep out_;
+};
+
+// "part 2 of 3, from [..] to [..] m: "
+std::string nameOf(std::size_t index, std::size_t count, const Points& points) {
+  const auto text = [](const Vec3& p) {
+    return "[" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
+           std::to_string(p.z()) + "]";
+  };
+  return "part " + std::to_string(index + 1) + " of " + std::to_string(count) + ", from " +
+         text(points.rowwise().minCoeff()) + " to " + text(points.rowwise().maxCoeff()) +
+         " m in the world: ";
+}
+
+}  // namespace
+
+std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
+                                         const fem::Composition& composition,
+                                         const fem::FreeMask& free, const FemSettings& settings,
+                                         ThreadPool* pool) {
+  std::vector<mesh::TetPart> parts;
+  if (settings.skip.islands) parts = mesh::splitParts(mesh);
+  std::size_t used = 0;
+  for (const mesh::TetPart& part : parts) used += part.nodes.size();
+  const bool stray_nodes = used < static_cast<std::size_t>(mesh.numPoints());
+  if (parts.size() < 2 || stray_nodes) {
+    return makeFemTissue(mesh, composition, free, settings, pool);
+  }
+  std::vector<Island> islands;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const mesh::TetPart& part = parts[k];
+    const std::string name = nameOf(k, parts.size(), part.mesh.points);
+    try {
+      islands.push_back({part.nodes, makeFemTissue(part.mesh, compositionOf(composition, part.tets),
+                                                   gather(free, part.nodes), settings, pool)});
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(name + error.what());
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(name + error.what());
+    }
+  }
+  return std::make_unique<Islands>(mesh, std::move(islands));
+}
+
+}  // namespace palpate::tissue
