@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "commands.h"
@@ -16,6 +17,7 @@
 #include "palpate/io/trajectory.h"
 #include "palpate/mesh/vtu_writer.h"
 #include "palpate/sim/lockstep.h"
+#include "palpate/sim/scene_load.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -25,6 +27,7 @@ struct Options {
   std::string scene, trajectory, out, vtu;
   int every = 10;
   int threads = 0;
+  bool profile = false;
 };
 
 // One file an organ: <organ>_<number>.vtu with the deformed surface's displacement.
@@ -50,6 +53,12 @@ void printSummary(const io::Replay& replay, std::vector<double> step_ms) {
               step_ms.back());
 }
 
+void printProfile(const sim::Simulator& simulator, const sim::LoadFigures& figures) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const sim::SceneLoad load = sim::judgeLoad(sim::sceneFacts(simulator, cores), figures);
+  std::printf("\n%s\n%s", sim::profileTable(figures).c_str(), sim::longText(load).c_str());
+}
+
 int replay(const Options& options) {
   sim::Scene scene = sim::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
@@ -65,11 +74,13 @@ int replay(const Options& options) {
   std::optional<std::filesystem::path> pictures;
   if (!options.vtu.empty()) pictures = makeFolder(options.vtu);
   std::vector<double> step_ms;
+  sim::LoadRecorder recorder;
   while (run.hasNext()) {
     const auto begin = std::chrono::steady_clock::now();
-    run.next();
+    const sim::StepReport& report = run.next().report;
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - begin;
     step_ms.push_back(ms.count());
+    recorder.add(report, 1e-3 * ms.count(), run.parts());
     run.writeRow(ms.count(), &csv);
     if (pictures && run.row() % options.every == 0) writePictures(simulator, *pictures, run.row());
     line.show("replaying " + options.trajectory, run.fraction());
@@ -77,6 +88,7 @@ int replay(const Options& options) {
   line.finish();
   csv.close();
   printSummary(run, step_ms);
+  if (options.profile) printProfile(simulator, recorder.figures());
   return run.failedSteps() == 0 ? kOk : kNotConverged;
 }
 
@@ -99,6 +111,8 @@ void addReplay(CLI::App& app, Action& action) {
       ->check(CLI::PositiveNumber);
   command->add_option("--threads", options->threads, "Instead of the scene's solver.threads")
       ->check(CLI::Range(1, 64));
+  command->add_flag("--profile", options->profile,
+                    "Say where the time went, and what to change if the scene is too heavy");
   command->callback([options, &action] { action = [options] { return replay(*options); }; });
 }
 

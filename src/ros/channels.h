@@ -12,6 +12,7 @@
 
 #include "node_state.h"
 #include "palpate/base/latest_value.h"
+#include "palpate/sim/scene_load.h"
 #include "palpate/sim/simulator.h"
 #include "throttle.h"
 
@@ -49,6 +50,7 @@ struct Statistics {
   double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
   double sim_speed = 0.0;                                    ///< Simulated over real time.
+  sim::SceneLoad load;  ///< Whether the scene is too heavy; unknown while no cycle solves.
   long cycles = 0, unsolved = 0, resets = 0;
   sim::SkipCounters skipped;         ///< Work that the cycles could leave out, since the start.
   long unwatched_pictures = 0;       ///< Pictures not made because nobody subscribes.

@@ -49,12 +49,16 @@ void Diagnostics::simulation(Status& status) {
     status.mergeSummary(DiagnosticStatus::WARN, slowAdvice(s));
   }
   status.add("state", toString(frame_.state));
-  status.add("rate reached [Hz]", s.rate_reached);
+  status.add("rate held [Hz]", s.rate_reached);
+  status.add("rate possible [Hz]", s.load.rate_possible);
   status.add("rate wanted [Hz]", s.rate_wanted);
   status.add("simulated over real time", s.sim_speed);
   status.add("cycle p50 [ms]", s.cycle_p50);
   status.add("cycle p99 [ms]", s.cycle_p99);
   status.add("cycle max [ms]", s.cycle_max);
+  status.add("costliest phase", std::string(toString(s.load.costliest)));
+  status.add("its share of the slowest cycles", s.load.share);
+  status.add("advice", sim::shortText(s.load));
   status.add("cycles", s.cycles);
   status.add("cycles not solved", s.unsolved);
   status.add("resets", s.resets);

@@ -6,9 +6,15 @@
 
 #include <algorithm>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace palpate::node {
+namespace {
+
+int numCores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+}  // namespace
 
 LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels)
     : simulator_(*simulator),
@@ -18,6 +24,7 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       live_(inputs->size(), false),
       poses_(inputs->size()),
       targets_(inputs->size()),
+      scene_facts_(sim::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {}
 
@@ -96,6 +103,7 @@ void LiveCycle::step(Steady::time_point start) {
   result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
   cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
   cycle_times_.push_back(cycle_ms_);
+  load_.add(result_->report, 1e-3 * cycle_ms_);
 
   facts_.stepped = true;
   facts_.solved = result_->report.usable();

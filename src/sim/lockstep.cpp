@@ -39,6 +39,7 @@ void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector
                            double duration) {
   const double longest = simulator_->scene().solver.step;
   const double parts = std::max(std::ceil(duration / longest - 1e-6), 1.0);
+  parts_ = static_cast<int>(parts);
   for (int k = 1; k <= static_cast<int>(parts); ++k) {
     const StepReport earlier = result_.report;
     result_ = k < parts ? simulator_->step(between(from, to, k / parts), duration / parts)
@@ -48,6 +49,7 @@ void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector
 }
 
 const StepResult& Lockstep::advance(double t, const std::vector<LinkPoses>& poses) {
+  parts_ = 0;
   if (started_ && t == time_) return result_;
   const double longest_gap = kMaxParts * simulator_->scene().solver.step;
   const bool anew = started_ && !(t > time_ && t - time_ <= longest_gap);

@@ -65,6 +65,31 @@ TEST_F(ReplayCommand, SameInputsSameBytesWhateverTheThreads) {
   EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 152);
 }
 
+TEST_F(ReplayCommand, ProfileSaysWhereTheTimeWentAndWhetherTheSceneIsTooHeavy) {
+  const test::CliResult plain = replay("a.csv");
+  EXPECT_FALSE(contains(plain.out, "too heavy"));
+  const test::CliResult light = replay("b.csv", "--profile");
+  ASSERT_EQ(light.status, 0);
+  for (const char* word :
+       {"phase          median ms    p99 ms   share", "contact", "forces", "assembly",
+        "linear_solve", "line_search", "Newton iterations per step", "sleeping_organs",
+        "is the scene too heavy for 100 Hz?", "rate possible: ", "costliest: "}) {
+    EXPECT_TRUE(contains(light.out, word)) << word << "\n" << light.out;
+  }
+  // The profile is of the clock, the table is not.
+  EXPECT_EQ(withoutTimes(test::fileBytes(file("a.csv"))),
+            withoutTimes(test::fileBytes(file("b.csv"))));
+
+  slab.folder().write("heavy.yaml", test::fileBytes(slab.file()) + "rates: {simulation: 10000}\n");
+  const test::CliResult heavy =
+      runCli("replay '" + file("heavy.yaml") + "' --profile --trajectory '" + file("T.csv") +
+             "' --out '" + file("c.csv") + "'");
+  ASSERT_EQ(heavy.status, 0) << heavy.err;
+  EXPECT_TRUE(contains(heavy.out, "yes, by a factor of "));
+  EXPECT_TRUE(contains(heavy.out, "give organ slab a coarser mesh"));
+  EXPECT_TRUE(contains(heavy.out, "set solver.step: "));
+}
+
 TEST_F(ReplayCommand, WritesPictures) {
   ASSERT_EQ(replay("a.csv", "--vtu '" + file("pictures") + "' --every 50").status, 0);
   EXPECT_TRUE(std::filesystem::exists(file("pictures/slab_000050.vtu")));

@@ -22,6 +22,8 @@ class Replay {
   /// Steps to the next row's time.
   const sim::StepResult& next();
   std::size_t row() const { return row_; }  ///< Rows done.
+  /// Simulated steps that the last row took.
+  int parts() const { return lockstep_.parts(); }
   double fraction() const { return static_cast<double>(row_) / trajectory_.t.size(); }
 
   /// Head of the output.

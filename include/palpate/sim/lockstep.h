@@ -21,6 +21,8 @@ class Lockstep {
   const StepResult& advance(double t, const std::vector<LinkPoses>& poses);
 
   const StepResult& result() const { return result_; }
+  /// Simulated steps that the last advance() was cut into; 0 if it made none.
+  int parts() const { return parts_; }
 
  private:
   void stepBetween(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
@@ -29,6 +31,7 @@ class Lockstep {
   Simulator* simulator_;
   bool started_ = false;
   double time_ = 0.0;
+  int parts_ = 0;
   std::vector<LinkPoses> poses_;
   StepResult result_;
 };
