@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  palpate::cli::restartWithSolverEnvironment(argv);
+  palpate::start::restartWithSolverEnvironment(argv);
   try {
     return run(argc, argv);
   } catch (const palpate::InputError& e) {

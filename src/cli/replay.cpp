@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "palpate/mesh/vtu_writer.h"
 #include "palpate/sim/lockstep.h"
 #include "palpate/sim/scene_load.h"
+#include "palpate/solver/blas_speed.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -59,10 +61,19 @@ void printProfile(const sim::Simulator& simulator, const sim::LoadFigures& figur
   std::printf("\n%s\n%s", sim::profileTable(figures).c_str(), sim::longText(load).c_str());
 }
 
+// Where the scene's method needs a fast BLAS, or the user asks where the time goes.
+void checkBlas(const sim::Scene& scene, bool profile) {
+  if (!profile && !solver::dependsOnBlas(scene.solver.method)) return;
+  const std::string warning =
+      solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+  if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
+}
+
 int replay(const Options& options) {
   sim::Scene scene = sim::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
   const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
+  checkBlas(scene, options.profile);
   ProgressLine line;
   sim::Simulator simulator(
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });

@@ -48,6 +48,7 @@ void Diagnostics::simulation(Status& status) {
   if (slow && frame_.state == NodeState::kRunning) {
     status.mergeSummary(DiagnosticStatus::WARN, slowAdvice(s));
   }
+  if (!blas_warning_.empty()) status.mergeSummary(DiagnosticStatus::WARN, blas_warning_);
   status.add("state", toString(frame_.state));
   status.add("rate held [Hz]", s.rate_reached);
   status.add("rate possible [Hz]", s.load.rate_possible);

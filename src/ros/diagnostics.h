@@ -20,6 +20,8 @@ class Diagnostics {
 
   /// While the scene loads: what is being done.
   void loading(const std::string& what);
+  /// What to warn of in every report on the simulation; "" for nothing.
+  void setBlasWarning(const std::string& warning) { blas_warning_ = warning; }
   /// From now on there is a simulation to report on.
   void running(const Inputs* inputs, const HapticLoop* haptic);
 
@@ -33,7 +35,7 @@ class Diagnostics {
   void haptic(Status& status);
 
   diagnostic_updater::Updater updater_;
-  std::string loading_;
+  std::string loading_, blas_warning_;
   const Inputs* inputs_ = nullptr;
   const HapticLoop* haptic_ = nullptr;
   ReportFrame frame_;

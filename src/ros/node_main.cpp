@@ -5,14 +5,17 @@
 #include <ros/spinner.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 
 #include "diagnostics.h"
+#include "environment.h"
 #include "haptic_loop.h"
 #include "input_factory.h"
 #include "palpate/base/error.h"
 #include "palpate/io/state_file.h"
+#include "palpate/solver/blas_speed.h"
 #include "params.h"
 #include "publishing_loop.h"
 #include "services.h"
@@ -57,12 +60,22 @@ void sayHello(const sim::Simulator& simulator) {
   }
 }
 
+/// Says so if the scene's method needs a BLAS that is faster than this one.
+std::string checkBlas(const sim::Scene& scene) {
+  if (!solver::dependsOnBlas(scene.solver.method)) return "";
+  const std::string warning =
+      solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+  if (!warning.empty()) ROS_WARN_STREAM(warning);
+  return warning;
+}
+
 int run() {
   ros::NodeHandle handle, private_handle("~");
   Diagnostics diagnostics;
   const NodeParams params = readParams(private_handle);
   const sim::Scene scene = readScene(sceneFile(params.scene), private_handle);
   diagnostics.loading(scene.file);
+  diagnostics.setBlasWarning(checkBlas(scene));
   const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
   if (!params.initial_state.empty()) {
     simulator->restore(io::readState(params.initial_state, organNames(*simulator)));
@@ -105,6 +118,7 @@ int run() {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
+  palpate::start::restartWithSolverEnvironment(argv);
   ros::init(argc, argv, "palpate");
   const ros::NodeHandle alive;  // so that the last words get out
   try {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bag_inputs.h"
+#include "environment.h"
 #include "palpate/base/error.h"
 #include "palpate/sim/lockstep.h"
 #include "params.h"
@@ -107,6 +108,7 @@ void replay(const Options& options) {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
+  palpate::start::restartWithSolverEnvironment(argv);
   palpate::node::Options options;
   CLI::App app{"Replays a bag of instrument motion through a scene, in lockstep and repeatably"};
   app.add_option("bag", options.in, "bag with the motion (JointState topics or tf)")->required();

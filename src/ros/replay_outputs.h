@@ -28,8 +28,8 @@ class PartFile {
 };
 
 /// The output bag: wrenches in both frames and reports with the stamp of the cycle, and a copy of
-/// the input messages. Record times are stamps and all wall times are 0, so that the same input gives the
-/// same messages.
+/// the input messages. Record times are stamps and all wall times are 0, so that the same input
+/// gives the same messages.
 class ReplayBag {
  public:
   /// @throws InputError if the file cannot be written.

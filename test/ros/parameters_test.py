@@ -58,6 +58,26 @@ class Parameters(unittest.TestCase):
             self.refused([f.name, "line 1"], "_scene:=" + os.path.join(SCENES, "block.yaml"),
                          "_initial_state:=" + f.name)
 
+    def test_sets_what_the_libraries_read_before_main(self):
+        bare = {k: v for k, v in os.environ.items()
+                if k not in ("OMP_THREAD_LIMIT", "OPENBLAS_CORETYPE")}
+        node = subprocess.Popen([NODE, "__name:=bare",
+                                 "_scene:=" + os.path.join(SCENES, "block.yaml")], env=bare)
+        try:
+            diagnostics = diagnostics_ear()
+            self.assertIsNotNone(diagnostics.wait(
+                lambda d: any(s.name.startswith("bare: ") for s in d.status), 20.0))
+            with open("/proc/%d/environ" % node.pid, "rb") as f:
+                settings = f.read().decode().split("\0")
+            self.assertIn("OMP_THREAD_LIMIT=1", settings)
+            with open("/proc/cpuinfo") as f:
+                cpu = f.read()
+            if "GenuineIntel" in cpu and "avx512vl" in cpu:
+                self.assertIn("OPENBLAS_CORETYPE=SKYLAKEX", settings)
+        finally:
+            node.send_signal(2)
+            self.assertEqual(node.wait(10), 0)
+
     def test_overrides_count(self):
         node = subprocess.Popen([NODE, "__name:=overridden",
                                  "_scene:=" + os.path.join(SCENES, "block.yaml"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace palpate::cli {
+namespace palpate::start {
 
 /// Sets what the linear algebra libraries read before main() begins, then starts the program anew;
 /// returns if nothing was to be set or that failed. What the user has set stays.
@@ -11,4 +11,4 @@ namespace palpate::cli {
 /// has AVX-512: OpenBLAS 0.3.21 takes recent Intel models for a Prescott.
 void restartWithSolverEnvironment(char** argv);
 
-}  // namespace palpate::cli
+}  // namespace palpate::start

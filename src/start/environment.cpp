@@ -4,7 +4,7 @@
 #include <stdlib.h>  // setenv: POSIX
 #include <unistd.h>
 
-namespace palpate::cli {
+namespace palpate::start {
 namespace {
 
 bool setIfAbsent(const char* name, const char* value) {
@@ -29,4 +29,4 @@ void restartWithSolverEnvironment(char** argv) {
   if (changed) execv("/proc/self/exe", argv);
 }
 
-}  // namespace palpate::cli
+}  // namespace palpate::start

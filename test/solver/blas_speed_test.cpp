@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/blas_speed.h"
+
+#include <gtest/gtest.h>
+
+#include "support/contains.h"
+
+namespace palpate::solver {
+namespace {
+
+using test::contains;
+
+TEST(BlasWarning, SaysNothingOfAFastOrAnUnknownBlas) {
+  EXPECT_EQ(blasWarning({90e9, 108e9}, nullptr), "");
+  EXPECT_EQ(blasWarning({0.351 * 108e9, 108e9}, nullptr), "");
+  EXPECT_EQ(blasWarning({0.0, 108e9}, nullptr), "");
+  EXPECT_EQ(blasWarning({1e9, 0.0}, nullptr), "");
+}
+
+TEST(BlasWarning, NamesTheLikelyCause) {
+  const std::string unset = blasWarning({19.8e9, 108e9}, nullptr);
+  EXPECT_TRUE(contains(unset, "at 19.8 of 108 Gflop/s")) << unset;
+  EXPECT_TRUE(contains(unset, "set OPENBLAS_CORETYPE (SKYLAKEX"));
+  const std::string wrong = blasWarning({19.8e9, 108e9}, "PRESCOTT");
+  EXPECT_TRUE(contains(wrong, "OPENBLAS_CORETYPE is PRESCOTT"));
+}
+
+TEST(BlasSpeed, IsMeasuredHereAndBelievable) {
+  const BlasSpeed speed = measureBlasSpeed();
+#if defined(__x86_64__)
+  ASSERT_TRUE(speed.known());
+  EXPECT_GT(speed.dgemm, 1e8);
+  EXPECT_GT(speed.peak, 1e9);
+  EXPECT_LT(speed.peak, 1e12);
+  EXPECT_LT(speed.dgemm, 2.0 * speed.peak);  // one may have been disturbed
+#else
+  EXPECT_FALSE(speed.known());
+#endif
+}
+
+TEST(BlasSpeed, MattersWhereSomethingIsFactorised) {
+  EXPECT_TRUE(dependsOnBlas("implicit_direct"));
+  EXPECT_TRUE(dependsOnBlas("implicit_async"));
+  EXPECT_FALSE(dependsOnBlas("implicit_pcg"));
+  EXPECT_FALSE(dependsOnBlas("tled"));
+}
+
+}  // namespace
+}  // namespace palpate::solver
