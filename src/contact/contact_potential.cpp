@@ -59,6 +59,18 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   }
 }
 
+void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
+  nodes->clear();
+  for (const Candidate& c : candidates_) {
+    const SurfaceSample& s = samples_[c.sample];
+    for (int k = 0; k < 3; ++k) {
+      if (s.weights[k] != 0.0) nodes->push_back(s.nodes[k]);
+    }
+  }
+  std::sort(nodes->begin(), nodes->end());
+  nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+}
+
 template <class Visit>
 void ContactPotential::forEachPenetrating(const Points& x, const Visit& visit) const {
   int body = -1;
@@ -153,8 +165,8 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
     const Distance d = signedDistance(*body.geometry, p_G);
     const Mat3 R = body.X_WG.linear();
     const double pressure = penalty_.pressure(p, radius(c));
-    const Mat3 H_G = penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose() -
-                     pressure * d.hessian_G;
+    const Mat3 H_G =
+        penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose() - pressure * d.hessian_G;
     contacts->push_back({c.sample, c.body, p, p_W, -s.area * pressure * (R * d.normal_G),
                          s.area * R * H_G * R.transpose()});
   });

@@ -20,6 +20,7 @@ class FemTissue final : public TissueModel {
         method_(makeStepMethod(settings.method, &body_)),
         rest_motion_((body_.elasticity->viscous() ? kRestMotionViscous : kRestMotion) * body_.size),
         settled_(settleUnderGravity(&body_)) {
+    method_->settle(&settled_);
     FemTissue::reset();
   }
 
@@ -93,7 +94,8 @@ class FemTissue final : public TissueModel {
     out_.min_jacobian = body_.elasticity->minJacobian(body_.x);
     out_.kinetic_energy =
         0.5 * body_.v.colwise().squaredNorm().transpose().cwiseProduct(method_->masses()).sum();
-    out_.elastic_energy = body_.elasticity->energy(body_.x);
+    const std::optional<double> own = method_->elasticEnergy();
+    out_.elastic_energy = own ? *own : body_.elasticity->energy(body_.x);
     last_ = out_;
   }
 

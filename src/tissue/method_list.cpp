@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "implicit_method.h"
+#include "linear_method.h"
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
 #include "step_method.h"
@@ -20,6 +21,10 @@ std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
 
 std::unique_ptr<StepMethod> tled(FemBody* body) { return std::make_unique<TledMethod>(body); }
 
+std::unique_ptr<StepMethod> linearPrecomputed(FemBody* body) {
+  return std::make_unique<LinearMethod>(body);
+}
+
 // Every method beside those of solver::minimizerNames(), the first of which is the default. To add
 // one: write its header and source, add it here.
 struct Entry {
@@ -28,6 +33,7 @@ struct Entry {
 };
 const std::vector<Entry> kMethods = {
     {"tled", tled},
+    {"linear_precomputed", linearPrecomputed},
 };
 
 }  // namespace

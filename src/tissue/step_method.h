@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "fem_body.h"
@@ -22,8 +23,12 @@ class StepMethod {
   virtual void reportForces(TissueStep* out) = 0;
   /// Norm of the forces that would begin to move the body if it were stopped here [N].
   virtual double unbalancedForce() = 0;
-  /// Kinetic energy is computed with these, n [kg]; elastic energy by the body.
+  /// Kinetic energy is computed with these, n [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
+  /// At body.x [J], of a method with another elasticity than the body's own.
+  virtual std::optional<double> elasticEnergy() const { return std::nullopt; }
+  /// Moves `x`, the body's equilibrium under gravity, to that of such a method, 3 x n [m].
+  virtual void settle(Points* /*x*/) {}
 
   /// body.x and body.v were set from outside.
   virtual void restart() = 0;

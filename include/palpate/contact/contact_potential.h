@@ -56,6 +56,8 @@ class ContactPotential final : public fem::EnergyTerm {
     skip_distant_ = distant;
     skip_inactive_ = inactive;
   }
+  /// The nodes that candidates lie between, ascending.
+  void candidateNodes(std::vector<int>* nodes) const;
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;

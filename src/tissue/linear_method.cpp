@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "linear_method.h"
+
+#include <stdexcept>
+
+#include "palpate/solver/integrator.h"
+
+namespace palpate::tissue {
+namespace {
+
+// As in the implicit methods.
+constexpr double kStageTolerance = 100.0;
+constexpr int kMaxSearches = 4;
+
+FemBody* checked(FemBody* body) {
+  const std::string& integrator = body->settings.integrator;
+  if (integrator != solver::integratorNames().front() && integrator != "static") {
+    throw std::invalid_argument("integrator = " + integrator +
+                                ": method linear_precomputed is quasi-static and has none; leave "
+                                "the key out or choose an implicit method");
+  }
+  if (body->elasticity->viscous()) {
+    throw std::invalid_argument(
+        "method linear_precomputed has no memory for a viscoelastic material; leave viscoelastic "
+        "out or choose an implicit method");
+  }
+  return body;
+}
+
+}  // namespace
+
+LinearMethod::LinearMethod(FemBody* body)
+    : body_(*checked(body)),
+      compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles),
+      contact_(body, &compliance_),
+      force_(Points::Zero(3, body->x.cols())) {
+  compliance_.solve(body_.gravity.forces(), &u0_);
+}
+
+void LinearMethod::settle(Points* x) { *x = body_.mesh.points + u0_; }
+
+// The contact forces that held the body where it was put, as far as contact can.
+void LinearMethod::restart() {
+  u_ = body_.x - body_.mesh.points;
+  compliance_.multiply(u_, &force_);
+  force_ = (force_ - body_.gravity.forces()).cwiseProduct(body_.free);
+  for (Eigen::Index i = 0; i < force_.cols(); ++i) {
+    if (compliance_.find(static_cast<int>(i)) < 0) force_.col(i).setZero();
+  }
+  compliance_.multiply(u_, &g_);
+  energy_ = 0.5 * u_.cwiseProduct(g_).sum();
+}
+
+bool LinearMethod::advance(double dt, TissueStep* out) {
+  x_begin_ = body_.x;
+  force_begin_ = force_;
+  out->tolerance = body_.tolerance();
+  out->sweep_stages = 0;
+  solver::NewtonReport solved;
+  body_.sweep.place(0.0);
+  for (double s = 0.0; s < 1.0;) {
+    {
+      const PhaseTimer timer(&out->phases, Phase::kContact);
+      s = body_.sweep.next(body_.x, s, 1.0);
+      ++out->sweep_stages;
+      body_.sweep.place(s);
+    }
+    solved = solveStage(s < 1.0, out);
+  }
+  out->status = solved.status;
+  if (!body_.x.allFinite() || (!out->ok() && out->status != solver::SolveStatus::kIterationLimit)) {
+    body_.x = x_begin_;
+    force_ = force_begin_;
+    return false;
+  }
+  out->satisfied = out->newton_iterations == 0;
+  const PhaseTimer timer(&out->phases, Phase::kForces);
+  body_.v = (body_.x - x_begin_) / dt;
+  balance();
+  out->residual = residual_;
+  return true;
+}
+
+solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) {
+  const double tolerance = (on_the_way ? kStageTolerance : 1.0) * 0.5 * out->tolerance;
+  solver::NewtonReport solved;
+  const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
+  for (int search = 0; search < kMaxSearches; ++search) {
+    solved =
+        contact_.solve(u0_, tolerance, body_.settings.max_newton_iterations, &force_, &body_.x);
+    out->newton_iterations += solved.iterations;
+    if (force_.isZero(0.0)) {
+      body_.x = body_.mesh.points + u0_;
+    } else {
+      compliance_.solve(force_, &u_);
+      body_.x = body_.mesh.points + u0_ + u_;
+    }
+    if (body_.sweep.candidatesHold(body_.x)) break;
+    body_.sweep.search(body_.x);
+  }
+  return solved;
+}
+
+// The gradient of all energies at x, what of it is unbalanced, and the elastic energy.
+void LinearMethod::balance() {
+  u_ = body_.x - body_.mesh.points;
+  compliance_.multiply(u_, &g_);
+  energy_ = 0.5 * u_.cwiseProduct(g_).sum();
+  body_.gravity.addGradient(body_.x, &g_);
+  body_.contact.addGradient(body_.x, &g_);
+  residual_ = g_.cwiseProduct(body_.free).norm();
+}
+
+void LinearMethod::reportForces(TissueStep* out) {
+  body_.reportSupport(g_, out);
+  body_.reportContacts(out);
+}
+
+}  // namespace palpate::tissue

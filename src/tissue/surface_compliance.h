@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/fem/elasticity.h"
+#include "palpate/fem/supports.h"
+#include "palpate/solver/stiffness_factor.h"
+
+namespace palpate::tissue {
+
+constexpr int kMaxComplianceNodes = 2000;
+
+/// Linear elastostatics of a body about its rest with its supports, condensed onto its surface
+/// [Bro-Nielsen, Cotin 1996]: the columns of K^-1 that belong to nodes which can be touched, of
+/// which the rows of these nodes are kept [Green's functions: James, Pai 1999].
+class SurfaceCompliance {
+ public:
+  /// `X`: rest, 3 x n [m]; `triangles`: the surface.
+  /// @throws std::invalid_argument if the supports do not hold the body or the surface has more
+  /// than kMaxComplianceNodes nodes that can move.
+  SurfaceCompliance(fem::Elasticity* elasticity, const fem::FreeMask& free, const Points& X,
+                    const Eigen::Matrix3Xi& triangles);
+
+  /// The displacements u of all nodes under the forces f, 3 x n, [m] and [N].
+  void solve(const Points& f, Points* u) const;
+  /// The forces of the displacements u, 3 x n; at held components too, where they are the
+  /// support's.
+  void multiply(const Points& u, Points* f) const { stiffness_.multiply(u, f); }
+
+  /// Position of a node among those that can be touched and move, or -1.
+  int find(int node) const { return position_[node]; }
+  /// Displacement at `find(a)` by a unit force at `find(b)` [m/N].
+  auto block(int a, int b) const { return matrix_.block<3, 3>(3 * a, 3 * b); }
+  /// [bytes]
+  std::size_t memory() const { return sizeof(double) * static_cast<std::size_t>(matrix_.size()); }
+
+ private:
+  void condense(const fem::FreeMask& free);
+
+  std::vector<int> nodes_, position_;
+  fem::FreeMask free_;
+  fem::Stiffness stiffness_;
+  std::unique_ptr<solver::StiffnessFactor> factor_;
+  Eigen::MatrixXd matrix_;
+};
+
+}  // namespace palpate::tissue
