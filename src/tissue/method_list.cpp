@@ -3,6 +3,7 @@
 
 #include "implicit_method.h"
 #include "linear_method.h"
+#include "newton_method.h"
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
 #include "step_method.h"
@@ -25,6 +26,10 @@ std::unique_ptr<StepMethod> linearPrecomputed(FemBody* body) {
   return std::make_unique<LinearMethod>(body);
 }
 
+std::unique_ptr<StepMethod> newtonBicgstab(FemBody* body) {
+  return std::make_unique<NewtonMethod>(body);
+}
+
 // Every method beside those of solver::minimizerNames(), the first of which is the default. To add
 // one: write its header and source, add it here.
 struct Entry {
@@ -34,6 +39,7 @@ struct Entry {
 const std::vector<Entry> kMethods = {
     {"tled", tled},
     {"linear_precomputed", linearPrecomputed},
+    {"newton_bicgstab", newtonBicgstab},
 };
 
 }  // namespace

@@ -33,6 +33,9 @@ class ToolSweep {
   /// The longest way of a body in this cycle, over its inscribed radius or `size` [m], whichever is
   /// less.
   double leap(double size) const;
+  /// The `body`-th body of the contact potential, where it is now.
+  const contact::RigidBody& placed(int body) const { return placed_[body]; }
+  int numBodies() const { return static_cast<int>(near_.size()); }
   /// Instrument of the `body`-th body of the contact potential.
   int instrument(int body) const { return near_[body].instrument; }
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton_method.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/solver/integrator.h"
+#include "sparse_assembly.h"
+
+namespace palpate::tissue {
+namespace {
+
+constexpr int kMaxParts = 8;
+constexpr int kMaxHalvings = 10;
+// Times that points are held or let go in a stage.
+constexpr int kMaxChanges = 30;
+// Of the body's size: where a held point counts as being on the tool.
+constexpr double kOnSurface = 1e-9;
+
+FemBody* checked(FemBody* body) {
+  const std::string& integrator = body->settings.integrator;
+  if (integrator != solver::integratorNames().front() && integrator != "static") {
+    throw std::invalid_argument("integrator = " + integrator +
+                                ": method newton_bicgstab is quasi-static and has none; leave the "
+                                "key out or choose an implicit method");
+  }
+  return body;
+}
+
+}  // namespace
+
+NewtonMethod::NewtonMethod(FemBody* body)
+    : body_(*checked(body)), contact_(body), stiffness_(body->elasticity->makeMatrix()) {
+  assembleSparse(stiffness_);  // throws for what cannot be assembled
+}
+
+void NewtonMethod::restart() {
+  contact_.clear();
+  residual_ = gradient();
+}
+
+// g at x; its norm where nothing is held.
+double NewtonMethod::gradient() {
+  const double value = body_.elasticity->gradient(body_.x, &g_);
+  body_.gravity.addGradient(body_.x, &g_);
+  const double norm = g_.cwiseProduct(contact_.free()).norm();
+  return std::isfinite(value) ? norm : value;
+}
+
+bool NewtonMethod::advance(double dt, TissueStep* out) {
+  x_begin_ = body_.x;
+  out->tolerance = body_.tolerance();
+  const PrescribedContact begin = contact_;
+  const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
+  if (body_.elasticity->viscous()) body_.elasticity->beginStep(dt);
+  for (int parts = 1; parts <= kMaxParts; parts *= 2) {
+    out->time_steps = parts;
+    if (sweep(parts, out)) {
+      if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
+      body_.v = (body_.x - x_begin_) / dt;
+      out->residual = residual_;
+      out->satisfied = out->newton_iterations == 0 && out->ok();
+      return true;
+    }
+    body_.x = x_begin_;
+    contact_.restore(begin);
+  }
+  body_.elasticity->restoreViscousState(viscous.get());
+  return false;
+}
+
+// The tools' way in at least `parts` parts.
+bool NewtonMethod::sweep(int parts, TissueStep* out) {
+  out->sweep_stages = 0;
+  body_.sweep.place(0.0);
+  for (double s = 0.0; s < 1.0;) {
+    s = body_.sweep.next(body_.x, s, std::min(1.0, s + 1.0 / parts));
+    if (s > 1.0 - 1e-9) s = 1.0;
+    ++out->sweep_stages;
+    body_.sweep.place(s);
+    solveStage(out);
+    const bool usable = out->ok() || out->status == solver::SolveStatus::kIterationLimit;
+    if (!usable || !body_.x.allFinite()) return false;
+  }
+  return true;
+}
+
+// Newton's iteration with the points held that are, until these are the right ones.
+void NewtonMethod::solveStage(TissueStep* out) {
+  {
+    const PhaseTimer timer(&out->phases, Phase::kContact);
+    contact_.beginStage();
+    contact_.holdWhatPenetrates(body_.x);
+  }
+  for (int change = 0;; ++change) {
+    newton(out);
+    if (!out->ok()) return;
+    const PhaseTimer timer(&out->phases, Phase::kContact);
+    if (!body_.sweep.candidatesHold(body_.x)) body_.sweep.search(body_.x);
+    const bool released = contact_.release(body_.x, g_);
+    const bool held = !released && contact_.holdWhatPenetrates(body_.x);
+    if (!released && !held) return;
+    if (change == kMaxChanges) {
+      out->status = solver::SolveStatus::kIterationLimit;
+      residual_ = gradient();
+      return;
+    }
+  }
+}
+
+void NewtonMethod::newton(TissueStep* out) {
+  for (int k = 0;; ++k) {
+    {
+      const PhaseTimer timer(&out->phases, Phase::kForces);
+      residual_ = gradient();
+      contact_.moves(body_.x, &move_);
+    }
+    if (!std::isfinite(residual_)) {
+      out->status = solver::SolveStatus::kNonFinite;
+      return;
+    }
+    out->status = solver::SolveStatus::kConverged;
+    const bool on_surface = move_.cwiseAbs().maxCoeff() <= kOnSurface * body_.size;
+    if (residual_ <= out->tolerance && on_surface) return;
+    out->status = solver::SolveStatus::kIterationLimit;
+    if (k == body_.settings.max_newton_iterations || !iterate(out)) return;
+    ++out->newton_iterations;
+  }
+}
+
+// x += move - K^-1 (g + K move), the second part where nothing is held.
+bool NewtonMethod::iterate(TissueStep* out) {
+  const Eigen::SparseMatrix<double> A = assemble(out);
+  if (!solve(A, out)) {
+    out->status = solver::SolveStatus::kNotPositiveDefinite;
+    return false;
+  }
+  const PhaseTimer timer(&out->phases, Phase::kLineSearch);
+  for (int k = 0; k <= kMaxHalvings; ++k, step_ *= 0.5) {
+    trial_ = body_.x + step_;
+    if (!std::isfinite(body_.elasticity->energy(trial_))) continue;
+    body_.x.swap(trial_);
+    return true;
+  }
+  out->status = solver::SolveStatus::kLineSearchFailed;
+  return false;
+}
+
+// K and the right side at x, without what is held.
+Eigen::SparseMatrix<double> NewtonMethod::assemble(TissueStep* out) {
+  const PhaseTimer timer(&out->phases, Phase::kAssembly);
+  body_.elasticity->hessian(body_.x, fem::Tangent::kExact, &stiffness_);
+  stiffness_.multiply(move_, &right_);
+  right_ = -(g_ + right_).cwiseProduct(contact_.free());
+  stiffness_.constrain(contact_.free());
+  return assembleSparse(stiffness_);
+}
+
+// The step, moves included; false if it is not finite.
+bool NewtonMethod::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
+  const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
+  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
+  solver.setTolerance(body_.settings.linear_tolerance);
+  solver.setMaxIterations(body_.settings.max_linear_iterations);
+  solver.compute(A);
+  const Eigen::VectorXd solution =
+      solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
+  out->linear_iterations += static_cast<int>(solver.iterations());
+  step_ =
+      Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_.free()) +
+      move_;
+  return step_.allFinite();
+}
+
+void NewtonMethod::reportForces(TissueStep* out) {
+  const PhaseTimer timer(&out->phases, Phase::kForces);
+  body_.reportSupport(g_, out);
+  contact_.report(body_.x, g_, out);
+  body_.contact_force =
+      (g_.array() * (body_.free.array() - contact_.free().array())).matrix().norm();
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "prescribed_contact.h"
+#include "step_method.h"
+
+namespace palpate::tissue {
+
+/// The method of the system that palpate carries on from [Castillo Leon 2011, ch. 7], as a baseline
+/// to compare with, not to use: quasi-static Newton-Raphson without a line search (a step is halved
+/// only where the energy is not finite), each system assembled into an Eigen::SparseMatrix and
+/// solved by Eigen::BiCGSTAB with the diagonal as preconditioner; contact is prescribed
+/// displacement, the tool's force the internal force at the held nodes. Held nodes stick to the
+/// tool's surface: in contrast to the other methods contact is not frictionless, and no penetration
+/// is left. The contact stiffness of the settings has no effect.
+///
+/// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
+class NewtonMethod final : public StepMethod {
+ public:
+  /// @throws std::invalid_argument for element p1p1 or an integrator of dynamics that was asked
+  /// for.
+  explicit NewtonMethod(FemBody* body);
+
+  bool advance(double dt, TissueStep* out) override;
+  void reportForces(TissueStep* out) override;
+  double unbalancedForce() override { return residual_; }
+  const Eigen::VectorXd& masses() const override { return body_.elasticity->masses(); }
+  void restart() override;
+  void stop() override {}
+
+ private:
+  bool sweep(int parts, TissueStep* out);
+  void solveStage(TissueStep* out);
+  void newton(TissueStep* out);
+  bool iterate(TissueStep* out);
+  Eigen::SparseMatrix<double> assemble(TissueStep* out);
+  bool solve(const Eigen::SparseMatrix<double>& A, TissueStep* out);
+  double gradient();
+
+  FemBody& body_;
+  PrescribedContact contact_;
+  fem::Stiffness stiffness_;
+  Points g_, move_, right_, step_, trial_, x_begin_;
+  double residual_ = 0.0;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The baseline: Newton-Raphson, BiCGSTAB, contact as prescribed displacement (newton_bicgstab).
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "../../src/tissue/sparse_assembly.h"
+#include "liver_slab.h"
+#include "support/contains.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::Press;
+using test::Slab;
+constexpr double kStep = 0.01;
+
+// A ball of 25 mm, several elements wide where it touches.
+struct LargeBall {
+  instrument::Geometry shape = instrument::Sphere{0.025};
+  ToolBody move(double from, double to) const {  // depths
+    return {&shape, 0, at(from), at(to)};
+  }
+  static Pose at(double depth) {
+    return poseFromXyzRpy(Vec3(0.05, 0.05, 0.065 - depth), Vec3::Zero());
+  }
+};
+
+class NewtonBicgstabElement : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Elements, NewtonBicgstabElement, ::testing::Values("tet4", "anp"),
+                         [](const auto& kind) { return kind.param; });
+
+// Sticking against sliding contact, nodes against samples between them: not the same problem.
+TEST_P(NewtonBicgstabElement, FeelsAboutTheForceOfTheDefaultMethod) {
+  double force[2];
+  int k = 0;
+  for (const char* method : {"newton_bicgstab", "implicit_pcg"}) {
+    Slab slab(method, Eigen::Vector3i(14, 14, 5), GetParam());
+    slab.settings.integrator = "static";
+    const auto tissue = slab.make();
+    const LargeBall ball;
+    for (int step = 0; step < 8; ++step) {
+      const TissueStep& done =
+          tissue->step({ball.move(0.00075 * step, 0.00075 * (step + 1))}, kStep);
+      ASSERT_TRUE(done.ok()) << method << " " << solver::toString(done.status);
+      force[k] = test::onTool(done).z();
+    }
+    ++k;
+  }
+  EXPECT_GT(force[1], 0.5);
+  EXPECT_NEAR(force[0], force[1], 0.2 * force[1]);
+}
+
+TEST_P(NewtonBicgstabElement, BalancesForcesHoldsNoPenetrationAndLetsGo) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), GetParam());
+  slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
+  slab.settings.sample_spacing = 0.0;  // nodes only
+  const auto tissue = slab.make();
+  const Points begin = tissue->positions();
+  const LargeBall ball;
+  std::size_t most = 0;
+  for (int k = 0; k < 16; ++k) {
+    const auto depth = [](int step) { return 1e-3 * (step <= 8 ? step : 16 - step); };
+    const TissueStep& step = tissue->step({ball.move(depth(k), depth(k + 1))}, kStep);
+    ASSERT_TRUE(step.ok()) << k;
+    EXPECT_LE(step.residual, step.tolerance);
+    EXPECT_LT(test::imbalance(step).norm(),
+              std::sqrt(slab.mesh.numPoints()) * step.tolerance + 1e-9);
+    const Vec3 centre = LargeBall::at(depth(k + 1)).translation();
+    EXPECT_GT((tissue->positions().colwise() - centre).colwise().norm().minCoeff(), 0.025 - 1e-6);
+    for (const TissueContact& c : step.contacts) {  // none pulls
+      EXPECT_LE(c.force_W.dot((c.p_W - centre).normalized()), 1e-9);
+    }
+    most = std::max(most, step.contacts.size());
+  }
+  EXPECT_GE(most, 5u);
+  EXPECT_LE(tissue->step({}, kStep).contacts.size(), 0u);
+  bool slept = false;
+  for (int k = 0; k < 5 && !slept; ++k) slept = tissue->step({}, kStep).slept;
+  EXPECT_TRUE(slept);
+  EXPECT_LT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+// Between the nodes: an edge or a triangle is moved as a whole.
+TEST(NewtonBicgstab, FeelsAToolThatMissesEveryNode) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4));
+  slab.settings.sample_spacing = 0.002;
+  const auto tissue = slab.make();
+  const instrument::Geometry tip = instrument::Sphere{0.003};
+  const auto at = [](double depth) {
+    return poseFromXyzRpy(Vec3(0.05625, 0.0545, 0.043 - depth), Vec3::Zero());
+  };
+  double force = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const TissueStep& step = tissue->step({{&tip, 0, at(1e-3 * k), at(1e-3 * (k + 1))}}, kStep);
+    ASSERT_TRUE(step.ok());
+    EXPECT_GT(test::onTool(step).z(), force);
+    force = test::onTool(step).z();
+  }
+}
+
+TEST(NewtonBicgstab, SurvivesLeapsRestoreAndReset) {
+  const Slab slab("newton_bicgstab");
+  const auto tissue = slab.make();
+  const LargeBall ball;
+  for (const double depth : {0.012, -0.1, 0.008}) {
+    const TissueStep& step = tissue->step({ball.move(-0.05, depth)}, kStep);
+    ASSERT_TRUE(tissue->positions().allFinite());
+    ASSERT_TRUE(step.ok()) << solver::toString(step.status) << " at " << depth;
+  }
+  const Vec3 force = test::onTool(tissue->step({ball.move(0.008, 0.008)}, kStep));
+  EXPECT_GT(force.z(), 0.5);
+  const Points x = tissue->positions(), v = tissue->velocities();
+  tissue->reset();
+  EXPECT_EQ(tissue->positions(), slab.mesh.points);
+  tissue->restore(x, v);
+  const Vec3 again = test::onTool(tissue->step({ball.move(0.008, 0.0081)}, kStep));
+  EXPECT_NEAR(again.z(), force.z(), 0.1 * force.z());
+}
+
+TEST(NewtonBicgstab, RelaxesUnderAHeldTool) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  slab.prony = {{0.5, 0.1}};
+  const auto tissue = slab.make();
+  const LargeBall ball;
+  double early = 0.0, late = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const auto depth = [](int step) { return 1e-3 * std::min(step, 6); };
+    late = test::onTool(tissue->step({ball.move(depth(k), depth(k + 1))}, kStep)).z();
+    if (k == 6) early = late;
+  }
+  EXPECT_LT(late, 0.8 * early);
+  EXPECT_GT(late, 0.4 * early);
+}
+
+TEST(NewtonBicgstab, SameInputsSameBitsWhateverTheThreads) {
+  ThreadPool pool(3);
+  const Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  const auto one = slab.make(), two = slab.make(&pool);
+  const LargeBall ball;
+  for (int k = 0; k < 5; ++k) {
+    const ToolBody body = ball.move(1e-3 * k, 1e-3 * (k + 1));
+    ASSERT_EQ(test::onTool(one->step({body}, kStep)), test::onTool(two->step({body}, kStep)));
+    ASSERT_EQ(one->positions(), two->positions());
+  }
+}
+
+TEST(SparseAssembly, IsTheMatrixThatMultiplies) {
+  for (const char* element : {"tet4", "anp"}) {
+    const Slab slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), element);
+    const auto elasticity =
+        fem::makeElasticity(element, slab.mesh, fem::Composition::uniform(slab.law, 1060.0));
+    fem::Stiffness K = elasticity->makeMatrix();
+    elasticity->hessian(1.1 * slab.mesh.points, fem::Tangent::kExact, &K);
+    K.scale(1.5);
+    const Points x = Points::Random(3, slab.mesh.numPoints());
+    Points y;
+    K.multiply(x, &y);
+    const Eigen::VectorXd z =
+        assembleSparse(K) * Eigen::Map<const Eigen::VectorXd>(x.data(), x.size());
+    EXPECT_LT((Eigen::Map<const Points>(z.data(), 3, x.cols()) - y).norm(), 1e-12 * y.norm());
+  }
+}
+
+TEST(NewtonBicgstab, RefusesWhatItCannotDo) {
+  const auto refusal = [](const Slab& slab) -> std::string {
+    try {
+      slab.make();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Slab moving("newton_bicgstab");
+  moving.settings.integrator = "bdf2";
+  EXPECT_TRUE(test::contains(refusal(moving), "integrator = bdf2"));
+  EXPECT_TRUE(test::contains(refusal(Slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "p1p1")),
+                             "element p1p1"));
+}
+
+}  // namespace
+}  // namespace palpate::tissue
