@@ -76,7 +76,8 @@ double TledMethod::kineticEnergy() const {
   return 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
 }
 
-int TledMethod::subSteps(double dt) {
+int TledMethod::subSteps(double dt, TissueStep* out) {
+  const PhaseTimer timer(&out->phases, Phase::kForces);
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (kSafety * critical_.seconds()));
   const double leap =
@@ -89,7 +90,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   out->status = solver::SolveStatus::kNonFinite;
   if (!body_.v.allFinite()) return false;
   out->tolerance = body_.tolerance();
-  const int steps = subSteps(dt);
+  const int steps = subSteps(dt, out);
   if (steps == 0) {
     out->status = solver::SolveStatus::kIterationLimit;
     return false;
@@ -125,7 +126,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   for (int k = 1; k <= steps; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
-    subStep(h, k / static_cast<double>(steps));
+    subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
   }
   if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
@@ -145,31 +146,38 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
 
 // From x to the next x, with the braked velocities in u, where the tools are at part `s` of their
 // way.
-void TledMethod::subStep(double h, double s) {
+void TledMethod::subStep(double h, double s, TissueStep* out) {
   const double damping = 0.5 * body_.settings.mass_damping * h;
   u_ = (u_ - h * inverse_masses_.cwiseProduct(g_)) / (1.0 + damping);
   next_ = h * u_;
-  body_.sweep.place(s);
-  update_.clear();
-  limited_ = false;
-  if (body_.contact.hasCandidates() && body_.contact.maxStep(body_.x, next_) < 1.0) {
-    jumped_ = true;
-    return;
+  {
+    const PhaseTimer timer(&out->phases, Phase::kContact);
+    if (!touch(h, s)) return;
   }
-  next_ += body_.x;
-  if (!body_.sweep.candidatesHold(next_)) body_.sweep.search(next_);
-  if (body_.contact.hasCandidates()) {
-    update_.apply(coefficients_, body_.tolerance(), &next_);
-    limited_ = !update_.limit(coefficients_, body_.x, kContactWay * element_size_, &next_);
-    for (int i : update_.nodes()) {
-      const Vec3 way = next_.col(i) - body_.x.col(i);
-      u_.col(i) = way / h;
-      work_ += std::abs(way.dot(update_.gradient().col(i)));
-    }
-  }
+  const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.x.swap(next_);
   forces(h);
   if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
+}
+
+// From the way `next` to the next positions, with what the tools change of it.
+bool TledMethod::touch(double h, double s) {
+  body_.sweep.place(s);
+  update_.clear();
+  limited_ = false;
+  jumped_ = body_.contact.hasCandidates() && body_.contact.maxStep(body_.x, next_) < 1.0;
+  if (jumped_) return false;
+  next_ += body_.x;
+  if (!body_.sweep.candidatesHold(next_)) body_.sweep.search(next_);
+  if (!body_.contact.hasCandidates()) return true;
+  update_.apply(coefficients_, body_.tolerance(), &next_);
+  limited_ = !update_.limit(coefficients_, body_.x, kContactWay * element_size_, &next_);
+  for (int i : update_.nodes()) {
+    const Vec3 way = next_.col(i) - body_.x.col(i);
+    u_.col(i) = way / h;
+    work_ += std::abs(way.dot(update_.gradient().col(i)));
+  }
+  return true;
 }
 
 // Motion has come from motion, from what potential energy was let go, or from the tools.

@@ -36,9 +36,10 @@ class TledMethod final : public StepMethod {
   void stop() override;
 
  private:
-  int subSteps(double dt);
+  int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
-  void subStep(double h, double s);
+  void subStep(double h, double s, TissueStep* out);
+  bool touch(double h, double s);
   void forces(double h);
   bool plausible(double kinetic_begin, double potential_begin) const;
   double kineticEnergy() const;
