@@ -23,7 +23,7 @@ function(palpate_kernels room)
     palpate_warnings(${target})
     # GCC 12 warns of its own headers' deliberately undefined registers, and
     # of registers passed between functions, which are all inlined.
-    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-psabi)
+    target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-psabi)
     target_sources(palpate_core PRIVATE $<TARGET_OBJECTS:${target}>)
   endforeach()
 endfunction()
