@@ -26,7 +26,12 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       targets_(inputs->size()),
       scene_facts_(sim::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
-      unwatched_(1.0 / simulator->scene().rates.markers) {}
+      unwatched_(1.0 / simulator->scene().rates.markers) {
+  if (simulator_.scene().solver.deadline <= 0.0) return;
+  simulator_.setInterrupt([this] { return Steady::now() >= deadline_; });
+}
+
+LiveCycle::~LiveCycle() { simulator_.setInterrupt({}); }
 
 void LiveCycle::run() {
   const Steady::time_point start = Steady::now();
@@ -100,6 +105,8 @@ void LiveCycle::step(Steady::time_point start) {
     poses_[i] = samples_[i].poses;
     stamp_ = std::max(stamp_, samples_[i].stamp);
   }
+  const sim::Scene& scene = simulator_.scene();
+  deadline_ = start + seconds(scene.solver.deadline / scene.rates.simulation);
   result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
   cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
   cycle_times_.push_back(cycle_ms_);

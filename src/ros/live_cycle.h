@@ -21,6 +21,10 @@ class LiveCycle {
   /// `inputs`: one an instrument. The references outlive this.
   LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels);
 
+  ~LiveCycle();
+  LiveCycle(const LiveCycle&) = delete;
+  LiveCycle& operator=(const LiveCycle&) = delete;
+
   void run();
 
   /// Rest state; the tools count as placed where the next input says.
@@ -54,8 +58,9 @@ class LiveCycle {
   std::vector<HapticTarget> targets_;
   const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
   CycleFacts facts_;
-  ros::Time stamp_;     // of the newest input used
-  ros::Time last_now_;  // to see simulated time go back
+  Steady::time_point deadline_;  // of the step under way
+  ros::Time stamp_;              // of the newest input used
+  ros::Time last_now_;           // to see simulated time go back
   double cycle_ms_ = 0.0;
   bool said_anything_ = false;
   NodeState reported_ = NodeState::kWaiting;

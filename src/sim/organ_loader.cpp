@@ -102,6 +102,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.sample_spacing = sample_spacing;
   settings.tolerance = scene.solver.tolerance;
   settings.max_newton_iterations = scene.solver.max_newton_iterations;
+  settings.position_tolerance = scene.solver.position_tolerance;
   settings.linear_tolerance = scene.solver.linear_tolerance;
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
   settings.skip = scene.solver.skip;

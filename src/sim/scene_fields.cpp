@@ -97,15 +97,25 @@ void describe(FieldVisitor& v, SolverConfig& solver) {
   v.number({"tolerance", "",
             "Newton's iteration ends when the unbalanced force is this part of the forces."},
            solver.tolerance, Range::closed(1.0e-14, 0.1));
+  v.number({"position_tolerance", "m",
+            "It also ends when the unbalanced force would move no node farther than this, in the "
+            "time a shear wave takes through the organ."},
+           solver.position_tolerance, Range::closed(1.0e-15, 1.0e-3));
   v.integer({"max_newton_iterations", "", "Newton iterations in a cycle."},
             solver.max_newton_iterations, Range::closed(1, 1000));
-  v.number({"linear_tolerance", "",
-            "The linear solver ends when its residual is this part of what it began with."},
-           solver.linear_tolerance, Range::closed(1.0e-14, 0.9));
+  v.number(
+      {"linear_tolerance", "",
+       "The linear solver ends when its residual is this part of what it began with, or less where "
+       "Newton's steps are good (Eisenstat, Walker 1996)."},
+      solver.linear_tolerance, Range::closed(1.0e-14, 0.9));
   v.integer({"max_linear_iterations", "", "Iterations of the linear solver in a Newton iteration."},
             solver.max_linear_iterations, Range::closed(1, 100000));
   v.integer({"threads", "", "Threads that share the work; the results are the same bits for any."},
             solver.threads, Range::closed(1, 256));
+  v.number({"deadline", "",
+            "When live, a step that has taken this part of 1/rates.simulation ends with the best "
+            "state so far, status `deadline`; 0: it takes the time it needs. Replays have none."},
+           solver.deadline, Range::closed(0.0, 100.0));
   v.section(
       {"skip", "",
        "Work to leave out where it is not needed. `false` has it done all the same, to compare "

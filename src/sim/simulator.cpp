@@ -29,6 +29,7 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
   report->time_steps = std::max(report->time_steps, organ.time_steps);
   report->newton_iterations += organ.newton_iterations;
   report->cg_iterations += organ.linear_iterations;
+  report->factor_waits += organ.factor_waits;
   report->residual = std::max(report->residual, organ.residual);
   report->tolerance = std::max(report->tolerance, organ.tolerance);
   report->min_jacobian = std::min(report->min_jacobian, organ.min_jacobian);
@@ -53,6 +54,7 @@ struct Simulator::Impl {
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
   StepResult result;
   double time = 0.0;
+  solver::Interrupt interrupt;
 
   Impl(const Scene& s, const Progress& progress) : scene(s), loaded(loadScene(s, progress)) {
     for (std::size_t i = 0; i < loaded.instruments.size(); ++i) {
@@ -150,6 +152,13 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   PhaseTimes& phases = s.result.report.phases;
   phases[Phase::kOther] = steadySeconds() - begin - phases.cycle();
   return s.result;
+}
+
+void Simulator::setInterrupt(solver::Interrupt interrupt) {
+  impl_->interrupt = std::move(interrupt);
+  for (const auto& tissue : impl_->loaded.tissues) {
+    tissue->setInterrupt(impl_->interrupt ? &impl_->interrupt : nullptr);
+  }
 }
 
 void Simulator::reset() {

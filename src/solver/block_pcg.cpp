@@ -37,13 +37,14 @@ struct BlockPcg::Impl {
   }
 
   // From x = 0 to |r| <= target.
-  SolveStatus iterate(const Points& b, double target, int* iterations) {
+  SolveStatus iterate(const BlockPcg& asked, const Points& b, double target, int* iterations) {
     load(b);
     double rz = 0.0, rr = 0.0;
     matrix.update(0.0, v, &rz, &rr);
     matrix.direct(0.0, v);
     while (std::sqrt(rr) > target) {
       if (*iterations == max_iterations) return SolveStatus::kIterationLimit;
+      if (asked.interrupted(*iterations)) return SolveStatus::kDeadline;
       const double curvature = matrix.apply(v);
       if (!std::isfinite(curvature)) return SolveStatus::kNonFinite;
       if (!(curvature > 0.0)) return SolveStatus::kNotPositiveDefinite;
@@ -75,7 +76,7 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
   const double target = relative_tolerance * b.norm();
   if (!std::isfinite(target)) return {SolveStatus::kNonFinite, 0};
   if (!s.matrix.assign(A)) return {SolveStatus::kNotPositiveDefinite, 0};
-  report.status = s.iterate(b, target, &report.iterations);
+  report.status = s.iterate(*this, b, target, &report.iterations);
   *x = s.solution();
   if (relative_tolerance >= kSinglePrecision) return report;
   double last = std::numeric_limits<double>::infinity();
@@ -85,7 +86,7 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
     const double norm = s.residual.norm();
     if (norm <= target || norm > 0.5 * last) break;
     last = norm;
-    report.status = s.iterate(s.residual, std::max(target, 1e-6 * norm), &report.iterations);
+    report.status = s.iterate(*this, s.residual, std::max(target, 1e-6 * norm), &report.iterations);
     *x += s.solution();
   }
   return report;

@@ -72,6 +72,11 @@ void Integrator::endStep(const Points& x, const Points& g) {
   v_ = (x - x_hat_) / k_;
 }
 
+void Integrator::extrapolate(double h, Points* way) const {
+  *way = h * v_;
+  if (h_old_ > 0.0) *way += h * (h / h_old_) * (v_ - v_old_);
+}
+
 void Integrator::stop() {
   v_.setZero();
   h_old_ = 0.0;

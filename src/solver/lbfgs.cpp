@@ -120,6 +120,10 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
       report.status = SolveStatus::kIterationLimit;
       return report;
     }
+    if (report.iterations > 0 && settings.interrupted()) {
+      report.status = SolveStatus::kDeadline;
+      return report;
+    }
     bool fresh = false;
     if (!factor_->ready() || wasted_ >= renewal_ || since_renewal >= kPatience) {
       report.status = renew(potential, *x);

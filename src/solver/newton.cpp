@@ -8,12 +8,22 @@
 namespace palpate::solver {
 namespace {
 
+// Forcing terms of choice 2 with its safeguard [Eisenstat, Walker 1996, (2.6)]: a linear solve need
+// not be better than the model that Newton's last step has shown to be.
+double forcingTerm(double bound, double residual, double before, double last_term) {
+  constexpr double kGamma = 0.9;
+  const double ratio = residual / before;
+  const double safeguard = kGamma * last_term * last_term;
+  const double term = kGamma * ratio * ratio;
+  return std::min(bound, safeguard > 0.1 ? std::max(term, safeguard) : term);
+}
+
 // Near the end a linear solve to the last digit asked for is cheaper than another iteration with
-// its assembly; far from it, accuracy is lost on a model that is not good yet.
-double linearTolerance(const NewtonSettings& settings, double residual) {
+// its assembly.
+double atTheEnd(const NewtonSettings& settings, double residual, double term) {
   const double last = 0.3 * settings.tolerance / residual;
-  const bool near_the_end = last >= 0.03 * settings.linear_tolerance;
-  return near_the_end ? std::min(settings.linear_tolerance, last) : settings.linear_tolerance;
+  return last >= 0.03 * settings.linear_tolerance ? std::min(settings.linear_tolerance, last)
+                                                  : term;
 }
 
 }  // namespace
@@ -41,6 +51,8 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
 NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& settings,
                               Points* x) {
   NewtonReport report;
+  linear_->setInterrupt(settings.interrupt);
+  double before = 0.0, term = settings.linear_tolerance;
   double value = 0.0;
   {
     const PhaseTimer timer(&report.phases, Phase::kForces);
@@ -57,8 +69,15 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       report.status = SolveStatus::kIterationLimit;
       return report;
     }
+    if (report.iterations > 0 && settings.interrupted()) {
+      report.status = SolveStatus::kDeadline;
+      return report;
+    }
+    if (before > 0.0) {
+      term = forcingTerm(settings.linear_tolerance, report.residual, before, term);
+    }
     const LinearReport solved =
-        direction(potential, *x, linearTolerance(settings, report.residual), &report);
+        direction(potential, *x, atTheEnd(settings, report.residual, term), &report);
     if (solved.status == SolveStatus::kNonFinite ||
         solved.status == SolveStatus::kNotPositiveDefinite) {
       report.status = solved.status;
@@ -69,6 +88,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }
+    before = report.residual;
     ++report.iterations;
   }
 }

@@ -71,6 +71,7 @@ bool StalePcg::scaleFactor(const fem::Stiffness& A) {
 LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) {
   if (!used_->ready()) {
+    plain_.setInterrupt(interrupt());
     const LinearReport report = plain_.solve(A, b, relative_tolerance, x);
     const bool good = report.status == SolveStatus::kConverged;
     if (wanted_ && good && dt_ > 0.0 && !background_->underWay()) beginFactor(A);
@@ -86,6 +87,10 @@ LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double re
   while (r_.norm() > target) {
     if (report.iterations == max_iterations_) {
       report.status = SolveStatus::kIterationLimit;
+      break;
+    }
+    if (interrupted(report.iterations)) {
+      report.status = SolveStatus::kDeadline;
       break;
     }
     if (!used_->apply(r_, &z_)) return {SolveStatus::kNonFinite, report.iterations};

@@ -9,6 +9,8 @@ std::string_view toString(SolveStatus status) {
       return "converged";
     case SolveStatus::kIterationLimit:
       return "iteration_limit";
+    case SolveStatus::kDeadline:
+      return "deadline";
     case SolveStatus::kLineSearchFailed:
       return "line_search_failed";
     case SolveStatus::kNotPositiveDefinite:

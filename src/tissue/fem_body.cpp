@@ -52,14 +52,20 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm();
-  // Force of a small strain on one element.
   const double element_area =
       std::pow(elasticity->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
   force_floor = 0.1 * composition.softestShearModulus() * element_area;
+  // Forces left on the nodes accelerate them by no more than would move them by the tolerance in
+  // the time that a shear wave takes through the body; after that, elasticity holds them.
+  const double volume = elasticity->volume(), mass = elasticity->masses().sum();
+  const double wave_speed_squared = composition.softestShearModulus() * volume / mass;
+  const double time_squared = std::pow(volume, 2.0 / 3.0) / wave_speed_squared;
+  least_force_ = settings.position_tolerance * elasticity->masses().norm() / time_squared;
 }
 
 double FemBody::tolerance() const {
-  return settings.tolerance * std::max({weight_norm_, contact_force, support_force, force_floor});
+  const double forces = std::max({weight_norm_, contact_force, support_force});
+  return std::max(settings.tolerance * forces, least_force_);
 }
 
 void FemBody::reportContacts(TissueStep* out) {

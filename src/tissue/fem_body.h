@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "palpate/contact/contact_potential.h"
@@ -36,15 +37,19 @@ struct FemBody {
   fem::DeadLoad gravity;
   contact::ContactPotential contact;
   ToolSweep sweep;
-  int inviscid_solids;  ///< Without viscous terms.
-  Vec3 weight;          ///< Sum of the gravity forces [N].
-  double force_floor;   ///< Keeps the tolerance above zero in a scene at rest [N].
+  int inviscid_solids;                           ///< Without viscous terms.
+  Vec3 weight;                                   ///< Sum of the gravity forces [N].
+  double force_floor;                            ///< Of a small strain on one element [N].
+  const solver::Interrupt* interrupt = nullptr;  ///< See TissueModel::setInterrupt().
 
-  Points x, v;                                      ///< 3 x n, world [m], [m/s].
+  Points x, v;  ///< 3 x n, world [m], [m/s].
+  /// At x, where it is known and does not depend on the step [J].
+  std::optional<double> elastic_energy;
   double contact_force = 0.0, support_force = 0.0;  ///< Nodal norms of the last cycle [N].
 
  private:
   double weight_norm_;  // of the nodal gravity forces [N]
+  double least_force_;  // worth being balanced [N]
   std::vector<contact::Contact> contacts_;
   Points nodal_;
 };

@@ -29,12 +29,15 @@ class FemTissue final : public TissueModel {
   const Points& velocities() const override { return body_.v; }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return body_.triangles; }
 
+  void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
+
   void reset() override { restore(settled_, Points::Zero(3, settled_.cols())); }
 
   void restore(const Points& positions, const Points& velocities) override {
     body_.x = positions;
     body_.v = velocities;
     body_.elasticity->relax(positions);
+    body_.elastic_energy.reset();
     body_.contact_force = body_.support_force = 0.0;
     method_->restart();
     at_rest_ = false;
@@ -96,6 +99,7 @@ class FemTissue final : public TissueModel {
         0.5 * body_.v.colwise().squaredNorm().transpose().cwiseProduct(method_->masses()).sum();
     const std::optional<double> own = method_->elasticEnergy();
     out_.elastic_energy = own ? *own : body_.elasticity->energy(body_.x);
+    if (!own && !body_.elasticity->viscous()) body_.elastic_energy = out_.elastic_energy;
     last_ = out_;
   }
 

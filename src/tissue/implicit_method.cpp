@@ -36,7 +36,9 @@ void ImplicitMethod::restart() {
 // The cycle in one step, or, where that fails, in more and shorter ones.
 bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_ = out;
+  const int waits = minimizer_->waits();
   minimizer_->beginCycle(dt);
+  out_->factor_waits = minimizer_->waits() - waits;
   const solver::Integrator begin = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
@@ -50,6 +52,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
     if (done == steps) return true;
     integrator_ = begin;
     body_.x = begin.positions();
+    body_.elastic_energy.reset();
     body_.v = begin.velocities();
     body_.elasticity->restoreViscousState(viscous.get());
   }
@@ -72,14 +75,24 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
   return true;
 }
 
+// From where the velocities lead if they go on changing as they did, if that is better than from
+// where the body is.
 void ImplicitMethod::startFromPredictor(double s, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   body_.sweep.place(s);
-  const double value_here = potential_.value(body_.x);
-  const Points way = h * integrator_.velocities();
-  predicted_ = body_.x + potential_.maxStep(body_.x, way) * way;
+  const double value_here = valueHere();
+  integrator_.extrapolate(h, &way_);
+  predicted_ = body_.x + potential_.maxStep(body_.x, way_) * way_;
   const double value_there = potential_.value(predicted_);
   if (value_there < value_here) body_.x.swap(predicted_);  // false for NaN
+}
+
+double ImplicitMethod::valueHere() {
+  if (!body_.elastic_energy) return potential_.value(body_.x);
+  double sum = potential_.elastic_scale * *body_.elastic_energy;
+  for (const fem::EnergyTerm* term : potential_.terms) sum += term->value(body_.x);
+  body_.elastic_energy.reset();  // x goes on
+  return sum;
 }
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
@@ -105,6 +118,7 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   solver::NewtonSettings settings;
   settings.linear_tolerance = body_.settings.linear_tolerance;
   settings.tolerance = (on_the_way ? kStageTolerance : 1.0) * out_->tolerance;
+  settings.interrupt = body_.interrupt;
   settings.max_iterations = on_the_way ? kStageIterations : body_.settings.max_newton_iterations;
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
@@ -119,10 +133,9 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   return solved;
 }
 
-// A state to go on from. One that only ran out of iterations is: each of them lowered the energy.
+// A state to go on from. One that only ran out of iterations or time is: each lowered the energy.
 bool ImplicitMethod::acceptable() const {
-  return (out_->ok() || out_->status == solver::SolveStatus::kIterationLimit) &&
-         body_.x.allFinite();
+  return solver::usable(out_->status) && body_.x.allFinite();
 }
 
 double ImplicitMethod::unbalancedForce() {

@@ -26,6 +26,7 @@ class ImplicitMethod final : public StepMethod {
  private:
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double s, double h);
+  double valueHere();
   void solveStages(double begin, double end);
   solver::NewtonReport solveStage(bool on_the_way);
   bool acceptable() const;
@@ -36,7 +37,7 @@ class ImplicitMethod final : public StepMethod {
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
 
-  Points elastic_gradient_, inertia_forces_, predicted_;
+  Points elastic_gradient_, inertia_forces_, predicted_, way_;
   TissueStep* out_ = nullptr;  // of the cycle under way
 };
 

@@ -154,6 +154,44 @@ TEST_P(EveryMinimizer, SaysThatAStateIsNotFinite) {
             SolveStatus::kNonFinite);
 }
 
+TEST_P(EveryMinimizer, EndsAfterAnIterationWhenAskedTo) {
+  Pushed pushed;
+  const Interrupt at_once = [] { return true; };
+  pushed.settings.interrupt = &at_once;
+  const auto minimizer = pushed.make(GetParam());
+  pushed.x = pushed.mesh.points;
+  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
+  pushed.time.beginStep(kStep, &pushed.potential);
+  pushed.floor.height = 0.01;
+  const double before = pushed.potential.value(pushed.x);
+  const NewtonReport report = minimizer->minimize(pushed.potential, pushed.settings, &pushed.x);
+  EXPECT_EQ(report.status, SolveStatus::kDeadline);
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_LE(report.linear_iterations, 8);
+  EXPECT_LT(pushed.potential.value(pushed.x), before);
+  const Interrupt never = [] { return false; };
+  pushed.settings.interrupt = &never;
+  EXPECT_EQ(minimizer->minimize(pushed.potential, pushed.settings, &pushed.x).status,
+            SolveStatus::kConverged);
+}
+
+// With linear solves to 0.5 alone it would take 33 iterations to 1e-10 of the first residual.
+TEST(Newton, SolvesLinearSystemsBetterWhereItsStepsAreGood) {
+  Pushed pushed;
+  pushed.settings.linear_tolerance = 0.5;
+  const auto newton = pushed.make("implicit_pcg");
+  pushed.x = pushed.mesh.points;
+  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
+  pushed.time.beginStep(kStep, &pushed.potential);
+  pushed.floor.height = 0.005;
+  Points g;
+  pushed.potential.gradient(pushed.x, &g);
+  pushed.settings.tolerance = 1e-10 * freeNorm(g, pushed.potential.free);
+  const NewtonReport report = newton->minimize(pushed.potential, pushed.settings, &pushed.x);
+  EXPECT_EQ(report.status, SolveStatus::kConverged);
+  EXPECT_LT(report.iterations, 15);
+}
+
 TEST(MinimizerList, RefusesAnUnknownName) {
   const Pushed pushed;
   EXPECT_THROW(pushed.make("gradient_descent"), std::invalid_argument);

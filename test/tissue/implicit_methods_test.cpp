@@ -70,5 +70,66 @@ TEST_P(EveryImplicitMethod, ComesToRestAndSleeps) {
   EXPECT_LT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
 }
 
+// Always late: one iteration a solve, and the body still gives way to the tool.
+TEST_P(EveryImplicitMethod, GoesOnWithTheBestStateAtADeadline) {
+  const solver::Interrupt at_once = [] { return true; };
+  const Slab slab = slabFor(GetParam());
+  const auto tissue = slab.make(), reference = slab.make();
+  tissue->setInterrupt(&at_once);
+  double peak = 0.0, expected = 0.0;
+  int late = 0;
+  for (Press a, b; !a.done();) {
+    expected = std::max(expected, onTool(reference->step({a.next()}, kStep)).norm());
+    const TissueStep& step = tissue->step({b.next()}, kStep);
+    ASSERT_TRUE(solver::usable(step.status)) << solver::toString(step.status);
+    EXPECT_EQ(step.time_steps, 1);
+    EXPECT_GT(step.min_jacobian, 0.0);
+    late += step.status == solver::SolveStatus::kDeadline ? 1 : 0;
+    EXPECT_TRUE(step.ok() || step.residual > step.tolerance);
+    peak = std::max(peak, onTool(step).norm());
+  }
+  EXPECT_GT(late, 10);
+  // Of the right size, no more: one iteration cannot follow a contact that begins.
+  EXPECT_GT(peak, 0.5 * expected);
+  EXPECT_LT(peak, 3.0 * expected);
+  tissue->setInterrupt(nullptr);
+  EXPECT_TRUE(tissue->step({}, kStep).ok());
+}
+
+// How far from an exactly solved one a body is, while it sways and nothing but position_tolerance
+// says when a solve is good enough.
+double worstError(double h, double tolerance) {
+  Slab slab(Eigen::Vector3i(4, 4, 2));
+  slab.settings.gravity.setZero();
+  slab.settings.tolerance = 1e-12;
+  slab.settings.position_tolerance = tolerance;
+  Slab exact = slab;
+  exact.settings.position_tolerance = 1e-12;
+  exact.settings.linear_tolerance = 1e-3;
+  const auto tissue = slab.make(), reference = exact.make();
+  Points v = Points::Zero(3, slab.mesh.numPoints());
+  v.row(0) = 5.0 * slab.mesh.points.row(2);  // shear, 0.2 m/s at the top
+  tissue->restore(slab.mesh.points, v);
+  reference->restore(slab.mesh.points, v);
+  double worst = 0.0;
+  for (double t = 0.0; t < 0.2 - 1e-9; t += h) {
+    EXPECT_TRUE(tissue->step({}, h).ok());
+    EXPECT_TRUE(reference->step({}, h).ok());
+    worst =
+        std::max(worst, (tissue->positions() - reference->positions()).colwise().norm().maxCoeff());
+  }
+  return worst;
+}
+
+TEST(PositionTolerance, BoundsTheErrorOfPositionsWhateverTheStep) {
+  constexpr double kTolerance = 1e-4;
+  for (const double h : {0.02, 0.01, 0.005, 0.0025, 0.00125}) {
+    const double error = worstError(h, kTolerance);
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(error, kTolerance) << "h = " << h;
+  }
+  EXPECT_LT(worstError(0.005, 0.01 * kTolerance), 0.01 * kTolerance);
+}
+
 }  // namespace
 }  // namespace palpate::tissue

@@ -64,12 +64,14 @@ struct SkipConfig : tissue::SkipSwitches {
 struct SolverConfig {
   std::string method = "implicit_pcg";
   std::string integrator = "backward_euler";
-  double step = 0.01;         ///< Fixed step when live, longest step in a replay [s].
-  double tolerance = 1.0e-4;  ///< Newton: residual over the forces' scale.
+  double step = 0.01;                  ///< Fixed step when live, longest step in a replay [s].
+  double tolerance = 1.0e-4;           ///< Newton: residual over the forces' scale.
+  double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
   int max_newton_iterations = 20;
-  double linear_tolerance = 1.0e-2;
+  double linear_tolerance = 1.0e-1;
   int max_linear_iterations = 500;
   int threads = 1;
+  double deadline = 0.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
   SkipConfig skip;
 };
 

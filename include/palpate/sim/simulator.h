@@ -12,6 +12,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/sim/scene.h"
 #include "palpate/sim/step_report.h"
+#include "palpate/solver/interrupt.h"
 
 namespace palpate::sim {
 
@@ -80,6 +81,11 @@ class Simulator {
   /// first cycle after construction or reset() takes `poses` as where the tools already were.
   /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report.
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
+
+  /// Asked now and then within every step, after its first iterations: true ends the step with the
+  /// best state so far and the status `deadline`. An empty one, as at first, never does. Results
+  /// then depend on when it said so.
+  void setInterrupt(solver::Interrupt interrupt);
 
   /// Back to the rest state at time 0.
   void reset();

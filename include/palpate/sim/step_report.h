@@ -38,6 +38,7 @@ struct StepReport {
   int time_steps = 1;            ///< That made it; more than one where longer ones failed.
   int newton_iterations = 0;
   int cg_iterations = 0;
+  int factor_waits = 0;         ///< Waits for a factor made beside; depends on how fast that was.
   double residual = 0.0;        ///< Largest organ's Euclidean norm of unbalanced force [N].
   double tolerance = 0.0;       ///< What it was asked to be below [N].
   double imbalance = 0.0;       ///< |tool + support + gravity + inertia forces| [N], see docs.
@@ -49,7 +50,7 @@ struct StepReport {
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
   /// The state at the end is one that the tissue really took, if not to full accuracy.
-  bool usable() const { return ok() || status == solver::SolveStatus::kIterationLimit; }
+  bool usable() const { return solver::usable(status); }
 };
 
 }  // namespace palpate::sim

@@ -54,6 +54,9 @@ class Integrator {
   bool needsElasticGradient() const { return damping_.stiffness > 0.0; }
   const Points& positions() const { return x_; }
   const Points& velocities() const { return v_; }
+  /// How far the nodes come in `h` [s] if their velocities go on changing as in the last step,
+  /// 3 x n [m].
+  void extrapolate(double h, Points* way) const;
   /// At rest where it is.
   void stop();
   const Eigen::VectorXd& masses() const { return masses_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/fem/stiffness.h"
+#include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::solver {
@@ -18,7 +19,7 @@ class LinearSolver {
 
   /// `b` and `x` are 3 x n; `x` is overwritten. An iterative solver stops when |b - A x| <=
   /// `relative_tolerance` |b|. kNotPositiveDefinite: A is not, and `x` is of no use;
-  /// kIterationLimit: `x` is the best so far, still a direction of descent.
+  /// kIterationLimit, kDeadline: `x` is the best so far, still a direction of descent.
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 
@@ -33,6 +34,18 @@ class LinearSolver {
   /// Cycles that began with waiting for work that was done beside; the only figure that depends on
   /// how fast it was.
   virtual int waits() const { return 0; }
+
+  /// Asked every few iterations; null: nobody is.
+  void setInterrupt(const Interrupt* interrupt) { interrupt_ = interrupt; }
+
+ protected:
+  const Interrupt* interrupt() const { return interrupt_; }
+  bool interrupted(int iteration) const {
+    return iteration > 0 && iteration % 8 == 0 && interrupt_ && *interrupt_ && (*interrupt_)();
+  }
+
+ private:
+  const Interrupt* interrupt_ = nullptr;
 };
 
 }  // namespace palpate::solver

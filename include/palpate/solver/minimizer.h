@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/base/phase_times.h"
+#include "palpate/solver/interrupt.h"
 #include "palpate/solver/potential.h"
 #include "palpate/solver/status.h"
 
@@ -11,6 +12,11 @@ struct NewtonSettings {
   double tolerance = 0.0;  ///< Absolute [N], on the norm of the free gradient.
   int max_iterations = 20;
   double linear_tolerance = 1e-2;  ///< Relative, of the linear solves; tighter for the last.
+  /// Asked after every iteration and in linear solves; null: nobody is. At least one iteration is
+  /// done.
+  const Interrupt* interrupt = nullptr;
+
+  bool interrupted() const { return interrupt && *interrupt && (*interrupt)(); }
 };
 
 struct NewtonReport {

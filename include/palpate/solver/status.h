@@ -10,10 +10,14 @@ namespace palpate::solver {
 enum class SolveStatus {
   kConverged,
   kIterationLimit,
+  kDeadline,  ///< Ended early because it was asked to.
   kLineSearchFailed,
   kNotPositiveDefinite,
   kNonFinite
 };
+
+/// A state to go on from: it was reached by steps each of which made it better.
+inline bool usable(SolveStatus status) { return status <= SolveStatus::kDeadline; }
 
 std::string_view toString(SolveStatus status);
 

@@ -23,10 +23,11 @@ struct FemSettings {
   double stiffness_damping = 0.0;  ///< [s]
   Vec3 gravity = Vec3::Zero();     ///< [m/s^2], world
   contact::Penalty penalty{3.0e8, 1.0e-4};
-  double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
-  double tolerance = 1.0e-4;    ///< Of the residual, relative to the forces.
+  double sample_spacing = 0.0;         ///< [m], see contact::sampleSurface()
+  double tolerance = 1.0e-4;           ///< Of the residual, relative to the forces.
+  double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
   int max_newton_iterations = 20;
-  double linear_tolerance = 1.0e-2;
+  double linear_tolerance = 1.0e-1;
   int max_linear_iterations = 500;
   SkipSwitches skip;
 };

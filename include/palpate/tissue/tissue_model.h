@@ -8,6 +8,7 @@
 #include "palpate/base/types.h"
 #include "palpate/instrument/geometry.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::tissue {
@@ -38,6 +39,7 @@ struct TissueStep {
   int time_steps = 1;  ///< That made the cycle; more than one where longer ones failed.
   int newton_iterations = 0;
   int linear_iterations = 0;
+  int factor_waits = 0;    ///< Waits for a factor made beside; depends on how fast that was.
   double residual = 0.0;   ///< Norm of the unbalanced nodal forces [N].
   double tolerance = 0.0;  ///< What it was asked to be below [N].
   double min_jacobian = 1.0;
@@ -69,6 +71,10 @@ class TissueModel {
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
   /// last good ones, and the contacts are empty.
   virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
+
+  /// Asked now and then in every step; when it says true, the step ends with the best state so far
+  /// and the status kDeadline. Null, as at first: nobody is asked, and steps can be repeated.
+  virtual void setInterrupt(const solver::Interrupt* interrupt) = 0;
 
   /// Back to the initial equilibrium, at rest.
   virtual void reset() = 0;
