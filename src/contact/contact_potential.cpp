@@ -145,15 +145,15 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
   return std::max(largest, 1e-3);
 }
 
-std::vector<double> ContactPotential::allowedMotions(const Points& x) const {
-  std::vector<double> allowed(bodies_.size(), std::numeric_limits<double>::infinity());
+void ContactPotential::allowedMotions(const Points& x, std::vector<double>* allowed) const {
+  allowed->assign(bodies_.size(), std::numeric_limits<double>::infinity());
   for (const Candidate& c : candidates_) {
     const RigidBody& body = bodies_[c.body];
     const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
     const double distance = signedDistanceValue(*body.geometry, p_G);
-    allowed[c.body] = std::min(allowed[c.body], allowedApproach(distance, radius(c)));
+    double& least = (*allowed)[c.body];
+    least = std::min(least, allowedApproach(distance, radius(c)));
   }
-  return allowed;
 }
 
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {

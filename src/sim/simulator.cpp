@@ -53,6 +53,7 @@ struct Simulator::Impl {
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
   StepResult result;
+  std::vector<Wrench> last;  // what the hands felt a cycle before
   double time = 0.0;
   solver::Interrupt interrupt;
 
@@ -70,8 +71,7 @@ struct Simulator::Impl {
   void clear() {
     time = 0.0;
     poses.clear();
-    result = StepResult();
-    result.instruments.resize(loaded.instruments.size());
+    result.clear(loaded.instruments.size());
   }
 
   bool accepts(const std::vector<LinkPoses>& next, double dt) const {
@@ -109,7 +109,7 @@ struct Simulator::Impl {
     }
   }
 
-  void finish(const std::vector<Wrench>& last, double dt) {
+  void finish(double dt) {
     for (std::size_t i = 0; i < result.instruments.size(); ++i) {
       InstrumentResult& tool = result.instruments[i];
       // The hand feels solved states only; after a failed one what it felt fades.
@@ -135,10 +135,9 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
     s.result.report.status = solver::SolveStatus::kNonFinite;
     return s.result;
   }
-  std::vector<Wrench> last;
-  for (const InstrumentResult& tool : s.result.instruments) last.push_back(tool.spatial);
-  s.result = StepResult();
-  s.result.instruments.resize(poses.size());
+  s.last.clear();
+  for (const InstrumentResult& tool : s.result.instruments) s.last.push_back(tool.spatial);
+  s.result.clear(poses.size());
 
   s.moveBodies(poses);
   s.placeControlFrames();
@@ -148,7 +147,7 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
     s.sumWrenches(organ, static_cast<int>(i));
   }
   s.time += dt;
-  s.finish(last, dt);
+  s.finish(dt);
   PhaseTimes& phases = s.result.report.phases;
   phases[Phase::kOther] = steadySeconds() - begin - phases.cycle();
   return s.result;

@@ -49,10 +49,10 @@ void Integrator::beginStep(double h, Potential* potential) {
     g_hat_ = g_;
   }
   if (massless_) {
-    inertia_.beginStep(x_hat_, 0.0 * masses_);
+    inertia_.beginStep(x_hat_, 0.0, masses_);
   } else {
     y_ = x_hat_ + k_ / (1.0 + damping_.mass * k_) * v_hat_;
-    inertia_.beginStep(y_, (1.0 / k_ + damping_.mass) / k_ * masses_);
+    inertia_.beginStep(y_, (1.0 / k_ + damping_.mass) / k_, masses_);
   }
   potential->elastic_scale = 1.0 + damping_.stiffness / k_;
   if (needsElasticGradient()) {

@@ -41,7 +41,7 @@ class FemTissue final : public TissueModel {
     body_.contact_force = body_.support_force = 0.0;
     method_->restart();
     at_rest_ = false;
-    out_ = TissueStep();
+    out_.clear();
   }
 
   const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
@@ -71,7 +71,7 @@ class FemTissue final : public TissueModel {
 
  private:
   void begin(const std::vector<ToolBody>& bodies, double dt) {
-    out_ = TissueStep();
+    out_.clear();
     const PhaseTimer timer(&out_.phases, Phase::kContact);
     const double way = dt * body_.v.colwise().norm().maxCoeff();
     out_.far_bodies = body_.sweep.begin(bodies, body_.x, way);

@@ -18,6 +18,7 @@ ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer>
     : body_(*body),
       integrator_(body->settings.integrator, body->elasticity->masses(),
                   {body->settings.mass_damping, body->settings.stiffness_damping}),
+      begin_(integrator_),
       potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free},
       minimizer_(std::move(minimizer)) {
   integrator_.addTerms(&potential_);
@@ -39,7 +40,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
   const int waits = minimizer_->waits();
   minimizer_->beginCycle(dt);
   out_->factor_waits = minimizer_->waits() - waits;
-  const solver::Integrator begin = integrator_;
+  begin_ = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
     out_->time_steps = steps;
@@ -50,10 +51,10 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
     }
     body_.v = integrator_.velocities();
     if (done == steps) return true;
-    integrator_ = begin;
-    body_.x = begin.positions();
+    integrator_ = begin_;
+    body_.x = begin_.positions();
     body_.elastic_energy.reset();
-    body_.v = begin.velocities();
+    body_.v = begin_.velocities();
     body_.elasticity->restoreViscousState(viscous.get());
   }
   return false;
@@ -139,12 +140,12 @@ bool ImplicitMethod::acceptable() const {
 }
 
 double ImplicitMethod::unbalancedForce() {
-  inertia_forces_ = integrator_.inertiaForces(body_.x);
+  integrator_.inertiaForces(body_.x, &inertia_forces_);
   return (minimizer_->gradient() + inertia_forces_).cwiseProduct(body_.free).norm();
 }
 
 void ImplicitMethod::reportForces(TissueStep* out) {
-  inertia_forces_ = integrator_.inertiaForces(body_.x);
+  integrator_.inertiaForces(body_.x, &inertia_forces_);
   out->inertia_force = inertia_forces_.rowwise().sum();
   body_.reportSupport(minimizer_->gradient(), out);
   body_.reportContacts(out);

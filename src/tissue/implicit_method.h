@@ -32,7 +32,7 @@ class ImplicitMethod final : public StepMethod {
   bool acceptable() const;
 
   FemBody& body_;
-  solver::Integrator integrator_;
+  solver::Integrator integrator_, begin_;  // of the step, of the cycle
   solver::Potential potential_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart

@@ -53,6 +53,7 @@ void addIsland(const TissueStep& island, TissueStep* out) {
   out->far_bodies += island.far_bodies;
   out->slept &= island.slept;
   out->satisfied &= island.satisfied || island.slept;
+  out->factor_waits += island.factor_waits;
   out->sleeping_islands += island.slept;
   out->distant_samples += island.distant_samples;
   out->inactive_samples += island.inactive_samples;
@@ -77,7 +78,7 @@ class Islands final : public TissueModel {
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
 
   const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
-    clearReport();
+    out_.clear();
     out_.slept = out_.satisfied = true;
     for (const Island& island : islands_) {
       const TissueStep& done = island.tissue->step(bodies, dt);
@@ -88,12 +89,16 @@ class Islands final : public TissueModel {
     return out_;
   }
 
+  void setInterrupt(const solver::Interrupt* interrupt) override {
+    for (const Island& island : islands_) island.tissue->setInterrupt(interrupt);
+  }
+
   void reset() override {
     for (const Island& island : islands_) {
       island.tissue->reset();
       take(island);
     }
-    out_ = TissueStep();
+    out_.clear();
   }
 
   void restore(const Points& positions, const Points& velocities) override {
@@ -102,18 +107,10 @@ class Islands final : public TissueModel {
     for (const Island& island : islands_) {
       island.tissue->restore(gather(positions, island.nodes), gather(velocities, island.nodes));
     }
-    out_ = TissueStep();
+    out_.clear();
   }
 
  private:
-  // Keeps the memory of the contacts.
-  void clearReport() {
-    std::vector<TissueContact> contacts = std::move(out_.contacts);
-    contacts.clear();
-    out_ = TissueStep();
-    out_.contacts = std::move(contacts);
-  }
-
   void take(const Island& island) {
     scatter(island.tissue->positions(), island.nodes, &x_);
     scatter(island.tissue->velocities(), island.nodes, &v_);

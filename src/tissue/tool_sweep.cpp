@@ -39,9 +39,10 @@ void ToolSweep::place(double s) {
   contact_.setBodies(placed_);
 }
 
-double ToolSweep::next(const Points& x, double s, double end) const {
+double ToolSweep::next(const Points& x, double s, double end) {
   if (!contact_.hasCandidates()) return end;
-  return std::min(end, nextSweepStage(near_, contact_.allowedMotions(x), s));
+  contact_.allowedMotions(x, &allowed_);
+  return std::min(end, nextSweepStage(near_, allowed_, s));
 }
 
 double ToolSweep::leap(double size) const {

@@ -29,7 +29,7 @@ class ToolSweep {
   /// Brings the bodies to part s of their way.
   void place(double s);
   /// The part, after s and up to `end`, to which the tissue at x can follow in one solve.
-  double next(const Points& x, double s, double end) const;
+  double next(const Points& x, double s, double end);
   /// The longest way of a body in this cycle, over its inscribed radius or `size` [m], whichever is
   /// less.
   double leap(double size) const;
@@ -46,7 +46,7 @@ class ToolSweep {
   double margin_ = 0.0;  // [m]
   std::vector<ToolBody> near_;
   std::vector<contact::RigidBody> placed_;
-  std::vector<double> reach_;  // of each near body [m]
+  std::vector<double> reach_, allowed_;  // of each near body [m]
   Points searched_at_;
 };
 

@@ -71,7 +71,7 @@ class ContactPotential final : public fem::EnergyTerm {
 
   /// How far each body may move at once [m] until its nearest candidate at x is as deep
   /// as that.
-  std::vector<double> allowedMotions(const Points& x) const;
+  void allowedMotions(const Points& x, std::vector<double>* allowed) const;
 
   /// All candidates inside a body at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;

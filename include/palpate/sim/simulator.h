@@ -40,6 +40,13 @@ struct StepResult {
   std::vector<InstrumentResult> instruments;  ///< In the scene's order.
   std::vector<ContactPoint> contacts;
   StepReport report;
+
+  /// As new, with so many instruments, but with its memory.
+  void clear(std::size_t num_instruments) {
+    instruments.assign(num_instruments, InstrumentResult());
+    contacts.clear();
+    report = StepReport();
+  }
 };
 
 /// Everything that a simulator must remember to go on later, for ~save_state.

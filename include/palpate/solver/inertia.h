@@ -12,14 +12,16 @@ namespace palpate::solver {
 /// et al. 2000].
 class Inertia final : public fem::EnergyTerm {
  public:
-  /// Begins a step towards y, 3 x n [m], with the weights w, n [kg/s^2].
-  void beginStep(const Points& y, const Eigen::VectorXd& weights) {
+  /// Begins a step towards y, 3 x n [m], with the weights s m, n [kg/s^2].
+  void beginStep(const Points& y, double s, const Eigen::VectorXd& m) {
     y_ = y;
-    weights_ = weights;
+    weights_ = s * m;
   }
 
   /// On each node at x, 3 x n [N]: minus mass times acceleration.
-  Points forces(const Points& x) const { return (y_ - x) * weights_.asDiagonal(); }
+  void forces(const Points& x, Points* f) const {
+    f->noalias() = (y_ - x) * weights_.asDiagonal();
+  }
 
   double value(const Points& x) const override {
     return 0.5 * ((x - y_).colwise().squaredNorm().transpose().cwiseProduct(weights_)).sum();

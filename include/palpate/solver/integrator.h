@@ -61,7 +61,7 @@ class Integrator {
   void stop();
   const Eigen::VectorXd& masses() const { return masses_; }
   /// Inertial and mass damping forces on the nodes at x, 3 x n [N].
-  Points inertiaForces(const Points& x) const { return inertia_.forces(x); }
+  void inertiaForces(const Points& x, Points* f) const { inertia_.forces(x, f); }
 
  private:
   bool two_step_, massless_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "palpate/base/phase_times.h"
@@ -55,6 +56,13 @@ struct TissueStep {
   PhaseTimes phases;            ///< Of the model's own; kOther is left to the caller.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
+  /// As new, but with its memory.
+  void clear() {
+    std::vector<TissueContact> memory = std::move(contacts);
+    memory.clear();
+    *this = TissueStep();
+    contacts = std::move(memory);
+  }
 };
 
 /// A soft body that tools press. The simulation sees only this; behind it stands a mechanical
