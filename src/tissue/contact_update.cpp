@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_update.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::tissue {
@@ -28,13 +29,35 @@ void ContactUpdate::clear() {
     touched_[i] = 0;
   }
   nodes_.clear();
-  residual_ = 0.0;
+  residual_ = deepest_ = 0.0;
+}
+
+void ContactUpdate::touch(int node, const Points& x) {
+  if (touched_[node]) return;
+  touched_[node] = 1;
+  nodes_.push_back(node);
+  free_x_.col(node) = x.col(node);
+}
+
+// The touched nodes of the last time go where its forces would bring them.
+void ContactUpdate::warmStart(const Eigen::VectorXd& coefficients, Points* x) {
+  last_nodes_.clear();
+  for (int i : nodes_) {
+    if (gradient_.col(i).isZero(0.0)) continue;
+    last_nodes_.push_back(i);
+    step_.col(i) = (-1.0 / coefficients[i] * gradient_.col(i)).cwiseProduct(body_.free.col(i));
+  }
+  clear();
+  for (int i : last_nodes_) {
+    touch(i, *x);
+    x->col(i) += step_.col(i);
+  }
 }
 
 void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance, Points* x) {
-  clear();
+  warmStart(coefficients, x);
   collect(*x);
-  for (int k = 0; !contacts_.empty() || k > 0; ++k) {
+  for (int k = 0; !nodes_.empty(); ++k) {
     residual_ = unbalanced(coefficients, *x);
     if (!(residual_ > tolerance) || k == kMaxIterations) return;
     linearise(coefficients);
@@ -63,16 +86,14 @@ bool ContactUpdate::limit(const Eigen::VectorXd& coefficients, const Points& beg
 void ContactUpdate::collect(const Points& x) {
   body_.contact.collect(x, &contacts_);
   for (int i : nodes_) gradient_.col(i).setZero();
+  deepest_ = 0.0;
   for (const contact::Contact& c : contacts_) {
+    deepest_ = std::max(deepest_, c.penetration);
     const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] == 0.0) continue;
       const int i = s.nodes[k];
-      if (!touched_[i]) {
-        touched_[i] = 1;
-        nodes_.push_back(i);
-        free_x_.col(i) = x.col(i);
-      }
+      touch(i, x);
       gradient_.col(i) += s.weights[k] * c.force_W;
     }
   }

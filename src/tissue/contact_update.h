@@ -19,7 +19,8 @@ class ContactUpdate {
   explicit ContactUpdate(FemBody* body);
 
   /// Moves the touched nodes of x, 3 x n [m], from where the step would bring them without contact.
-  /// `coefficients`: c, n [kg/s^2]. `tolerance` [N] of the norm of their unbalanced forces.
+  /// `coefficients`: c, n [kg/s^2]. `tolerance` [N] of the norm of their unbalanced forces. Begins
+  /// with the forces of the last time.
   void apply(const Eigen::VectorXd& coefficients, double tolerance, Points* x);
   /// Afterwards: lets none of these nodes go farther than `longest` [m] from `begin`, 3 x n [m]:
   /// tissue that a tool is deep in is pushed out in several steps. False if it held one back.
@@ -31,10 +32,14 @@ class ContactUpdate {
   const std::vector<int>& nodes() const { return nodes_; }
   /// Minus the contact forces at the end of apply(), 3 x n [N]; zero but at nodes().
   const Points& gradient() const { return gradient_; }
+  /// How deep the deepest point is in a tool [m].
+  double deepest() const { return deepest_; }
   /// Norm of the unbalanced forces that apply() left [N].
   double residual() const { return residual_; }
 
  private:
+  void touch(int node, const Points& x);
+  void warmStart(const Eigen::VectorXd& coefficients, Points* x);
   void collect(const Points& x);
   void linearise(const Eigen::VectorXd& coefficients);
   double unbalanced(const Eigen::VectorXd& coefficients, const Points& x);
@@ -50,7 +55,8 @@ class ContactUpdate {
   // 3 x n, of which only the columns of nodes_ are in use.
   Eigen::VectorXd curvature_;  // n [N/m], of the touched nodes
   Points free_x_, right_, step_, r_, p_, Ap_, inverse_diagonal_;
-  double residual_ = 0.0;
+  std::vector<int> last_nodes_;
+  double residual_ = 0.0, deepest_ = 0.0;
 };
 
 }  // namespace palpate::tissue

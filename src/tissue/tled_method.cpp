@@ -118,8 +118,10 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   const double kinetic_begin = kineticEnergy(), potential_begin = potential_;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   work_ = 0.0;
+  update_.clear();
   jumped_ = limited_ = false;
-  out->time_steps = out->sweep_stages = steps;
+  out->time_steps = caution_;
+  out->sweep_stages = steps;
   out->status = solver::SolveStatus::kNonFinite;
 
   // What the half-step before it would have ended with, braked.
@@ -160,16 +162,26 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
 }
 
+// Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
+// tool that itself has just gone on.
+bool TledMethod::mayJump() const {
+  if (!body_.contact.hasCandidates()) return false;
+  const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
+  return !(2.0 * std::sqrt(next_.colwise().squaredNorm().maxCoeff()) < margin);
+}
+
 // From the way `next` to the next positions, with what the tools change of it.
 bool TledMethod::touch(double h, double s) {
   body_.sweep.place(s);
-  update_.clear();
   limited_ = false;
-  jumped_ = body_.contact.hasCandidates() && body_.contact.maxStep(body_.x, next_) < 1.0;
+  jumped_ = mayJump() && body_.contact.maxStep(body_.x, next_) < 1.0;
   if (jumped_) return false;
   next_ += body_.x;
   if (!body_.sweep.candidatesHold(next_)) body_.sweep.search(next_);
-  if (!body_.contact.hasCandidates()) return true;
+  if (!body_.contact.hasCandidates()) {
+    update_.clear();
+    return true;
+  }
   update_.apply(coefficients_, body_.tolerance(), &next_);
   limited_ = !update_.limit(coefficients_, body_.x, kContactWay * element_size_, &next_);
   for (int i : update_.nodes()) {

@@ -17,7 +17,8 @@ namespace palpate::tissue {
 /// penalty does not bound h. The tools go on by a part of their way in each sub-step. In a viscous
 /// body each sub-step is one of its memory.
 ///
-/// TissueStep: time_steps is the number of sub-steps; `residual` what the last ContactUpdate left
+/// TissueStep: sweep_stages is the number of sub-steps, time_steps by how much more they are than
+/// stability asks for; `residual` what the last ContactUpdate left
 /// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
 /// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
 /// repeated with 2, 4 and 8 times the sub-steps, then fails. Status line_search_failed with a state
@@ -40,6 +41,7 @@ class TledMethod final : public StepMethod {
   bool run(double dt, int steps, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
   bool touch(double h, double s);
+  bool mayJump() const;
   void forces(double h);
   bool plausible(double kinetic_begin, double potential_begin) const;
   double kineticEnergy() const;

@@ -2,6 +2,7 @@
 #include "tool_sweep.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "palpate/contact/signed_distance.h"
 #include "sweep.h"
@@ -52,6 +53,14 @@ double ToolSweep::leap(double size) const {
     longest = std::max(longest, way / std::min(size, contact::inscribedRadius(*body.geometry)));
   }
   return longest;
+}
+
+double ToolSweep::thinnest() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ToolBody& body : near_) {
+    least = std::min(least, contact::inscribedRadius(*body.geometry));
+  }
+  return least;
 }
 
 }  // namespace palpate::tissue

@@ -33,6 +33,8 @@ class ToolSweep {
   /// The longest way of a body in this cycle, over its inscribed radius or `size` [m], whichever is
   /// less.
   double leap(double size) const;
+  /// The least inscribed radius of the bodies that can touch [m]; infinity if there is none.
+  double thinnest() const;
   /// The `body`-th body of the contact potential, where it is now.
   const contact::RigidBody& placed(int body) const { return placed_[body]; }
   int numBodies() const { return static_cast<int>(near_.size()); }
