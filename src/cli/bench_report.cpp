@@ -53,7 +53,8 @@ AllTimes allTimes(const BenchResult& result) {
 
 // Sums over the cycles.
 struct Work {
-  int newton = 0, linear = 0, skipped = 0, sleeping = 0, limited = 0, failed = 0, cut = 0;
+  double skipped = 0;  // may be many
+  int newton = 0, linear = 0, sleeping = 0, limited = 0, failed = 0, cut = 0;
   double peak_force = 0.0;  // [N]
 };
 
@@ -62,8 +63,8 @@ Work workOf(const BenchResult& result) {
   for (const BenchCycle& cycle : result.cycles) {
     work.newton += cycle.report.newton_iterations;
     work.linear += cycle.report.cg_iterations;
-    work.skipped += cycle.report.skipped.total();
-    work.sleeping += cycle.report.skipped.sleeping_organs;
+    work.skipped += static_cast<double>(cycle.report.skipped.total());
+    work.sleeping += static_cast<int>(cycle.report.skipped.sleeping_organs);
     work.limited += cycle.report.status == solver::SolveStatus::kIterationLimit;
     work.failed += !cycle.report.usable();
     work.cut += cycle.report.time_steps > 1;
@@ -102,7 +103,7 @@ std::string summaryJson(const BenchTitle& title, const BenchResult& result) {
   all.add("quiet", timesJson(times.quiet));
   all.add("newton_iterations", count(work.newton));
   all.add("linear_iterations", count(work.linear));
-  all.add("skipped", count(work.skipped));
+  all.add("skipped", work.skipped);
   all.add("sleeping_cycles", count(work.sleeping));
   all.add("cycles_at_iteration_limit", count(work.limited));
   all.add("failed_cycles", count(work.failed));
@@ -176,8 +177,8 @@ void printBench(const BenchTitle& title, const BenchResult& result) {
   printTimes("fastest repeat", times.fastest);
   printTimes("median of the repeats", times.typical);
   printTimes("each cycle's fastest", times.quiet);
-  std::printf("  Newton iterations %d, linear iterations %d, work skipped %d times\n", work.newton,
-              work.linear, work.skipped);
+  std::printf("  Newton iterations %d, linear iterations %d, work skipped %.0f times\n",
+              work.newton, work.linear, work.skipped);
   std::printf("  cycles at the iteration limit %d, in shorter steps %d, failed %d\n", work.limited,
               work.cut, work.failed);
   std::printf("  peak force %.6g N, loaded in %.2f s, memory %.0f MB (peak %.0f MB)\n",

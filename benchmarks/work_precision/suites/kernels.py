@@ -16,7 +16,7 @@ def micro_program():
     return found[0] if found else None
 
 
-def measure(context, seconds=0.1):
+def measure(context, seconds=0.02):
     """{name: fields} of all micro-benchmarks; times in nanoseconds. Run once, then kept."""
     file = context.work / "runs" / "micro.json"
     if not file.exists():

@@ -2,6 +2,7 @@
 """What was set out to be reached, each beside what this run measured."""
 
 import dataclasses
+import itertools
 import math
 
 from accuracy.rows import Section, table
@@ -24,6 +25,7 @@ class Goal:
     goal: float
     unit: str
     least: bool = False
+    otherwise: str = ""  # what to say where there is no figure
 
     @property
     def reached(self):
@@ -32,7 +34,7 @@ class Goal:
 
     def verdict(self):
         if not math.isfinite(self.value):
-            return "**not measured**"
+            return f"**missed: {self.otherwise}**" if self.otherwise else "**not measured**"
         if self.reached:
             return "reached"
         ratio = self.goal / self.value if self.least else self.value / self.goal
@@ -40,7 +42,8 @@ class Goal:
 
     def line(self):
         sign = ">=" if self.least else "<="
-        return [self.what, f"{self.value:.3g} {self.unit}", f"{sign} {self.goal:g} {self.unit}",
+        measured = f"{self.value:.3g} {self.unit}" if math.isfinite(self.value) else "-"
+        return [self.what, measured, f"{sign} {self.goal:g} {self.unit}",
                 self.verdict()]
 
 
@@ -67,20 +70,27 @@ def _beam(context):
 
 
 def _cube(context):
-    """The cheapest tolerance whose force error is within half a per cent."""
+    """The cheapest integrator and tolerance, with steps of 10 ms, whose force error is within half a
+    per cent."""
     cases = (("anp", 0.45, 12.0), ("tet4", 0.45, 12.0), ("anp", 0.49, 27.0))
     context.prepare([CUBE.but(element=e, poisson_ratio=p) for e, p, _ in cases])
     for element, poisson, goal in cases:
         good, least_error = [], math.inf
-        for tolerance in (1e-4, 1e-3, 1e-2):
-            run = context.measure(CUBE.but(element=element, poisson_ratio=poisson, tolerance=tolerance))
+        for integrator, tolerance in itertools.product(("backward_euler", "bdf2"), (1e-4, 1e-3, 1e-2)):
+            run = context.measure(CUBE.but(element=element, poisson_ratio=poisson, tolerance=tolerance,
+                                           integrator=integrator))
             rms = context.errors(run)["rms"]
             least_error = min(least_error, rms)
             if rms <= 0.005:
-                good.append((run.step_ms, tolerance, rms))
-        ms, tolerance, rms = min(good, default=(math.nan, math.nan, least_error))
-        yield Goal(f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 % "
-                   f"({100 * rms:.2f} % at tolerance {tolerance:g}): mean of a step", ms, goal, "ms")
+                good.append((run.step_ms, integrator, tolerance, rms))
+        what = f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 %"
+        if good:
+            ms, integrator, tolerance, rms = min(good)
+            yield Goal(f"{what} ({100 * rms:.2f} % with `{integrator}`, tolerance {tolerance:g}): mean of "
+                       "a step", ms, goal, "ms")
+        else:
+            yield Goal(f"{what}: mean of a step", math.nan, goal, "ms",
+                       otherwise=f"{100 * least_error:.2f} % at best")
 
 
 def _small(context):
