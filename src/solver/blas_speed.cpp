@@ -34,7 +34,9 @@ __attribute__((target("avx512f"))) double multiplyAdd512(double start) {
     for (__m512d& sum : sums) sum = _mm512_fmadd_pd(sum, a, b);
   }
   for (int k = 1; k < kSums; ++k) sums[0] = _mm512_add_pd(sums[0], sums[k]);
-  return _mm_cvtsd_f64(_mm512_castpd512_pd128(sums[0]));
+  double lanes[8];
+  _mm512_storeu_pd(lanes, sums[0]);
+  return lanes[0];
 }
 
 __attribute__((target("avx2,fma"))) double multiplyAdd256(double start) {

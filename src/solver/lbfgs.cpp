@@ -39,9 +39,13 @@ void Lbfgs::restart() {
 }
 
 // The projected tangent: always positive definite where masses or supports hold the body.
-SolveStatus Lbfgs::renew(const Potential& potential, const Points& x) {
-  potential.hessian(x, fem::Tangent::kProjected, &A_);
-  A_.constrain(potential.free);
+SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes* phases) {
+  {
+    const PhaseTimer timer(phases, Phase::kAssembly);
+    potential.hessian(x, fem::Tangent::kProjected, &A_);
+    A_.constrain(potential.free);
+  }
+  const PhaseTimer timer(phases, Phase::kLinearSolve);
   num_pairs_ = 0;
   wasted_ = 0.0;
   const SolveStatus status = factor_->factorize(A_);
@@ -72,7 +76,8 @@ bool Lbfgs::scaleFactor(const Potential& potential, const Points& x) {
 }
 
 // d = -H g by the two loops of alg. 7.4.
-bool Lbfgs::direction(const Potential& potential, const Points& x) {
+bool Lbfgs::direction(const Potential& potential, const Points& x, PhaseTimes* phases) {
+  const PhaseTimer timer(phases, Phase::kLinearSolve);
   if (!scaleFactor(potential, x)) return false;
   right_ = -g_.cwiseProduct(potential.free);
   for (int k = 0; k < num_pairs_; ++k) {
@@ -104,10 +109,19 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
   num_pairs_ = std::min(num_pairs_ + 1, kPairs);
 }
 
+bool Lbfgs::search(const Potential& potential, Points* x, double* value, NewtonReport* report) {
+  const PhaseTimer timer(&report->phases, Phase::kLineSearch);
+  return line_search_.run(potential, d_, x, &g_, value);
+}
+
 NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& settings,
                              Points* x) {
   NewtonReport report;
-  double value = potential.gradient(*x, &g_);
+  const auto gradient = [&] {
+    const PhaseTimer timer(&report.phases, Phase::kForces);
+    return potential.gradient(*x, &g_);
+  };
+  double value = gradient();
   int since_renewal = 0;
   for (;;) {
     report.residual = freeNorm(g_, potential.free);
@@ -126,15 +140,15 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     }
     bool fresh = false;
     if (!factor_->ready() || wasted_ >= renewal_ || since_renewal >= kPatience) {
-      report.status = renew(potential, *x);
+      report.status = renew(potential, *x, &report.phases);
       if (report.status != SolveStatus::kConverged) return report;
       since_renewal = 0;
       fresh = true;
     }
     x_begin_ = *x;
     g_begin_ = g_;
-    while (!direction(potential, *x) || !line_search_.run(potential, d_, x, &g_, &value)) {
-      report.status = fresh ? SolveStatus::kLineSearchFailed : renew(potential, *x);
+    while (!direction(potential, *x, &report.phases) || !search(potential, x, &value, &report)) {
+      report.status = fresh ? SolveStatus::kLineSearchFailed : renew(potential, *x, &report.phases);
       if (report.status != SolveStatus::kConverged) return report;
       since_renewal = 0;
       fresh = true;

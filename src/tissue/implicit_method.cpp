@@ -38,7 +38,10 @@ void ImplicitMethod::restart() {
 bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_ = out;
   const int waits = minimizer_->waits();
-  minimizer_->beginCycle(dt);
+  {
+    const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
+    minimizer_->beginCycle(dt);
+  }
   out_->factor_waits = minimizer_->waits() - waits;
   begin_ = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();

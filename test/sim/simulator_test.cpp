@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "palpate/tissue/fem_tissue.h"
 #include "slab_scene.h"
 #include "support/input_error.h"
 
@@ -123,6 +125,28 @@ TEST_F(SimulatorOnSlab, SaysWhereTheTimeWent) {
   EXPECT_EQ(asleep.skipped.sleeping_organs, 1);
   EXPECT_EQ(asleep.phases[Phase::kAssembly], 0.0);
   EXPECT_EQ(asleep.phases[Phase::kForces], 0.0);
+}
+
+// In half of the cycles most of the time has a phase; a cycle may be interrupted anywhere.
+TEST(SimulatorOnSlabBy, EveryMethodSaysWhereItsTimeGoes) {
+  const SlabScene slab;
+  const std::vector<Eigen::VectorXd> press = SlabScene::press();
+  for (const std::string& method : tissue::methodNames()) {
+    Simulator simulator(
+        readScene(slab.file("solver: {method: " + method + "}", "    element: tet4\n")));
+    std::vector<double> others;
+    PhaseTimes sum;
+    for (int k = 0; k < 80; ++k) {
+      const PhaseTimes phases =
+          simulator.step({simulator.linkPoses(0, press[k])}, kStep).report.phases;
+      if (k >= 40) others.push_back(phases[Phase::kOther] / phases.cycle());
+      sum += phases;
+    }
+    std::nth_element(others.begin(), others.begin() + 20, others.end());
+    EXPECT_LT(others[20], 0.5) << method;
+    EXPECT_GT(sum[Phase::kContact], 0.0) << method;
+    EXPECT_GT(sum[Phase::kForces], 0.0) << method;
+  }
 }
 
 TEST_F(SimulatorOnSlab, SkipsWhatIsNotNeeded) {

@@ -29,7 +29,9 @@ class Lbfgs final : public Minimizer {
   SolveStatus predict(const Potential& potential, const Points& move, Points* x) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
-  void prepare(const Potential& potential, const Points& x) override { renew(potential, x); }
+  void prepare(const Potential& potential, const Points& x) override {
+    renew(potential, x, nullptr);
+  }
   void restart() override;
 
  private:
@@ -39,9 +41,10 @@ class Lbfgs final : public Minimizer {
     double sy = 0.0, alpha = 0.0;
   };
 
-  SolveStatus renew(const Potential& potential, const Points& x);
+  SolveStatus renew(const Potential& potential, const Points& x, PhaseTimes* phases);
   bool scaleFactor(const Potential& potential, const Points& x);
-  bool direction(const Potential& potential, const Points& x);
+  bool direction(const Potential& potential, const Points& x, PhaseTimes* phases);
+  bool search(const Potential& potential, Points* x, double* value, NewtonReport* report);
   void learn(const Potential& potential, const Points& x);
   /// The k-th newest pair.
   Pair& pair(int k) { return pairs_[(newest_ + kPairs - k) % kPairs]; }
