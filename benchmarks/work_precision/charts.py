@@ -11,7 +11,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from . import norms
 
 METHOD_COLOUR = {
-    "implicit_pcg": "#1f4e79", "implicit_pcg bdf2": "#5b9bd5", "implicit_direct": "#8a5a00", "implicit_async": "#3a7d44",
+    "implicit_pcg": "#1f4e79", "implicit_pcg bdf2": "#5b9bd5", "implicit_direct": "#8a5a00",
+    "implicit_async": "#3a7d44",
     "tled": "#b5322a", "lbfgs": "#7a3b8f", "linear_precomputed": "#2a9d9d",
     "newton_bicgstab": "#999999", "auto": "#000000"}
 MARKERS = "osD^vPX*"

@@ -47,4 +47,5 @@ def run(context):
 TEXT = """`liver` is the shipped scene and two seconds of its recorded palpation, `liver_500` the same with
 about 500 nodes; `inclusion` is the cube with a ball of 20 times the stiffness below the surface,
 `capsule` the cube with a layer of 20 times the stiffness all around. Default tolerances, one thread,
-errors against a reference on the same mesh."""
+errors against a reference on the same mesh. Methods that refuse a scene (`linear_precomputed` knows no
+damping) are not in its part of the table."""
