@@ -36,14 +36,10 @@ PackedRows::PackedRows(const std::vector<std::vector<Entry>>& rows, int size, un
   values_.assign(static_cast<std::size_t>(size_) * source_.size() + kPadding, 0.0F);
 }
 
-void PackedRows::assign(int chunk, const double* values) {
+void PackedRows::assign(int chunk, const double* values, const PcgKernels& kernels) {
   const int last = std::min(kChunk * (chunk + 1), static_cast<int>(target_.size()));
-  for (int k = start_[kChunk * chunk]; k < start_[last]; ++k) {
-    if (from_[k] < 0) continue;
-    const double* from = values + static_cast<std::ptrdiff_t>(size_) * from_[k];
-    float* to = values_.data() + static_cast<std::ptrdiff_t>(size_) * k;
-    for (int c = 0; c < size_; ++c) to[c] = static_cast<float>(from[c]);
-  }
+  const auto pack = size_ == 9 ? kernels.pack9 : kernels.pack3;
+  pack(from_.data(), start_[kChunk * chunk], start_[last], values, values_.data());
 }
 
 }  // namespace palpate::solver

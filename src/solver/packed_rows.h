@@ -25,7 +25,7 @@ class PackedRows {
 
   int numChunks() const { return (static_cast<int>(target_.size()) + kChunk - 1) / kChunk; }
   /// Takes the values of the rows of one chunk from `values`.
-  void assign(int chunk, const double* values);
+  void assign(int chunk, const double* values, const PcgKernels& kernels);
   PcgRows rows() const { return {target_.data(), start_.data(), source_.data(), values_.data()}; }
 
  private:

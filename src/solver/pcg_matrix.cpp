@@ -66,8 +66,8 @@ PcgVolumes PcgMatrix::volumes() const {
 
 void PcgMatrix::packVolumes(const fem::VolumeStiffness& volume) {
   const double* values = volume.rows.data();
-  forChunks(num_pressures_, [&](int chunk, int, int) { rows_.assign(chunk, values); });
-  forChunks(num_nodes_, [&](int chunk, int, int) { columns_.assign(chunk, values); });
+  forChunks(num_pressures_, [&](int chunk, int, int) { rows_.assign(chunk, values, kernels_); });
+  forChunks(num_nodes_, [&](int chunk, int, int) { columns_.assign(chunk, values, kernels_); });
   factor_ = volume.factor;
   metric_ = volume.metric->isDiagonal() ? nullptr : volume.metric.get();
   for (int p = 0; p < num_pressures_; ++p) {
@@ -103,7 +103,7 @@ bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
 bool PcgMatrix::assign(const fem::Stiffness& A) {
   if (num_nodes_ == 0) takePattern(A);
   const double* values = A.blocks().values();
-  forChunks(num_nodes_, [&](int chunk, int, int) { blocks_.assign(chunk, values); });
+  forChunks(num_nodes_, [&](int chunk, int, int) { blocks_.assign(chunk, values, kernels_); });
   if (num_pressures_ > 0) packVolumes(A.volume());
   return invertDiagonal(A);
 }

@@ -30,6 +30,9 @@ struct PcgVectors {
 };
 
 struct PcgKernels {
+  /// to[k] = values[from[k]] for entries k of 9 (or 3) from `begin` to `end`; from -1: left alone.
+  void (*pack9)(const int* from, int begin, int end, const double* values, float* to);
+  void (*pack3)(const int* from, int begin, int end, const double* values, float* to);
   /// c = M B p from row `begin` to `end`, without M where there are no weights.
   void (*volumes)(const PcgVolumes&, int begin, int end, const float* p, float* c);
   /// Ap = K p + B^T c from row `begin` to `end`; returns p . Ap. `c` null: no volumes.

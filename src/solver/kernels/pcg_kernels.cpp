@@ -35,6 +35,33 @@ constexpr Quad kFirstThree = {1.0, 1.0, 1.0, 0.0};
 inline double sum(const Quad& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 inline float sum(Floats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
+void pack9(const int* from, int begin, int end, const double* values, float* to) {
+  for (int k = begin; k < end; ++k) {
+    if (from[k] < 0) continue;
+    const double* source = values + 9L * from[k];
+    float* target = to + 9L * k;
+#if defined(__AVX512F__)
+    _mm256_storeu_ps(target, _mm512_cvtpd_ps(_mm512_loadu_pd(source)));
+    target[8] = static_cast<float>(source[8]);
+#else
+    for (int c = 0; c < 9; ++c) target[c] = static_cast<float>(source[c]);
+#endif
+  }
+}
+
+void pack3(const int* from, int begin, int end, const double* values, float* to) {
+  for (int k = begin; k < end; ++k) {
+    if (from[k] < 0) continue;
+    const double* source = values + 3L * from[k];
+    float* target = to + 3L * k;
+#if defined(__AVX512F__)
+    _mm_mask_storeu_ps(target, 7, _mm256_cvtpd_ps(_mm256_maskz_loadu_pd(7, source)));
+#else
+    for (int c = 0; c < 3; ++c) target[c] = static_cast<float>(source[c]);
+#endif
+  }
+}
+
 // Sum of the row's blocks times their parts of p: entries in turn into one of two sums, each by
 // columns, then the two, then the three columns.
 inline Floats multiplyRow(const PcgRows& K, int row, const float* p) {
@@ -151,6 +178,6 @@ void direct(int begin, int end, double beta, const PcgVectors& v) {
 }  // namespace
 
 extern const PcgKernels kPcgKernels;
-const PcgKernels kPcgKernels{volumes, apply, diagonal, update, direct};
+const PcgKernels kPcgKernels{pack9, pack3, volumes, apply, diagonal, update, direct};
 
 }  // namespace palpate::solver::PALPATE_ISA
