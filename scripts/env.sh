@@ -27,6 +27,8 @@ fi
 # CHOLMOD's OpenMP team does not know of our threads and would crowd the cores. This variable caps
 # it; OMP_NUM_THREADS does not, because CHOLMOD asks for a number of threads itself.
 export OMP_THREAD_LIMIT=${OMP_THREAD_LIMIT:-1}
+# OpenBLAS's own threads spin while they wait.
+export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
 # OpenBLAS 0.3.21 takes recent Intel processors for a Prescott and leaves AVX-512 unused.
 if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -qw avx512f /proc/cpuinfo 2>/dev/null; then
   export OPENBLAS_CORETYPE=SKYLAKEX

@@ -135,10 +135,10 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     const Vec3 motion = samples_[c.sample].position(d);
     const double length = motion.norm();
     const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
-    const Distance distance = signedDistance(*body.geometry, p_G);
-    const double allowed = allowedApproach(distance.value, r);
+    const double allowed = allowedApproach(signedDistanceValue(*body.geometry, p_G), r);
     if (length * largest <= allowed) continue;
-    const double approach = -(body.X_WG.linear() * distance.normal_G).dot(motion);
+    const Vec3 normal_G = signedDistance(*body.geometry, p_G).normal_G;
+    const double approach = -(body.X_WG.linear() * normal_G).dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
   }
   // A sample that is already in the middle must not bring the solve to a stand.

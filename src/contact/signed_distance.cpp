@@ -78,6 +78,24 @@ Distance distance(const ConvexHull& hull, const Vec3& p) {
   return result;
 }
 
+// The same values without normals and curvatures, for the many points that are only looked at.
+
+double value(const Sphere& sphere, const Vec3& p) { return p.norm() - sphere.radius; }
+
+double value(const Capsule& capsule, const Vec3& p) {
+  const double z = std::clamp(p.z(), -capsule.half_length, capsule.half_length);
+  return Vec3(p.x(), p.y(), p.z() - z).norm() - capsule.radius;
+}
+
+double value(const Box& box, const Vec3& p) {
+  const Vec3 beyond = p.cwiseAbs() - box.half_extents;
+  const double d = beyond.cwiseMax(0.0).norm();
+  const bool one_face = (beyond.array() > 0.0).count() <= 1;
+  return one_face || !(d > kNoDirection) ? beyond.maxCoeff() : d;
+}
+
+double value(const ConvexHull& hull, const Vec3& p) { return nearestOnHull(hull, p).value; }
+
 }  // namespace
 
 Distance signedDistance(const instrument::Geometry& geometry, const Vec3& p_G) {
@@ -88,7 +106,8 @@ Distance signedDistance(const instrument::Geometry& geometry, const Vec3& p_G) {
 }
 
 double signedDistanceValue(const instrument::Geometry& geometry, const Vec3& p_G) {
-  return signedDistance(geometry, p_G).value;
+  if (p_G.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
+  return std::visit([&](const auto& shape) { return value(shape, p_G); }, geometry);
 }
 
 }  // namespace palpate::contact

@@ -25,6 +25,7 @@ bool isIntelWithAvx512() {
 
 void restartWithSolverEnvironment(char** argv) {
   bool changed = setIfAbsent("OMP_THREAD_LIMIT", "1");
+  changed |= setIfAbsent("OPENBLAS_NUM_THREADS", "1");
   if (isIntelWithAvx512()) changed |= setIfAbsent("OPENBLAS_CORETYPE", "SKYLAKEX");
   if (changed) execv("/proc/self/exe", argv);
 }

@@ -55,6 +55,7 @@ TEST(SignedDistance, OfHullsAgreesWithDenseSampling) {
       const bool is_inside = ((hull->normals.transpose() * p - hull->offsets).array() < 0.0).all();
       inside += is_inside;
       const double value = signedDistanceValue(geometry, p);
+      EXPECT_EQ(value, signedDistance(geometry, p).value) << name << " at " << p.transpose();
       EXPECT_EQ(value < 0.0, is_inside) << name;
       EXPECT_LE(std::abs(value), nearest + 1e-15) << name;
       EXPECT_GE(std::abs(value), nearest - sampled.spacing) << name;
