@@ -13,6 +13,10 @@ cd "$(dirname "$0")/.."
 # shellcheck disable=SC1091
 . scripts/env.sh
 
+# One thread is one thread: OpenBLAS would take every core for CHOLMOD's factors, and wait for them
+# spinning where another program has one.
+export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
+
 if [[ " $* " == *" --list "* ]]; then PALPATE_NO_BUILD=1 PALPATE_NO_INSTALL=1; fi
 if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build benchmark; fi
 if [ -z "${PALPATE_NO_BUILD:-}" ]; then
