@@ -24,9 +24,11 @@ def force_error(times, forces, reference_times, reference_forces):
 
 
 def displacement_error(times, frames, reference_times, reference_frames):
-    """Relative L2 over all nodes and common times: frames (k, n, 3) [m] of the same nodes."""
+    """Relative L2 over all nodes and common times: frames (k, n, 3) [m] of the same nodes. NaN where
+    the reference does not move."""
     wanted = reference_frames[_at(reference_times, times)]
-    return float(np.linalg.norm(frames - wanted) / np.linalg.norm(wanted))
+    scale = np.linalg.norm(wanted)
+    return float(np.linalg.norm(frames - wanted) / scale) if scale > 0.0 else float("nan")
 
 
 def pareto(errors, costs):

@@ -67,6 +67,10 @@ class DisplacementError(unittest.TestCase):
         self.assertAlmostEqual(
             norms.displacement_error(times, run, np.array([0.1, 0.15, 0.2]), more), 0.1)
 
+    def test_a_reference_that_does_not_move_has_no_scale(self):
+        still = np.zeros((1, 5, 3))
+        self.assertTrue(math.isnan(norms.displacement_error(np.zeros(1), still, np.zeros(1), still)))
+
 
 class Pareto(unittest.TestCase):
     def test_front_by_cost(self):
