@@ -7,9 +7,9 @@ namespace palpate::start {
 /// returns if nothing was to be set or that failed. What the user has set stays.
 ///
 /// OMP_THREAD_LIMIT=1: CHOLMOD asks for four OpenMP threads of its own, OMP_NUM_THREADS
-/// notwithstanding, which is slower on few cores. OPENBLAS_NUM_THREADS=1: its own threads spin while
-/// they wait, and fight ours for the cores. OPENBLAS_CORETYPE=SKYLAKEX where the processor has
-/// AVX-512: OpenBLAS 0.3.21 takes recent Intel models for a Prescott.
+/// notwithstanding, which is slower on few cores. OPENBLAS_NUM_THREADS=1: its own threads spin
+/// while they wait, and fight ours for the cores. OPENBLAS_CORETYPE=SKYLAKEX where the processor
+/// has AVX-512: OpenBLAS 0.3.21 takes recent Intel models for a Prescott.
 void restartWithSolverEnvironment(char** argv);
 
 }  // namespace palpate::start

@@ -60,7 +60,8 @@ class Parameters(unittest.TestCase):
 
     def test_sets_what_the_libraries_read_before_main(self):
         bare = {k: v for k, v in os.environ.items()
-                if k not in ("OMP_THREAD_LIMIT", "OPENBLAS_CORETYPE")}
+                if k not in ("OMP_THREAD_LIMIT", "OPENBLAS_NUM_THREADS",
+                             "OPENBLAS_CORETYPE")}
         node = subprocess.Popen([NODE, "__name:=bare",
                                  "_scene:=" + os.path.join(SCENES, "block.yaml")], env=bare)
         try:
@@ -70,6 +71,7 @@ class Parameters(unittest.TestCase):
             with open("/proc/%d/environ" % node.pid, "rb") as f:
                 settings = f.read().decode().split("\0")
             self.assertIn("OMP_THREAD_LIMIT=1", settings)
+            self.assertIn("OPENBLAS_NUM_THREADS=1", settings)
             with open("/proc/cpuinfo") as f:
                 cpu = f.read()
             if "GenuineIntel" in cpu and "avx512vl" in cpu:

@@ -45,6 +45,7 @@ class Floor final : public fem::EnergyTerm {
 
 // A block hung from its top, under which the floor rises.
 struct Pushed {
+  mutable ThreadPool team{2};
   mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(4));
   std::unique_ptr<fem::Elasticity> body;
   Floor floor;
@@ -87,7 +88,7 @@ struct Pushed {
     }
   }
   std::unique_ptr<Minimizer> make(const std::string& name, int threads = 1) const {
-    return makeMinimizer(name, {2000, threads}, body->makeMatrix());
+    return makeMinimizer(name, {2000, threads > 1 ? &team : nullptr}, body->makeMatrix());
   }
 };
 

@@ -31,6 +31,7 @@ TEST_P(LinearPrecomputedElement, IsTheFemSolveWithTheLinearLaw) {
     slab.law = Slab::liver("linear", 0.45);
     slab.settings.integrator = "static";
     slab.settings.tolerance = 1e-8;
+    slab.settings.position_tolerance = 1e-12;
     slab.settings.max_newton_iterations = 100;
     slab.settings.gravity = Vec3(0.0, 1.0, -9.81);
     const auto tissue = slab.make();

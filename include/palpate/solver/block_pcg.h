@@ -12,9 +12,10 @@ namespace palpate::solver {
 /// Conjugate gradients preconditioned by the inverses of the 3 x 3 diagonal blocks [Saad 2003,
 /// alg. 9.1]. Starts from zero, so that every iterate is a direction of descent.
 ///
-/// Vectors are in double precision, products with the matrix are computed in single precision, which
-/// is less than half the work. A tolerance that this could miss is met by iterative refinement with
-/// the matrix itself [Moler 1967]. All matrices must have the pattern of the first one.
+/// Vectors are in double precision, products with the matrix are computed in single precision,
+/// which is less than half the work. A tolerance that this could miss is met by iterative
+/// refinement with the matrix itself [Moler 1967]. All matrices must have the pattern of the first
+/// one.
 class BlockPcg final : public LinearSolver {
  public:
   /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x.

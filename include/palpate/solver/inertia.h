@@ -19,9 +19,7 @@ class Inertia final : public fem::EnergyTerm {
   }
 
   /// On each node at x, 3 x n [N]: minus mass times acceleration.
-  void forces(const Points& x, Points* f) const {
-    f->noalias() = (y_ - x) * weights_.asDiagonal();
-  }
+  void forces(const Points& x, Points* f) const { f->noalias() = (y_ - x) * weights_.asDiagonal(); }
 
   double value(const Points& x) const override {
     return 0.5 * ((x - y_).colwise().squaredNorm().transpose().cwiseProduct(weights_)).sum();
