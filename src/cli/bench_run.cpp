@@ -91,6 +91,7 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
     result.tets += static_cast<int>(simulator.organMesh(i).numTets());
   }
   for (const std::string& warning : simulator.warnings()) result.note += warning + "\n";
+  for (const std::string& note : simulator.notes()) result.note += note + "\n";
 
   const double step = bench.scene.solver.step;
   const int cycles = std::max(1, static_cast<int>(std::lround(timing.duration / step)));

@@ -79,6 +79,7 @@ int replay(const Options& options) {
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
   line.finish();
   for (const std::string& warning : simulator.warnings()) std::cerr << "note: " << warning << "\n";
+  for (const std::string& note : simulator.notes()) std::cerr << "note: " << note << "\n";
 
   io::Replay run(&simulator, trajectory, options.trajectory);
   io::CsvWriter csv(options.out, run.columns());

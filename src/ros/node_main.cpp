@@ -44,6 +44,7 @@ std::unique_ptr<sim::Simulator> load(const sim::Scene& scene, Diagnostics* diagn
         diagnostics->loading(what);
       });
   for (const std::string& warning : simulator->warnings()) ROS_WARN_STREAM(warning);
+  for (const std::string& note : simulator->notes()) ROS_INFO_STREAM(note);
   return simulator;
 }
 

@@ -56,6 +56,7 @@ void replay(const Options& options) {
         scene, [&](const std::string& what, double f) { line.show(what, f); });
   }
   for (const std::string& warning : simulator->warnings()) std::cerr << warning << '\n';
+  for (const std::string& note : simulator->notes()) std::cerr << note << '\n';
 
   BagInputs inputs(options.in, *simulator);
   ReplayBag bag(options.out, simulator->scene());

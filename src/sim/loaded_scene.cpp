@@ -62,6 +62,9 @@ LoadedScene loadScene(const Scene& scene, const LoadProgress& progress) {
   for (std::size_t i = 0; i < scene.organs.size(); ++i) {
     loaded.tissues.push_back(
         loadTissue(scene, i, spacing, loaded.pool.get(), progress, &loaded.warnings));
+    for (const std::string& note : loaded.tissues.back()->notes()) {
+      loaded.notes.push_back("organ " + scene.organs[i].name + ": " + note);
+    }
   }
   return loaded;
 }

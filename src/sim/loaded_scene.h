@@ -20,6 +20,7 @@ struct LoadedScene {
   std::vector<int> control_links;  ///< Link index of each instrument's control frame.
   std::vector<std::unique_ptr<tissue::TissueModel>> tissues;
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;  ///< What the tissues decided, with the organ's name.
 };
 
 /// @throws InputError

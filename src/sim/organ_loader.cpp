@@ -94,6 +94,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   tissue::FemSettings settings;
   settings.element = organ.element;
   settings.method = scene.solver.method;
+  settings.step = scene.solver.step;
   settings.integrator = scene.solver.integrator;
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;

@@ -204,6 +204,7 @@ LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {
 
 const Scene& Simulator::scene() const { return impl_->scene; }
 const std::vector<std::string>& Simulator::warnings() const { return impl_->loaded.warnings; }
+const std::vector<std::string>& Simulator::notes() const { return impl_->loaded.notes; }
 int Simulator::numInstruments() const { return static_cast<int>(impl_->loaded.instruments.size()); }
 const instrument::Instrument& Simulator::instrument(int i) const {
   return impl_->loaded.instruments[i];

@@ -131,7 +131,7 @@ std::string blasWarning(const BlasSpeed& speed, const char* coretype) {
 }
 
 bool dependsOnBlas(const std::string& method) {
-  return method == "implicit_direct" || method == "implicit_async";
+  return method == "implicit_direct" || method == "implicit_async" || method == "auto";
 }
 
 }  // namespace palpate::solver

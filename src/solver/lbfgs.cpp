@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "palpate/solver/newton.h"
+#include "palpate/solver/unit_costs.h"
 #include "stale_factor.h"
-#include "unit_costs.h"
 
 namespace palpate::solver {
 namespace {

@@ -17,6 +17,9 @@ namespace palpate::tissue {
 /// elements that have just been squeezed are found there.
 class CriticalStep {
  public:
+  /// Part of it that is taken.
+  static constexpr double kSafety = 0.9;
+
   /// `elasticity` must outlive this.
   CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free);
 

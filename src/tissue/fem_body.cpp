@@ -15,6 +15,15 @@ int numInviscid(const fem::Composition& composition) {
                                         [](const material::Solid& s) { return s.prony.empty(); }));
 }
 
+double largestPoissonRatio(const fem::Composition& composition) {
+  double largest = -1.0;
+  for (const material::Solid& solid : composition.solids) {
+    const material::Moduli m = material::moduli(solid.law);
+    largest = std::max(largest, (3.0 * m.kappa - 2.0 * m.mu) / (6.0 * m.kappa + 2.0 * m.mu));
+  }
+  return largest;
+}
+
 // Has solids without viscous terms treated as if they had some, of no strength to speak of.
 fem::Composition withViscousTerms(fem::Composition composition) {
   for (material::Solid& solid : composition.solids) {
@@ -46,6 +55,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
               settings.penalty),
       sweep(&contact, size, settings.skip.far_tools),
+      largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())) {

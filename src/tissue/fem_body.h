@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "palpate/contact/contact_potential.h"
@@ -37,9 +38,11 @@ struct FemBody {
   fem::DeadLoad gravity;
   contact::ContactPotential contact;
   ToolSweep sweep;
-  int inviscid_solids;                           ///< Without viscous terms.
-  Vec3 weight;                                   ///< Sum of the gravity forces [N].
-  double force_floor;                            ///< Of a small strain on one element [N].
+  double largest_poisson_ratio;  ///< Of any solid at rest.
+  std::string method_note;       ///< Why its method was chosen; empty: it was named.
+  int inviscid_solids;           ///< Without viscous terms.
+  Vec3 weight;                   ///< Sum of the gravity forces [N].
+  double force_floor;            ///< Of a small strain on one element [N].
   const solver::Interrupt* interrupt = nullptr;  ///< See TissueModel::setInterrupt().
 
   Points x, v;  ///< 3 x n, world [m], [m/s].

@@ -29,6 +29,11 @@ class FemTissue final : public TissueModel {
   const Points& velocities() const override { return body_.v; }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return body_.triangles; }
 
+  std::vector<std::string> notes() const override {
+    if (body_.method_note.empty()) return {};
+    return {body_.method_note};
+  }
+
   void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
 
   void reset() override { restore(settled_, Points::Zero(3, settled_.cols())); }

@@ -11,6 +11,7 @@ namespace palpate::tissue {
 namespace {
 
 struct Island {
+  std::string name;        // "part 2 of 3, from [..] to [..] m in the world: "
   std::vector<int> nodes;  // in the whole
   std::unique_ptr<TissueModel> tissue;
 };
@@ -89,6 +90,14 @@ class Islands final : public TissueModel {
     return out_;
   }
 
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> all;
+    for (const Island& island : islands_) {
+      for (const std::string& note : island.tissue->notes()) all.push_back(island.name + note);
+    }
+    return all;
+  }
+
   void setInterrupt(const solver::Interrupt* interrupt) override {
     for (const Island& island : islands_) island.tissue->setInterrupt(interrupt);
   }
@@ -153,8 +162,9 @@ std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
     const mesh::TetPart& part = parts[k];
     const std::string name = nameOf(k, parts.size(), part.mesh.points);
     try {
-      islands.push_back({part.nodes, makeFemTissue(part.mesh, compositionOf(composition, part.tets),
-                                                   gather(free, part.nodes), settings, pool)});
+      islands.push_back({name, part.nodes,
+                         makeFemTissue(part.mesh, compositionOf(composition, part.tets),
+                                       gather(free, part.nodes), settings, pool)});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(name + error.what());
     } catch (const std::runtime_error& error) {

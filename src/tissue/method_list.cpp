@@ -3,6 +3,7 @@
 
 #include "implicit_method.h"
 #include "linear_method.h"
+#include "method_choice.h"
 #include "newton_method.h"
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
@@ -30,6 +31,12 @@ std::unique_ptr<StepMethod> newtonBicgstab(FemBody* body) {
   return std::make_unique<NewtonMethod>(body);
 }
 
+std::unique_ptr<StepMethod> automatic(FemBody* body) {
+  const MethodChoice choice = chooseMethod(countCycle(body));
+  body->method_note = choice.reason;
+  return makeStepMethod(choice.method, body);
+}
+
 // Every method beside those of solver::minimizerNames(), the first of which is the default. To add
 // one: write its header and source, add it here.
 struct Entry {
@@ -40,6 +47,7 @@ const std::vector<Entry> kMethods = {
     {"tled", tled},
     {"linear_precomputed", linearPrecomputed},
     {"newton_bicgstab", newtonBicgstab},
+    {"auto", automatic},
 };
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace palpate::tissue {
 namespace {
 
-// Part of the critical step.
-constexpr double kSafety = 0.9;
 constexpr int kMaxCaution = 8;
 constexpr double kMaxSubSteps = 1e5;
 // A tool goes no farther in a sub-step than this part of its inscribed radius and of an element,
@@ -79,7 +77,7 @@ double TledMethod::kineticEnergy() const {
 int TledMethod::subSteps(double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   critical_.follow(body_.x);
-  const double stable = std::ceil(dt / (kSafety * critical_.seconds()));
+  const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
   const double leap =
       std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
   const double steps = std::max({1.0, stable, leap});

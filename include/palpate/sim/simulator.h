@@ -71,6 +71,7 @@ class Simulator {
 
   const Scene& scene() const;
   const std::vector<std::string>& warnings() const;  ///< Of loading: repairs, missing visuals ...
+  const std::vector<std::string>& notes() const;  ///< What loading decided: the method for `auto`.
 
   int numInstruments() const;
   const instrument::Instrument& instrument(int i) const;

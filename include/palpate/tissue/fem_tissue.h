@@ -19,6 +19,7 @@ struct FemSettings {
   std::string method = "implicit_pcg";  ///< One of methodNames().
   std::string element = "anp";
   std::string integrator = "backward_euler";
+  double step = 0.01;              ///< Usual length of a cycle [s], for method "auto".
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
   Vec3 gravity = Vec3::Zero();     ///< [m/s^2], world

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -79,6 +80,9 @@ class TissueModel {
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
   /// last good ones, and the contacts are empty.
   virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
+
+  /// What was decided when the model was made and the user should know, a line each.
+  virtual std::vector<std::string> notes() const { return {}; }
 
   /// Asked now and then in every step; when it says true, the step ends with the best state so far
   /// and the status kDeadline. Null, as at first: nobody is asked, and steps can be repeated.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "critical_step.h"
+#include "method_choice.h"
+#include "palpate/solver/block_pcg.h"
+#include "palpate/solver/factor_counts.h"
+#include "palpate/solver/integrator.h"
+#include "palpate/solver/potential.h"
+
+namespace palpate::tissue {
+namespace {
+
+// Surface nodes that the probe pushes lie within this part of the body's size.
+constexpr double kProbe = 0.1;
+constexpr double kLinearTetsOfAQuadratic = 8.0;
+
+// A push by something like a tool: on the free surface nodes around the one that is farthest from
+// the middle of the held ones, towards the middle of the body. 3 x n [N].
+Points probe(const FemBody& body) {
+  const Points& X = body.mesh.points;
+  const Vec3 middle = X.rowwise().mean();
+  Vec3 held = Vec3::Zero();
+  int num_held = 0;
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    if (!body.free.col(i).isZero()) continue;
+    held += X.col(i);
+    ++num_held;
+  }
+  held = num_held > 0 ? Vec3(held / num_held) : middle;
+  int place = -1;
+  double farthest = -1.0;
+  for (const int node : body.triangles.reshaped()) {
+    const double distance = (X.col(node) - held).norm();
+    if (body.free.col(node).isZero() || distance <= farthest) continue;
+    farthest = distance;
+    place = node;
+  }
+  Points push = Points::Zero(3, X.cols());
+  if (place < 0) return push;
+  for (const int node : body.triangles.reshaped()) {
+    if ((X.col(node) - X.col(place)).norm() > kProbe * body.size) continue;
+    push.col(node) = middle - X.col(place);
+  }
+  return push.cwiseProduct(body.free);
+}
+
+// That of the first step from rest, without contact.
+fem::Stiffness firstMatrix(FemBody* body) {
+  const FemSettings& settings = body->settings;
+  const Points& X = body->mesh.points;
+  solver::Integrator integrator(settings.integrator, body->elasticity->masses(),
+                                {settings.mass_damping, settings.stiffness_damping});
+  solver::Potential potential{body->elasticity.get(), {}, body->free};
+  integrator.addTerms(&potential);
+  integrator.start(X, Points::Zero(3, X.cols()));
+  if (integrator.needsElasticGradient()) {
+    Points g;
+    body->elasticity->gradient(X, &g);
+    integrator.setElasticGradient(g);
+  }
+  fem::Stiffness A = body->elasticity->makeMatrix();
+  integrator.beginStep(settings.step, &potential);
+  body->elasticity->beginStep(settings.step);
+  potential.hessian(X, fem::Tangent::kConvexTerms, &A);
+  A.constrain(body->free);
+  body->elasticity->beginStep(std::numeric_limits<double>::infinity());
+  return A;
+}
+
+int trialIterations(FemBody* body, const fem::Stiffness& A) {
+  const int most = body->settings.max_linear_iterations;
+  solver::BlockPcg pcg(most, body->pool);
+  Points x;
+  const solver::LinearReport report =
+      pcg.solve(A, probe(*body), body->settings.linear_tolerance, &x);
+  return report.status == solver::SolveStatus::kConverged ? report.iterations : most;
+}
+
+}  // namespace
+
+CycleCounts countCycle(FemBody* body) {
+  const FemSettings& settings = body->settings;
+  CycleCounts counts;
+  counts.step = settings.step;
+  counts.poisson_ratio = body->largest_poisson_ratio;
+  counts.tets = static_cast<double>(body->mesh.numTets()) *
+                (body->mesh.quadratic() ? kLinearTetsOfAQuadratic : 1.0);
+  const fem::Stiffness A = firstMatrix(body);
+  counts.averaged = A.hasVolume();
+  counts.blocks = A.blocks().numBlocks();
+  if (A.hasVolume()) counts.volume_entries = static_cast<double>(A.volume().rows.cols());
+  counts.linear_iterations = trialIterations(body, A);
+  const solver::FactorCounts factor = solver::countFactor(A);
+  counts.factor_flops = factor.flops;
+  counts.factor_nonzeros = factor.nonzeros;
+  counts.explicit_accepts =
+      settings.integrator == solver::integratorNames().front() && settings.stiffness_damping == 0.0;
+  counts.mass_damping = settings.mass_damping > 0.0;
+  CriticalStep critical(body->elasticity.get(), body->free);
+  critical.begin(body->mesh.points);
+  counts.sub_steps =
+      std::max(1.0, std::ceil(settings.step / (CriticalStep::kSafety * critical.seconds())));
+  body->elasticity->relax(body->mesh.points);
+  return counts;
+}
+
+}  // namespace palpate::tissue

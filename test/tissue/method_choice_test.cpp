@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/tissue/method_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "liver_slab.h"
+#include "palpate/tissue/islands.h"
+#include "support/contains.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::Press;
+using test::Slab;
+
+using test::contains;
+
+// 20,000 tetrahedra at nu = 0.45.
+CycleCounts usualCounts() {
+  CycleCounts c;
+  c.poisson_ratio = 0.45;
+  c.tets = 20e3;
+  c.averaged = true;
+  c.blocks = 55e3;
+  c.volume_entries = 55e3;
+  c.linear_iterations = 15;
+  c.factor_flops = 2.35e9;
+  c.factor_nonzeros = 4.5e6;
+  c.sub_steps = 40.0;
+  c.explicit_accepts = c.mass_damping = true;
+  return c;
+}
+
+TEST(MethodChoice, IsConjugateGradientsAsARule) {
+  const MethodChoice choice = chooseMethod(usualCounts());
+  EXPECT_EQ(choice.method, "implicit_pcg");
+  // 2 (100 + 15 ns) 20e3 + 2 x 15 (2.4 + 1.7 ns) 55e3 = 4.6 ms + 6.8 ms
+  EXPECT_TRUE(contains(choice.reason, "takes implicit_pcg")) << choice.reason;
+  EXPECT_TRUE(contains(choice.reason, "implicit_pcg 11 ms")) << choice.reason;
+  EXPECT_TRUE(contains(choice.reason, "15 iterations")) << choice.reason;
+}
+
+TEST(MethodChoice, IsLbfgsWhereConjugateGradientsCrawl) {
+  CycleCounts c = usualCounts();
+  c.linear_iterations = 114;
+  c.poisson_ratio = 0.499;
+  EXPECT_EQ(chooseMethod(c).method, "lbfgs");
+}
+
+TEST(MethodChoice, StaysWithTheUsualMethodForASmallGain) {
+  CycleCounts c = usualCounts();
+  c.averaged = c.mass_damping = false;
+  c.volume_entries = 0.0;
+  int least = 1;
+  for (; least < 1000; ++least) {
+    c.linear_iterations = least;
+    if (chooseMethod(c).method != "implicit_pcg") break;
+  }
+  EXPECT_EQ(chooseMethod(c).method, "lbfgs");
+  // lbfgs: 8 (0.3 + 3.27 ms) + (1.3 + 117.5 ms)/30 = 32.5 ms, to be below 0.8 of
+  // 2 (1.6 ms + n 0.132 ms): n > 141.8.
+  EXPECT_EQ(least, 142);
+}
+
+TEST(MethodChoice, IsDirectWhereAFactorCostsLittle) {
+  CycleCounts c = usualCounts();
+  c.tets = 1000.0;
+  c.blocks = 3000.0;
+  c.volume_entries = 3000.0;
+  c.linear_iterations = 60;
+  c.factor_flops = 1e6;
+  c.factor_nonzeros = 30e3;
+  EXPECT_EQ(chooseMethod(c).method, "implicit_direct");
+}
+
+TEST(MethodChoice, IsExplicitOnlyWhereThatIsClearlyCheaper) {
+  CycleCounts c = usualCounts();
+  c.sub_steps = 15.0;  // of 0.44 ms: 6.6 ms of 11.4 ms
+  EXPECT_EQ(chooseMethod(c).method, "tled");
+  c.sub_steps = 16.0;
+  EXPECT_EQ(chooseMethod(c).method, "implicit_pcg");
+}
+
+TEST(MethodChoice, IsNotExplicitWhereThatWouldDoHarm) {
+  CycleCounts c = usualCounts();
+  c.sub_steps = 2.0;
+  ASSERT_EQ(chooseMethod(c).method, "tled");
+  CycleCounts other = c;
+  other.poisson_ratio = 0.4901;
+  EXPECT_EQ(chooseMethod(other).method, "implicit_pcg");
+  EXPECT_TRUE(contains(chooseMethod(other).reason, "0.49"));
+  other = c;
+  other.explicit_accepts = false;
+  EXPECT_EQ(chooseMethod(other).method, "implicit_pcg");
+  EXPECT_TRUE(contains(chooseMethod(other).reason, "settings"));
+  other = c;
+  other.mass_damping = false;
+  EXPECT_EQ(chooseMethod(other).method, "implicit_pcg");
+  EXPECT_TRUE(contains(chooseMethod(other).reason, "ring"));
+}
+
+fem::Composition composition(const Slab& slab) {
+  return {{material::Solid{slab.law, slab.density, slab.prony}}, {}, {}};
+}
+
+CycleCounts countsOf(const Slab& slab, ThreadPool* pool = nullptr) {
+  FemBody body(slab.mesh, composition(slab), slab.free, slab.settings, pool);
+  return countCycle(&body);
+}
+
+Slab slabWith(double poisson_ratio, const std::string& element = "anp") {
+  Slab slab("auto", Eigen::Vector3i(8, 8, 4), element);
+  slab.law = Slab::liver("stable_neo_hookean", poisson_ratio);
+  return slab;
+}
+
+TEST(CycleCounts, FollowTheBody) {
+  const CycleCounts soft = countsOf(slabWith(0.45)), stiff = countsOf(slabWith(0.499));
+  EXPECT_NEAR(soft.poisson_ratio, 0.45, 1e-9);
+  EXPECT_NEAR(stiff.poisson_ratio, 0.499, 1e-9);
+  EXPECT_EQ(soft.tets, 6.0 * 8 * 8 * 4);
+  EXPECT_TRUE(soft.averaged);
+  EXPECT_GT(soft.volume_entries, soft.tets);
+  EXPECT_GT(stiff.linear_iterations, 1.5 * soft.linear_iterations);
+  EXPECT_GT(stiff.sub_steps, soft.sub_steps);
+  EXPECT_EQ(soft.factor_nonzeros, stiff.factor_nonzeros);
+
+  const CycleCounts tet4 = countsOf(slabWith(0.45, "tet4"));
+  EXPECT_FALSE(tet4.averaged);
+  EXPECT_EQ(tet4.volume_entries, 0.0);
+  EXPECT_LT(tet4.factor_flops, soft.factor_flops);  // that of anp reaches over two rings
+  EXPECT_EQ(countsOf(slabWith(0.45, "tet10")).tets, 8.0 * tet4.tets);
+
+  Slab longer = slabWith(0.45);
+  longer.settings.step = 0.03;
+  EXPECT_GE(countsOf(longer).linear_iterations, soft.linear_iterations);
+  EXPECT_NEAR(countsOf(longer).sub_steps, 3.0 * soft.sub_steps, 3.0);
+}
+
+TEST(CycleCounts, SeeWhatTheExplicitMethodWouldRefuse) {
+  Slab slab = slabWith(0.45);
+  EXPECT_TRUE(countsOf(slab).explicit_accepts);
+  EXPECT_FALSE(countsOf(slab).mass_damping);
+  slab.settings.mass_damping = 5.0;
+  EXPECT_TRUE(countsOf(slab).mass_damping);
+  slab.settings.stiffness_damping = 1e-3;
+  EXPECT_FALSE(countsOf(slab).explicit_accepts);
+  slab.settings.stiffness_damping = 0.0;
+  for (const char* integrator : {"static", "bdf2"}) {
+    slab.settings.integrator = integrator;
+    EXPECT_FALSE(countsOf(slab).explicit_accepts) << integrator;
+  }
+}
+
+TEST(CycleCounts, AreTheSameWithThreadsAndInEveryLoad) {
+  ThreadPool two(2), three(3);
+  for (const double poisson_ratio : {0.45, 0.499}) {
+    const Slab slab = slabWith(poisson_ratio);
+    const std::vector<std::string> notes = slab.make()->notes();
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_TRUE(contains(notes[0], "method auto takes ")) << notes[0];
+    EXPECT_EQ(slab.make()->notes(), notes);
+    EXPECT_EQ(slab.make(&two)->notes(), notes);
+    EXPECT_EQ(slab.make(&three)->notes(), notes);
+  }
+}
+
+// Presses a slab by `auto` and by what that chose.
+std::string expectSameBits(Slab slab) {
+  const std::string method = chooseMethod(countsOf(slab)).method;
+  const auto chosen = slab.make();
+  slab.settings.method = method;
+  const auto named = slab.make();
+  EXPECT_TRUE(named->notes().empty());
+  EXPECT_EQ(chosen->positions(), named->positions());
+  for (Press a(0.01, 0.05), b(0.01, 0.05); a.time() < 0.4;) {
+    const TissueStep& one = chosen->step({a.next()}, slab.settings.step);
+    const TissueStep& other = named->step({b.next()}, slab.settings.step);
+    EXPECT_EQ(one.linear_iterations, other.linear_iterations);
+    EXPECT_EQ(one.elastic_energy, other.elastic_energy);
+    if (chosen->positions() != named->positions()) {
+      ADD_FAILURE() << method << " at " << a.time();
+      break;
+    }
+  }
+  return method;
+}
+
+TEST(MethodAuto, IsTheChosenMethodToTheBit) {
+  Slab slab = slabWith(0.45);
+  slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
+  expectSameBits(slab);
+  slab.prony = {{0.3, 0.1}};
+  expectSameBits(slab);
+  expectSameBits(slabWith(0.499));
+  expectSameBits(slabWith(0.45, "p1p1"));
+  for (const char* integrator : {"static", "bdf2"}) {
+    Slab other = slabWith(0.45);
+    other.settings.integrator = integrator;
+    EXPECT_NE(expectSameBits(other), "tled");
+  }
+}
+
+// Coarse, so that a sub-step is long.
+TEST(MethodAuto, GoesExplicitForSoftDampedTissue) {
+  Slab slab = slabWith(0.3, "tet4");
+  slab.settings.mass_damping = 5.0;
+  slab.settings.step = 0.002;
+  EXPECT_EQ(expectSameBits(slab), "tled");
+}
+
+TEST(MethodAuto, ChoosesForEachPartOfAnOrgan) {
+  Slab slab = slabWith(0.45, "tet4");
+  mesh::TetMesh two = slab.mesh;
+  const auto n = static_cast<int>(two.numPoints());
+  two.points.conservativeResize(3, 2 * n);
+  two.points.rightCols(n) = two.points.leftCols(n).colwise() + Vec3(0.2, 0.0, 0.0);
+  const Eigen::Index m = two.tets.cols();
+  two.tets.conservativeResize(4, 2 * m);
+  two.tets.rightCols(m) = two.tets.leftCols(m).array() + n;
+  fem::FreeMask free(3, 2 * n);
+  free << slab.free, slab.free;
+  const auto organ = makeIslands(two, composition(slab), free, slab.settings);
+  const std::vector<std::string> notes = organ->notes();
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_TRUE(contains(notes[1], "part 2 of 2")) << notes[1];
+  EXPECT_TRUE(contains(notes[1], "method auto takes ")) << notes[1];
+}
+
+}  // namespace
+}  // namespace palpate::tissue
