@@ -30,8 +30,8 @@ std::string_view toString(Isa isa) {
 }
 
 const std::vector<Isa>& availableIsas() {
-  static const std::vector<Isa> isas = detect();
-  return isas;
+  static const std::vector<Isa> kIsas = detect();
+  return kIsas;
 }
 
 }  // namespace palpate

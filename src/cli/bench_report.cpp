@@ -41,6 +41,7 @@ AllTimes allTimes(const BenchResult& result) {
   }
   const auto middle = [&](double Times::*figure) {
     std::vector<double> values;
+    values.reserve(repeats.size());
     for (const Times& times : repeats) values.push_back(times.*figure);
     return quantile(values, 0.5);
   };

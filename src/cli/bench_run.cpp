@@ -50,6 +50,7 @@ void rewind(const BenchCase& bench, sim::Simulator* simulator) {
 std::vector<sim::LinkPoses> posesAt(double t, const BenchCase& bench,
                                     const sim::Simulator& simulator) {
   std::vector<sim::LinkPoses> poses;
+  poses.reserve(static_cast<std::size_t>(simulator.numInstruments()));
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     poses.push_back(simulator.linkPoses(i, bench.joints(t)));
   }
