@@ -28,6 +28,11 @@ const std::vector<Skip>& skips() {
       {"viscous_terms", &On::viscous_terms, "Viscous memory of solids that are not viscous.",
        "inviscid_solids", &Of::inviscid_solids, [](const Step& s) { return s.inviscid_solids; },
        false},
+      {"unchanged_stiffness", &On::unchanged_stiffness,
+       "Assembly of the elastic stiffness where the organ has hardly changed its shape since the "
+       "last one; methods `implicit_pcg`, `implicit_direct` and `implicit_async`.",
+       "kept_stiffnesses", &Of::kept_stiffnesses, [](const Step& s) { return s.kept_stiffnesses; },
+       true},
       {"unwatched_markers", &On::unwatched_markers,
        "Pictures that nobody subscribes to; only `palpate_node` makes any.", nullptr, nullptr,
        nullptr, false},

@@ -28,6 +28,7 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
     const bool smaller_residual = next_norm <= (1.0 - kSufficientDecrease * alpha) * norm;
     const bool decrease = next_value <= *value + kSufficientDecrease * alpha * slope;
     const bool in_the_noise = std::abs(alpha * slope) <= kRoundoff * std::abs(*value);
+    halvings_ = k;
     if (conservative ? decrease || (in_the_noise && smaller_residual) : smaller_residual) {
       x->swap(x_trial_);
       g->swap(g_trial_);

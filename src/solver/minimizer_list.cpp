@@ -15,18 +15,22 @@ namespace {
 
 std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, const fem::Stiffness& A) {
   return std::make_unique<Newton>(
-      A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool));
+      A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool),
+      settings.keep_stiffness);
 }
 
-std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings&, const fem::Stiffness& A) {
-  return std::make_unique<Newton>(A, std::make_unique<CholmodSolver>());
+std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings& settings,
+                                          const fem::Stiffness& A) {
+  return std::make_unique<Newton>(A, std::make_unique<CholmodSolver>(), settings.keep_stiffness);
 }
 
 std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings,
                                          const fem::Stiffness& A) {
   return std::make_unique<Newton>(
-      A, std::make_unique<StalePcg>(A, settings.max_linear_iterations,
-                                    settings.pool && settings.pool->size() > 1));
+      A,
+      std::make_unique<StalePcg>(A, settings.max_linear_iterations,
+                                 settings.pool && settings.pool->size() > 1),
+      settings.keep_stiffness);
 }
 
 std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, const fem::Stiffness& A) {

@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
+
+#include "kept_stiffness.h"
 
 namespace palpate::solver {
 namespace {
+
+// A kept stiffness is old when an iteration with it leaves more of the residual than this.
+constexpr double kWell = 0.5;
 
 // Forcing terms of choice 2 with its safeguard [Eisenstat, Walker 1996, (2.6)]: a linear solve need
 // not be better than the model that Newton's last step has shown to be.
@@ -28,29 +34,67 @@ double atTheEnd(const NewtonSettings& settings, double residual, double term) {
 
 }  // namespace
 
+Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness)
+    : A_(A), linear_(std::move(linear)) {
+  if (keep_stiffness) elastic_ = std::make_unique<KeptStiffness>(A_);
+}
+
+Newton::~Newton() = default;
+
+void Newton::restart() {
+  if (elastic_) elastic_->drop();
+  linear_->restart();
+}
+
+// A_ at x, without what is held. True: its elastic part is kept from an earlier x.
+bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent) {
+  bool kept = false;
+  if (elastic_) {
+    kept = elastic_->hessian(potential, x, tangent, &A_);
+  } else {
+    potential.hessian(x, tangent, &A_);
+  }
+  A_.constrain(potential.free);
+  return kept;
+}
+
+// Whether a kept stiffness may serve on.
+bool Newton::servedWell(double residual, double before) const {
+  return line_search_.halvings() == 0 && residual <= kWell * before;
+}
+
 LinearReport Newton::direction(const Potential& potential, const Points& x, double linear_tolerance,
                                NewtonReport* report) {
   right_ = -g_.cwiseProduct(potential.free);
+  constexpr fem::Tangent kTangents[] = {fem::Tangent::kExact, fem::Tangent::kConvexTerms,
+                                        fem::Tangent::kProjected};
   LinearReport solved;
-  for (const fem::Tangent tangent :
-       {fem::Tangent::kExact, fem::Tangent::kConvexTerms, fem::Tangent::kProjected}) {
+  kept_ = false;
+  for (const fem::Tangent* tangent = kTangents; tangent != std::end(kTangents);) {
     {
       const PhaseTimer timer(&report->phases, Phase::kAssembly);
-      potential.hessian(x, tangent, &A_);
-      A_.constrain(potential.free);
+      kept_ = assemble(potential, x, *tangent) && *tangent == fem::Tangent::kExact;
     }
     const PhaseTimer timer(&report->phases, Phase::kLinearSolve);
     solved = linear_->solve(A_, right_, linear_tolerance, &d_);
     report->linear_iterations += solved.iterations;
     if (solved.status != SolveStatus::kNotPositiveDefinite) break;
     ++report->projections;
+    if (kept_) {
+      elastic_->drop();
+    } else {
+      ++tangent;
+    }
   }
+  report->kept_stiffnesses += kept_;
   return solved;
 }
 
 NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& settings,
                               Points* x) {
   NewtonReport report;
+  kept_ = false;
+  if (elastic_ && potential.elasticity->viscous()) elastic_->drop();  // K depends on the step
   linear_->setInterrupt(settings.interrupt);
   double before = 0.0, term = settings.linear_tolerance;
   double value = 0.0;
@@ -73,6 +117,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       report.status = SolveStatus::kDeadline;
       return report;
     }
+    if (kept_ && before > 0.0 && !servedWell(report.residual, before)) elastic_->drop();
     if (before > 0.0) {
       term = forcingTerm(settings.linear_tolerance, report.residual, before, term);
     }
@@ -85,6 +130,10 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     }
     const PhaseTimer timer(&report.phases, Phase::kLineSearch);
     if (!line_search_.run(potential, d_, x, &g_, &value)) {
+      if (kept_) {
+        elastic_->drop();
+        continue;
+      }
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }

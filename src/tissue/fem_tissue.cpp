@@ -116,7 +116,7 @@ class FemTissue final : public TissueModel {
     out_ = last_;
     out_.far_bodies = far;
     out_.distant_samples = distant;
-    out_.inactive_samples = out_.inviscid_solids = 0;
+    out_.inactive_samples = out_.inviscid_solids = out_.kept_stiffnesses = 0;
     out_.phases = phases;
     out_.slept = true;
     out_.satisfied = false;

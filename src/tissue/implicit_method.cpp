@@ -129,6 +129,7 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
     solved = minimizer_->minimize(potential_, settings, &body_.x);
     out_->newton_iterations += solved.iterations;
     out_->linear_iterations += solved.linear_iterations;
+    out_->kept_stiffnesses += solved.kept_stiffnesses;
     out_->phases += solved.phases;
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     if (body_.sweep.candidatesHold(body_.x)) break;

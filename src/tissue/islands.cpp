@@ -59,6 +59,7 @@ void addIsland(const TissueStep& island, TissueStep* out) {
   out->distant_samples += island.distant_samples;
   out->inactive_samples += island.inactive_samples;
   out->inviscid_solids += island.inviscid_solids;
+  out->kept_stiffnesses += island.kept_stiffnesses;
   out->phases += island.phases;
 }
 

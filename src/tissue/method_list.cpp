@@ -16,6 +16,7 @@ namespace {
 std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
   solver::MinimizerSettings settings;
   settings.max_linear_iterations = body->settings.max_linear_iterations;
+  settings.keep_stiffness = body->settings.skip.unchanged_stiffness;
   settings.pool = body->pool;
   return std::make_unique<ImplicitMethod>(
       body, solver::makeMinimizer(name, settings, body->elasticity->makeMatrix()));

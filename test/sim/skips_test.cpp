@@ -90,7 +90,8 @@ Outcome run(const Scene& scene) {
 class SkipOf : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Simulation, SkipOf,
                          ::testing::Values("far_tools", "sleeping", "distant_samples",
-                                           "inactive_samples", "viscous_terms"),
+                                           "inactive_samples", "viscous_terms",
+                                           "unchanged_stiffness"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(SkipOf, ChangesNothingThatIsFelt) {

@@ -20,7 +20,8 @@ struct SkipCounters {
       0;  ///< Surface points, times near tool shapes, that were out of reach.
   std::int64_t inactive_samples =
       0;  ///< Those within reach that did not touch at the end: no derivative.
-  std::int64_t inviscid_solids = 0;  ///< Solids of solved organs without viscous terms: no memory.
+  std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
+  std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
 
   /// Of the pieces of work: shapes, organs, solves. See sim/skips.h.
   std::int64_t total() const;

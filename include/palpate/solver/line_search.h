@@ -16,9 +16,12 @@ class LineSearch {
   /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
   /// do, and stay where they are if there is none: false. `d` is zero on held components.
   bool run(const Potential& potential, const Points& d, Points* x, Points* g, double* value);
+  /// Times that the last run() halved its step.
+  int halvings() const { return halvings_; }
 
  private:
   Points x_trial_, g_trial_;
+  int halvings_ = 0;
 };
 
 }  // namespace palpate::solver

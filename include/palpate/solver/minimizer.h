@@ -23,8 +23,9 @@ struct NewtonReport {
   SolveStatus status = SolveStatus::kConverged;
   int iterations = 0;  ///< Steps taken.
   int linear_iterations = 0;
-  int projections = 0;    ///< Linear systems that had to be made positive definite.
-  double residual = 0.0;  ///< Norm of the free gradient at the end [N].
+  int projections = 0;       ///< Linear systems that had to be made positive definite.
+  int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  double residual = 0.0;     ///< Norm of the free gradient at the end [N].
   PhaseTimes phases;
 };
 

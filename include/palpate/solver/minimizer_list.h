@@ -14,6 +14,8 @@ struct MinimizerSettings {
   int max_linear_iterations = 500;
   /// Null: one thread. With two, factorisations are done beside. Must outlive the minimiser.
   ThreadPool* pool = nullptr;
+  /// See Newton; the others have no use for it.
+  bool keep_stiffness = false;
 };
 
 /// Ways to take an implicit step; the first is the default.

@@ -9,12 +9,16 @@
 
 namespace palpate::solver {
 
+class KeptStiffness;
+
 /// Newton's method with backtracking [Nocedal, Wright 2006, alg. 3.2].
 class Newton final : public Minimizer {
  public:
-  /// `A` has the body's pattern.
-  Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear)
-      : A_(A), linear_(std::move(linear)) {}
+  /// `A` has the body's pattern. `keep_stiffness`: the elastic part of the tangent is not assembled
+  /// again while the body hardly changes its shape and iterations go on well with it.
+  Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear,
+         bool keep_stiffness = false);
+  ~Newton() override;
 
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                         Points* x) override;
@@ -23,15 +27,21 @@ class Newton final : public Minimizer {
   double roundoffForce(const Points& x) const override;
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override { linear_->beginCycle(dt); }
-  void restart() override { linear_->restart(); }
+  void restart() override;
   int waits() const override { return linear_->waits(); }
 
  private:
   /// d = -A^-1 g on the free components, from the exact tangent if that is positive definite.
+  /// Sets `kept_`.
   LinearReport direction(const Potential& potential, const Points& x, double linear_tolerance,
                          NewtonReport* report);
 
+  bool assemble(const Potential& potential, const Points& x, fem::Tangent tangent);
+  bool servedWell(double residual, double before) const;
+
   fem::Stiffness A_;
+  std::unique_ptr<KeptStiffness> elastic_;  // null: none is kept
+  bool kept_ = false;                       // in the last direction
   std::unique_ptr<LinearSolver> linear_;
   LineSearch line_search_;
   Points g_, d_, right_, x_trial_;

@@ -12,6 +12,7 @@ struct SkipSwitches {
   bool distant_samples = true;
   bool inactive_samples = true;
   bool viscous_terms = true;
+  bool unchanged_stiffness = true;
 };
 
 }  // namespace palpate::tissue

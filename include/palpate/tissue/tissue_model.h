@@ -54,6 +54,7 @@ struct TissueStep {
   int distant_samples = 0;      ///< Surface points, times near bodies, that were out of reach.
   int inactive_samples = 0;     ///< Those within reach that did not touch at the end.
   int inviscid_solids = 0;      ///< Without viscous terms, in a cycle that was solved.
+  int kept_stiffnesses = 0;     ///< Elastic stiffnesses that were not assembled again.
   PhaseTimes phases;            ///< Of the model's own; kOther is left to the caller.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
