@@ -188,7 +188,7 @@ BenchCase liver(const BenchChoice& choice, const std::string&) {
 }  // namespace
 
 const std::vector<BenchScene>& benchScenes() {
-  static const std::vector<BenchScene> scenes = {
+  static const std::vector<BenchScene> kScenes = {
       {"cube", "gel cube of 100 mm, a ball of 15 mm presses it 15 mm deep and slides", 162, cube},
       {"inclusion", "the cube with a ball of 20 times the stiffness under the surface", 750,
        inclusion},
@@ -200,7 +200,7 @@ const std::vector<BenchScene>& benchScenes() {
       {"liver_500", "the same, coarser (about 500 nodes)", 0, liver<22500>},
       {"liver_150", "the same, coarser still (150 tetrahedra)", 0, liver<100000>},
   };
-  return scenes;
+  return kScenes;
 }
 
 const BenchScene& benchScene(const std::string& name) {
