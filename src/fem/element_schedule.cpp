@@ -29,6 +29,7 @@ std::vector<int> slabs(const Points& X) {
 ElementSchedule scheduleElements(const mesh::TetMesh& mesh, const Composition& composition) {
   const std::vector<int> slab = slabs(mesh.points);
   std::vector<std::pair<int, int>> order;  // smallest node, element
+  order.reserve(static_cast<std::size_t>(mesh.numTets()));
   for (int e = 0; e < mesh.numTets(); ++e) order.emplace_back(mesh.tets.col(e).minCoeff(), e);
   std::sort(order.begin(), order.end());
 
