@@ -84,7 +84,6 @@ int trialIterations(FemBody* body, const fem::Stiffness& A) {
 CycleCounts countCycle(FemBody* body) {
   const FemSettings& settings = body->settings;
   CycleCounts counts;
-  counts.step = settings.step;
   counts.poisson_ratio = body->largest_poisson_ratio;
   counts.tets = static_cast<double>(body->mesh.numTets()) *
                 (body->mesh.quadratic() ? kLinearTetsOfAQuadratic : 1.0);

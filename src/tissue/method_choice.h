@@ -10,7 +10,6 @@ namespace palpate::tissue {
 /// What decides how dear a cycle is, counted on the body at rest. No time and no number of threads
 /// is among them: the choice, and with it every bit, is the same on every machine.
 struct CycleCounts {
-  double step = 0.01;          ///< Length of a cycle [s].
   double poisson_ratio = 0.0;  ///< The largest of any solid at rest.
   double tets = 0.0;           ///< In units of linear ones: a quadratic one is eight.
   bool averaged = false;       ///< Volumes are nodal: `anp`, `p1p1`.

@@ -173,7 +173,7 @@ std::string expectSameBits(Slab slab) {
   const auto named = slab.make();
   EXPECT_TRUE(named->notes().empty());
   EXPECT_EQ(chosen->positions(), named->positions());
-  for (Press a(0.01, 0.05), b(0.01, 0.05); a.time() < 0.4;) {
+  for (Press a(0.01, 0.05), b(0.01, 0.05); a.time() < 0.25;) {
     const TissueStep& one = chosen->step({a.next()}, slab.settings.step);
     const TissueStep& other = named->step({b.next()}, slab.settings.step);
     EXPECT_EQ(one.linear_iterations, other.linear_iterations);
