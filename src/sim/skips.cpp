@@ -7,7 +7,7 @@ const std::vector<Skip>& skips() {
   using Step = tissue::TissueStep;
   using On = SkipConfig;
   using Of = SkipCounters;
-  static const std::vector<Skip> all = {
+  static const std::vector<Skip> kAll = {
       {"far_tools", &On::far_tools, "Contact of tool shapes that cannot touch in the cycle.",
        "far_bodies", &Of::far_bodies, [](const Step& s) { return s.far_bodies; }, true},
       {"sleeping", &On::sleeping, "Solves of organs that are at rest and untouched.",
@@ -37,7 +37,7 @@ const std::vector<Skip>& skips() {
        "Pictures that nobody subscribes to; only `palpate_node` makes any.", nullptr, nullptr,
        nullptr, false},
   };
-  return all;
+  return kAll;
 }
 
 std::int64_t SkipCounters::total() const {
