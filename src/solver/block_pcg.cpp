@@ -19,21 +19,26 @@ constexpr int kMaxRefinements = 10;
 struct BlockPcg::Impl {
   Impl(int iterations, ThreadPool* pool, Isa isa) : max_iterations(iterations), matrix(pool, isa) {}
 
-  // Four doubles a node.
+  // r = b, all else 0.
   void load(const Points& b) {
-    const std::ptrdiff_t n = b.cols();
-    if (vectors.rows() != 4 * n) {
-      vectors.resize(4 * n, 5);
-      p_single.setZero(4 * n);
-    }
-    vectors.setZero();
-    Eigen::Map<Eigen::Matrix4Xd>(vectors.col(1).data(), 4, n).topRows<3>() = b;
+    const SliceOrder& nodes = matrix.nodes();
+    const std::ptrdiff_t size = 3L * kSlice * nodes.numSlices();
+    vectors.setZero(size, 5);
+    p_single.setZero(size);
     v = {vectors.col(0).data(), vectors.col(1).data(), vectors.col(2).data(),
          vectors.col(3).data(), vectors.col(4).data(), p_single.data()};
+    for (int i = 0; i < nodes.count(); ++i) {
+      double* r = v.r + nodes.offset(i, 3);
+      for (int c = 0; c < 3; ++c) r[kSlice * c] = b(c, i);
+    }
   }
-  auto solution() const {
-    return Eigen::Map<const Eigen::Matrix4Xd>(vectors.col(0).data(), 4, vectors.rows() / 4)
-        .topRows<3>();
+  template <class Take>
+  void forSolution(const Take& take) const {
+    const SliceOrder& nodes = matrix.nodes();
+    for (int i = 0; i < nodes.count(); ++i) {
+      const double* x = v.x + nodes.offset(i, 3);
+      take(i, Vec3(x[0], x[kSlice], x[2 * kSlice]));
+    }
   }
 
   // From x = 0 to |r| <= target.
@@ -77,7 +82,7 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
   if (!std::isfinite(target)) return {SolveStatus::kNonFinite, 0};
   if (!s.matrix.assign(A)) return {SolveStatus::kNotPositiveDefinite, 0};
   report.status = s.iterate(*this, b, target, &report.iterations);
-  *x = s.solution();
+  s.forSolution([&](int i, const Vec3& x_i) { x->col(i) = x_i; });
   if (relative_tolerance >= kSinglePrecision) return report;
   double last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMaxRefinements && report.status == SolveStatus::kConverged; ++k) {
@@ -87,7 +92,7 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
     if (norm <= target || norm > 0.5 * last) break;
     last = norm;
     report.status = s.iterate(*this, s.residual, std::max(target, 1e-6 * norm), &report.iterations);
-    *x += s.solution();
+    s.forSolution([&](int i, const Vec3& x_i) { x->col(i) += x_i; });
   }
   return report;
 }

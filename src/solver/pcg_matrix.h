@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "kernels/pcg_kernels.h"
-#include "packed_rows.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/stiffness.h"
+#include "sliced_rows.h"
 
 namespace palpate::solver {
 
@@ -21,6 +21,9 @@ class PcgMatrix {
   /// positive definite.
   bool assign(const fem::Stiffness& A);
 
+  /// Where the kernels' vectors have the nodes.
+  const SliceOrder& nodes() const { return nodes_; }
+
   /// Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
   /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
@@ -30,21 +33,25 @@ class PcgMatrix {
 
  private:
   void takePattern(const fem::Stiffness& A);
+  void takePattern(const fem::VolumeStiffness::Pattern& pattern);
   void packVolumes(const fem::VolumeStiffness& volume);
   bool invertDiagonal(const fem::Stiffness& A);
   PcgVolumes volumes() const;
-  /// body(chunk, begin, end) on chunks of [0, count).
+  void applyMetric();
+  /// body(chunk, begin, end) on chunks of `slices` slices.
   template <class Body>
-  void forChunks(int count, const Body& body);
+  void forChunks(int slices, const Body& body);
 
   const PcgKernels& kernels_;
   ThreadPool* pool_;
-  int num_nodes_ = 0, num_pressures_ = 0;
-  PackedRows blocks_, rows_, columns_;
-  std::vector<float> inverse_diagonal_, weights_, c_;
+  SliceOrder nodes_, pressures_;
+  SlicedRows blocks_, rows_, columns_;
+  std::vector<int> diagonal_;            // where it begins in the values, [slice][lane]
+  std::vector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
+  std::vector<float> weights_, c_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
   double factor_ = 1.0;
-  Eigen::VectorXd changes_, pressures_;  // for a metric that is not diagonal
+  Eigen::VectorXd changes_, metric_times_changes_;  // for a metric that is not diagonal
   std::vector<double> partial_, partial_2_;
 };
 

@@ -5,17 +5,19 @@
 
 namespace palpate::solver {
 
-// Vectors have four components a node, the last one zero. Products with the matrix are computed in
-// single precision: they take most of the time. The last entries of floats that make up the matrix
-// are followed by at least eight more, all finite.
+/// Rows that are worked through side by side, one in each lane.
+constexpr int kSlice = 16;
 
-/// Rows of entries, sorted by length within each chunk of rows, so that a processor foresees where
-/// each ends. Lengths are even: some rows are filled up with an entry of zeros.
+// Vectors have the three components of the nodes of a slice one after the other: component c of the
+// node in a lane of slice s is at 3 kSlice s + kSlice c + lane. Lanes beyond the last node are
+// zero.
+
+/// Sliced rows of entries. Rows of a slice are as long as the longest of them: the others are
+/// filled up with entries of zeros.
 struct PcgRows {
-  const int* target;       ///< Node (or pressure) of each row.
-  const int* start;        ///< Row r has the entries start[r] .. start[r + 1].
-  const unsigned* source;  ///< 4 x node, or pressure, that an entry is multiplied with.
-  const float* values;     ///< 9 an entry, column-major, or 3.
+  const int* start;     ///< Slice s has the entries start[s] .. start[s + 1] of each of its rows.
+  const int* source;    ///< [entry][lane]: where that begins which an entry is multiplied with.
+  const float* values;  ///< [entry][component][lane]: 9 of a block, column-major, or 3.
 };
 
 /// B^T M B, M = diag(weights): B by rows (pressures), and once more by columns (nodes).
@@ -29,21 +31,26 @@ struct PcgVectors {
   float* p_single;  ///< p, rounded.
 };
 
+/// Every kernel works on the slices from `begin` to `end`.
 struct PcgKernels {
-  /// to[k] = values[from[k]] for entries k of 9 (or 3) from `begin` to `end`; from -1: left alone.
-  void (*pack9)(const int* from, int begin, int end, const double* values, float* to);
-  void (*pack3)(const int* from, int begin, int end, const double* values, float* to);
-  /// c = M B p from row `begin` to `end`, without M where there are no weights.
+  /// The entries of `rows` into `to`, `size` numbers each: values[from[entry][lane]] and following,
+  /// zeros where it is negative.
+  void (*pack)(const int* start, const int* from, int size, int begin, int end,
+               const double* values, float* to);
+  /// c = M B p, without M where there are no weights.
   void (*volumes)(const PcgVolumes&, int begin, int end, const float* p, float* c);
-  /// Ap = K p + B^T c from row `begin` to `end`; returns p . Ap. `c` null: no volumes.
+  /// Ap = K p + B^T c; returns p . Ap. `c` null: no volumes.
   double (*apply)(const PcgRows& K, const PcgVolumes&, int begin, int end, const float* c,
                   const PcgVectors&);
-  /// += B^T M B into the 9 floats of each node's diagonal block.
-  void (*diagonal)(const PcgVolumes&, int begin, int end, float* blocks);
-  /// x += alpha p, r -= alpha Ap, z = D^-1 r from node `begin` to `end`; gives r . z and r . r.
+  /// Inverses of the diagonal blocks of K, which begin at values[from[slice][lane]], with their
+  /// part of B^T M B if there are volumes: [slice][xx xy yy xz yz zz][lane]. 0: one is not
+  /// definite.
+  int (*invert)(const double* values, const int* from, const PcgVolumes*, int begin, int end,
+                float* inverse_diagonal);
+  /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
   void (*update)(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors&,
                  double* rz, double* rr);
-  /// p = z + beta p, also in single precision, from node `begin` to `end`.
+  /// p = z + beta p, also in single precision.
   void (*direct)(int begin, int end, double beta, const PcgVectors&);
 };
 

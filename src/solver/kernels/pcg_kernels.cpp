@@ -1,183 +1,180 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/base/lanes.h"
+#include "palpate/base/float_lanes.h"
 #include "pcg_arrays.h"
 
 namespace palpate::solver::PALPATE_ISA {
 namespace {
 
-typedef double Quad __attribute__((vector_size(32)));
-typedef double QuadInMemory __attribute__((vector_size(32), aligned(8), may_alias));
-typedef float Floats __attribute__((vector_size(16)));
-typedef float FloatsInMemory __attribute__((vector_size(16), aligned(4), may_alias));
+// Sums over nodes are kept lane by lane, whatever the width of a register.
+struct alignas(64) LaneSums {
+  double lanes[kSlice] = {};
 
-inline Quad loadQuad(const double* p) { return *reinterpret_cast<const QuadInMemory*>(p); }
-inline void storeQuad(double* p, const Quad& v) { *reinterpret_cast<QuadInMemory*>(p) = v; }
-inline Floats loadFloats(const float* p) { return *reinterpret_cast<const FloatsInMemory*>(p); }
-inline void storeFloats(float* p, Floats v) { *reinterpret_cast<FloatsInMemory*>(p) = v; }
-// GCC 12 does not find the instruction in __builtin_convertvector().
-inline Quad toDouble(Floats v) {
-#if defined(__AVX2__)
-  return _mm256_cvtps_pd(v);
-#else
-  return Quad{v[0], v[1], v[2], v[3]};
-#endif
-}
-inline Floats toFloat(const Quad& v) {
-#if defined(__AVX2__)
-  return _mm256_cvtpd_ps(v);
-#else
-  return Floats{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
-                static_cast<float>(v[3])};
-#endif
-}
-// The fourth component of what was loaded belongs to the next entry.
-constexpr Quad kFirstThree = {1.0, 1.0, 1.0, 0.0};
-inline double sum(const Quad& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
-inline float sum(Floats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
-
-void pack9(const int* from, int begin, int end, const double* values, float* to) {
-  for (int k = begin; k < end; ++k) {
-    if (from[k] < 0) continue;
-    const double* source = values + 9L * from[k];
-    float* target = to + 9L * k;
-#if defined(__AVX512F__)
-    _mm256_storeu_ps(target, _mm512_cvtpd_ps(_mm512_loadu_pd(source)));
-    target[8] = static_cast<float>(source[8]);
-#else
-    for (int c = 0; c < 9; ++c) target[c] = static_cast<float>(source[c]);
-#endif
+  void add(int lane, Lanes v) { store(lanes + lane, load(lanes + lane) + v); }
+  double total() const {
+    double sum = 0.0;
+    for (double v : lanes) sum += v;
+    return sum;
   }
-}
+};
 
-void pack3(const int* from, int begin, int end, const double* values, float* to) {
-  for (int k = begin; k < end; ++k) {
-    if (from[k] < 0) continue;
-    const double* source = values + 3L * from[k];
-    float* target = to + 3L * k;
-#if defined(__AVX512F__)
-    _mm_mask_storeu_ps(target, 7, _mm256_cvtpd_ps(_mm256_maskz_loadu_pd(7, source)));
-#else
-    for (int c = 0; c < 3; ++c) target[c] = static_cast<float>(source[c]);
-#endif
-  }
-}
-
-// Sum of the row's blocks times their parts of p: entries in turn into one of two sums, each by
-// columns, then the two, then the three columns.
-inline Floats multiplyRow(const PcgRows& K, int row, const float* p) {
-  const int end = K.start[row + 1];
-#if defined(__AVX512F__)
-  const __m512i spread = _mm512_setr_epi32(0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3);
-  __m512 even = _mm512_setzero_ps(), odd = _mm512_setzero_ps();
-  for (int k = K.start[row]; k < end; k += 2) {
-    __builtin_prefetch(K.values + 9 * k + 288);  // some rows ahead
-    const __m512 x0 = _mm512_castps128_ps512(_mm_loadu_ps(p + K.source[k]));
-    const __m512 x1 = _mm512_castps128_ps512(_mm_loadu_ps(p + K.source[k + 1]));
-    const __m512 A0 = _mm512_loadu_ps(K.values + 9 * k);
-    const __m512 A1 = _mm512_loadu_ps(K.values + 9 * k + 9);
-    even = _mm512_add_ps(even, _mm512_mul_ps(A0, _mm512_permutexvar_ps(spread, x0)));
-    odd = _mm512_add_ps(odd, _mm512_mul_ps(A1, _mm512_permutexvar_ps(spread, x1)));
-  }
-  const __m512 y = _mm512_add_ps(even, odd);
-  const __m512i second = _mm512_setr_epi32(3, 4, 5, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9);
-  const __m512i third = _mm512_setr_epi32(6, 7, 8, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9);
-  const __m512 two = _mm512_add_ps(y, _mm512_permutexvar_ps(second, y));
-  return _mm512_castps512_ps128(_mm512_add_ps(two, _mm512_permutexvar_ps(third, y)));
-#else
-  Floats even[3] = {}, odd[3] = {};
-  for (int k = K.start[row]; k < end; k += 2) {
-    const float* A = K.values + 9 * k;
-    const float* x0 = p + K.source[k];
-    const float* x1 = p + K.source[k + 1];
-    for (int c = 0; c < 3; ++c) {
-      even[c] += loadFloats(A + 3 * c) * x0[c];
-      odd[c] += loadFloats(A + 9 + 3 * c) * x1[c];
+void pack(const int* start, const int* from, int size, int begin, int end, const double* values,
+          float* to) {
+  for (int k = start[begin]; k < start[end]; ++k) {
+    for (int c = 0; c < size; ++c) {
+      for (int lane = 0; lane < kSlice; lane += kWidth) {
+        storeAsFloats(to + kSlice * (static_cast<long>(size) * k + c) + lane,
+                      gatherOrZero(values + c, from + static_cast<long>(kSlice) * k + lane));
+      }
     }
   }
-  return ((even[0] + odd[0]) + (even[1] + odd[1])) + (even[2] + odd[2]);
-#endif
 }
 
 void volumes(const PcgVolumes& B, int begin, int end, const float* p, float* c) {
-  for (int row = begin; row < end; ++row) {
-    Floats even{}, odd{};
-    for (int k = B.rows.start[row]; k < B.rows.start[row + 1]; k += 2) {
-      even += loadFloats(B.rows.values + 3 * k) * loadFloats(p + B.rows.source[k]);
-      odd += loadFloats(B.rows.values + 3 * k + 3) * loadFloats(p + B.rows.source[k + 1]);
+  for (int s = begin; s < end; ++s) {
+    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
+      FloatLanes sum[3] = {};
+      for (long k = B.rows.start[s]; k < B.rows.start[s + 1]; ++k) {
+        const float* b = B.rows.values + 3 * kSlice * k + lane;
+        const int* at = B.rows.source + kSlice * k + lane;
+        for (int i = 0; i < 3; ++i) sum[i] += load(b + kSlice * i) * gather(p + kSlice * i, at);
+      }
+      FloatLanes change = (sum[0] + sum[1]) + sum[2];
+      const long at = static_cast<long>(kSlice) * s + lane;
+      if (B.weights) change *= load(B.weights + at);
+      store(c + at, change);
     }
-    const float change = sum(even + odd);
-    const int target = B.rows.target[row];
-    c[target] = B.weights ? B.weights[target] * change : change;
+  }
+}
+
+// Rows of slice s times p, for the lanes of one register.
+inline void multiply(const PcgRows& K, int s, int lane, const float* p, FloatLanes* y) {
+  constexpr int kAhead = 16;
+  for (long k = K.start[s]; k < K.start[s + 1]; ++k) {
+    const float* A = K.values + 9 * kSlice * k + lane;
+    const int* at = K.source + kSlice * k + lane;
+    for (int c = 0; c < 9; ++c) __builtin_prefetch(A + kSlice * (9 * kAhead + c));
+    for (int j = 0; j < 3; ++j) {
+      const FloatLanes x = gather(p + kSlice * j, at);
+      for (int i = 0; i < 3; ++i) y[i] += load(A + kSlice * (3 * j + i)) * x;
+    }
+  }
+}
+
+inline void addColumns(const PcgRows& B, int s, int lane, const float* c, FloatLanes* y) {
+  for (long k = B.start[s]; k < B.start[s + 1]; ++k) {
+    const FloatLanes at_p = gather(c, B.source + kSlice * k + lane);
+    for (int i = 0; i < 3; ++i) y[i] += load(B.values + kSlice * (3 * k + i) + lane) * at_p;
   }
 }
 
 double apply(const PcgRows& K, const PcgVolumes& B, int begin, int end, const float* c,
              const PcgVectors& v) {
-  Quad curvature{};
-  for (int row = begin; row < end; ++row) {
-    Floats y = multiplyRow(K, row, v.p_single);
-    if (c) {
-      Floats even{}, odd{};
-      for (int k = B.columns.start[row]; k < B.columns.start[row + 1]; k += 2) {
-        even += loadFloats(B.columns.values + 3 * k) * c[B.columns.source[k]];
-        odd += loadFloats(B.columns.values + 3 * k + 3) * c[B.columns.source[k + 1]];
+  LaneSums curvature;
+  for (int s = begin; s < end; ++s) {
+    alignas(64) float product[3 * kSlice];
+    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
+      FloatLanes y[3] = {};
+      multiply(K, s, lane, v.p_single, y);
+      if (c) addColumns(B.columns, s, lane, c, y);
+      for (int i = 0; i < 3; ++i) store(product + kSlice * i + lane, y[i]);
+    }
+    for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
+      const long at = 3L * kSlice * s + lane;
+      const Lanes Ap = loadAsDoubles(product + lane);
+      store(v.Ap + at, Ap);
+      curvature.add(lane % kSlice, Ap * load(v.p + at));
+    }
+  }
+  return curvature.total();
+}
+
+// Diagonal of B^T M B: sum of weight times b b^T, xx xy yy xz yz zz.
+inline void addVolumes(const PcgVolumes& B, int s, int lane, FloatLanes* D) {
+  for (long k = B.columns.start[s]; k < B.columns.start[s + 1]; ++k) {
+    const FloatLanes weight = gather(B.weights, B.columns.source + kSlice * k + lane);
+    FloatLanes b[3];
+    for (int i = 0; i < 3; ++i) b[i] = load(B.columns.values + kSlice * (3 * k + i) + lane);
+    for (int j = 0; j < 3; ++j) {
+      const FloatLanes weighted = weight * b[j];
+      for (int i = 0; i <= j; ++i) D[j * (j + 1) / 2 + i] += weighted * b[i];
+    }
+  }
+}
+
+// Where the upper triangle is in a block of nine.
+constexpr int kUpper[6] = {0, 3, 4, 6, 7, 8};
+
+int invert(const double* values, const int* from, const PcgVolumes* B, int begin, int end,
+           float* inverse_diagonal) {
+  LaneBits definite = ~LaneBits{};
+  for (int s = begin; s < end; ++s) {
+    alignas(64) float volume[6][kSlice] = {};
+    for (int lane = 0; B && lane < kSlice; lane += kFloatWidth) {
+      FloatLanes D[6] = {};
+      addVolumes(*B, s, lane, D);
+      for (int c = 0; c < 6; ++c) store(volume[c] + lane, D[c]);
+    }
+    float* out = inverse_diagonal + 6L * kSlice * s;
+    for (int lane = 0; lane < kSlice; lane += kWidth) {
+      Lanes D[6];
+      for (int c = 0; c < 6; ++c) {
+        D[c] = gather(values + kUpper[c], from + static_cast<long>(kSlice) * s + lane) +
+               loadAsDoubles(volume[c] + lane);
       }
-      y += even + odd;
+      const Lanes xx = D[0], xy = D[1], yy = D[2], xz = D[3], yz = D[4], zz = D[5];
+      const Lanes cofactors[6] = {yy * zz - yz * yz, xz * yz - xy * zz, xx * zz - xz * xz,
+                                  xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy};
+      const Lanes determinant = xx * cofactors[0] + xy * cofactors[1] + xz * cofactors[3];
+      // Sylvester's criterion: leading minors.
+      definite &= (xx > 0.0) & (cofactors[5] > 0.0) & (determinant > 0.0);
+      for (int c = 0; c < 6; ++c) {
+        storeAsFloats(out + kSlice * c + lane, cofactors[c] / determinant);
+      }
     }
-    const int at = 4 * K.target[row];
-    const Quad Ap = toDouble(y) * kFirstThree;
-    storeQuad(v.Ap + at, Ap);
-    curvature += Ap * loadQuad(v.p + at);
   }
-  return sum(curvature);
-}
-
-void diagonal(const PcgVolumes& B, int begin, int end, float* blocks) {
-  for (int row = begin; row < end; ++row) {
-    float* D = blocks + 9 * B.columns.target[row];
-    Floats columns[3] = {};
-    for (int k = B.columns.start[row]; k < B.columns.start[row + 1]; ++k) {
-      const float* b = B.columns.values + 3 * k;
-      const Floats weighted = loadFloats(b) * B.weights[B.columns.source[k]];
-      for (int c = 0; c < 3; ++c) columns[c] += weighted * b[c];
-    }
-    for (int c = 0; c < 9; ++c) D[c] += columns[c / 3][c % 3];
-  }
-}
-
-inline Quad multiply(const float* A, const double* x) {
-  return toDouble(loadFloats(A)) * x[0] + toDouble(loadFloats(A + 3)) * x[1] +
-         toDouble(loadFloats(A + 6)) * x[2];
+  long long all = -1;
+  for (int lane = 0; lane < kWidth; ++lane) all &= definite[lane];
+  return all != 0 ? 1 : 0;
 }
 
 void update(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors& v,
             double* rz, double* rr) {
-  Quad rz_sum{}, rr_sum{};
-  for (int i = begin; i < end; ++i) {
-    const int at = 4 * i;
-    storeQuad(v.x + at, loadQuad(v.x + at) + alpha * loadQuad(v.p + at));
-    const Quad r = loadQuad(v.r + at) - alpha * loadQuad(v.Ap + at);
-    storeQuad(v.r + at, r);
-    const Quad z = multiply(inverse_diagonal + 9 * i, v.r + at) * kFirstThree;
-    storeQuad(v.z + at, z);
-    rz_sum += r * z;
-    rr_sum += r * r;
+  LaneSums rz_sum, rr_sum;
+  for (int s = begin; s < end; ++s) {
+    for (int lane = 0; lane < kSlice; lane += kWidth) {
+      const float* D = inverse_diagonal + 6L * kSlice * s + lane;
+      const long first = 3L * kSlice * s + lane;
+      Lanes r[3], d[6];
+      for (int i = 0; i < 3; ++i) {
+        const long at = first + kSlice * i;
+        store(v.x + at, load(v.x + at) + alpha * load(v.p + at));
+        r[i] = load(v.r + at) - alpha * load(v.Ap + at);
+        store(v.r + at, r[i]);
+      }
+      for (int c = 0; c < 6; ++c) d[c] = loadAsDoubles(D + kSlice * c);
+      const Lanes z[3] = {d[0] * r[0] + d[1] * r[1] + d[3] * r[2],
+                          d[1] * r[0] + d[2] * r[1] + d[4] * r[2],
+                          d[3] * r[0] + d[4] * r[1] + d[5] * r[2]};
+      for (int i = 0; i < 3; ++i) store(v.z + first + kSlice * i, z[i]);
+      rz_sum.add(lane, r[0] * z[0] + r[1] * z[1] + r[2] * z[2]);
+      rr_sum.add(lane, r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+    }
   }
-  *rz = sum(rz_sum);
-  *rr = sum(rr_sum);
+  *rz = rz_sum.total();
+  *rr = rr_sum.total();
 }
 
 void direct(int begin, int end, double beta, const PcgVectors& v) {
-  for (int k = 4 * begin; k < 4 * end; k += 4) {
-    const Quad p = loadQuad(v.z + k) + beta * loadQuad(v.p + k);
-    storeQuad(v.p + k, p);
-    storeFloats(v.p_single + k, toFloat(p));
+  for (long k = 3L * kSlice * begin; k < 3L * kSlice * end; k += kWidth) {
+    const Lanes p = load(v.z + k) + beta * load(v.p + k);
+    store(v.p + k, p);
+    storeAsFloats(v.p_single + k, p);
   }
 }
 
 }  // namespace
 
 extern const PcgKernels kPcgKernels;
-const PcgKernels kPcgKernels{pack9, pack3, volumes, apply, diagonal, update, direct};
+const PcgKernels kPcgKernels{pack, volumes, apply, invert, update, direct};
 
 }  // namespace palpate::solver::PALPATE_ISA

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sliced_rows.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace palpate::solver {
+namespace {
+
+constexpr std::ptrdiff_t kWindow = 256;
+
+}  // namespace
+
+SliceOrder::SliceOrder(const std::vector<int>& lengths)
+    : at_((lengths.size() + kSlice - 1) / kSlice * kSlice, -1), position_(lengths.size()) {
+  const auto count = static_cast<std::ptrdiff_t>(lengths.size());
+  std::iota(at_.begin(), at_.begin() + count, 0);
+  for (std::ptrdiff_t begin = 0; begin < count; begin += kWindow) {
+    std::stable_sort(at_.begin() + begin, at_.begin() + std::min(begin + kWindow, count),
+                     [&](int a, int b) { return lengths[a] < lengths[b]; });
+  }
+  for (int p = 0; p < static_cast<int>(count); ++p) position_[at_[p]] = p;
+}
+
+SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, int size,
+                       const SliceOrder& order)
+    : size_(size), start_{0} {
+  const std::vector<Entry> none;
+  for (int s = 0; s < order.numSlices(); ++s) {
+    const std::vector<Entry>* of[kSlice];
+    std::size_t longest = 0;
+    for (int lane = 0; lane < kSlice; ++lane) {
+      const int row = order.at(kSlice * s + lane);
+      of[lane] = row < 0 ? &none : &rows[row];
+      longest = std::max(longest, of[lane]->size());
+    }
+    for (std::size_t k = 0; k < longest; ++k) {
+      for (const std::vector<Entry>* row : of) {
+        const Entry entry = k < row->size() ? (*row)[k] : Entry{0, -1};
+        source_.push_back(entry.source);
+        from_.push_back(entry.from);
+      }
+    }
+    start_.push_back(start_.back() + static_cast<int>(longest));
+  }
+  values_.assign(static_cast<std::size_t>(size_) * source_.size(), 0.0F);
+}
+
+}  // namespace palpate::solver
