@@ -164,7 +164,7 @@ void PackedTetrahedra::hessian(const Points& x, Stiffness* K) {
   forRuns([&](const TetRun& run) {
     kernels_.hessian(arrays(), run, x.data(), pressures, blocks, rows);
   });
-  upper_.expand(pool_, &K->blocks());
+  upper_.expand(kernels_, pool_, &K->blocks());
   if (pressure_) pressure_->completeRows(pool_, &K->volume());
 }
 

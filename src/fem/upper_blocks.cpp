@@ -22,24 +22,12 @@ double* UpperBlocks::clear() {
   return values_.data();
 }
 
-void UpperBlocks::expand(ThreadPool* pool, BlockMatrix* K) const {
+void UpperBlocks::expand(const TetKernels& kernels, ThreadPool* pool, BlockMatrix* K) const {
   forAll(pool, static_cast<std::size_t>(K->numNodes()), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
-      double sum[9] = {};
-      const int diagonal = K->diagonal(i);
-      for (int slot = K->rowBegin(i); slot < K->rowEnd(i); ++slot) {
-        if (slot == diagonal) continue;
-        const double* from = values_.data() + 9 * static_cast<std::ptrdiff_t>(index_[slot]);
-        double* to = K->values() + 9 * static_cast<std::ptrdiff_t>(slot);
-        if (slot < diagonal) {
-          for (int c = 0; c < 9; ++c) to[c] = from[3 * (c % 3) + c / 3];
-        } else {
-          for (int c = 0; c < 9; ++c) to[c] = from[c];
-        }
-        for (int c = 0; c < 9; ++c) sum[c] += to[c];
-      }
-      double* to = K->values() + 9 * static_cast<std::ptrdiff_t>(diagonal);
-      for (int c = 0; c < 9; ++c) to[c] = -0.5 * (sum[c] + sum[3 * (c % 3) + c / 3]);
+      const int first = K->rowBegin(i), diagonal = K->diagonal(i);
+      kernels.expand(index_.data() + first, diagonal - first, K->rowEnd(i) - diagonal - 1,
+                     values_.data(), K->values() + 9 * static_cast<std::ptrdiff_t>(first));
     }
   });
 }

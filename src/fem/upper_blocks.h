@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kernels/tet_batch.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/block_matrix.h"
 
@@ -20,7 +21,7 @@ class UpperBlocks {
   }
   double* clear();
   /// K = the blocks, their transposed ones below, and minus the sums of rows on the diagonal.
-  void expand(ThreadPool* pool, BlockMatrix* K) const;
+  void expand(const TetKernels& kernels, ThreadPool* pool, BlockMatrix* K) const;
 
  private:
   std::vector<int> index_;  // of each slot off the diagonal: its block, or that of its transposed

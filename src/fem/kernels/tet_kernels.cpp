@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tet_batch.h"
 
+#include "block_in_registers.h"
 #include "palpate/base/lanes.h"
 #include "tet_laws.h"
 
 namespace palpate::fem::PALPATE_ISA {
 namespace {
+
+typedef double Pair __attribute__((vector_size(16)));
+typedef double PairInMemory __attribute__((vector_size(16), aligned(8), may_alias));
 
 struct Vec {
   Lanes v[3];
@@ -210,6 +214,25 @@ inline void storeBlock(const Mat& K, double (*out)[kBatchSize], int lane) {
   for (int c = 0; c < 9; ++c) store(out[c] + lane, K.col[c / 3].v[c % 3]);
 }
 
+// Into the rows of the nodes' pressures: the gradients of an element's volume with respect to the
+// other three nodes. Two numbers and one, each time the same way: a processor passes a number that
+// was just stored on to the next load only if both are of the same place and width.
+inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBatchSize], int count,
+                    double* rows) {
+  for (int e = 0; e < count; ++e) {
+    for (int a = 0; a < 4; ++a) {
+      const Pair xy = {dilatation[3 * a][e], dilatation[3 * a + 1][e]};
+      const double z = dilatation[3 * a + 2][e];
+      for (int k = 0; k < 4; ++k) {
+        if (k == a) continue;
+        double* at = rows + row[3 * k + (a < k ? a : a - 1)][e];
+        *reinterpret_cast<PairInMemory*>(at) += xy;
+        at[2] += z;
+      }
+    }
+  }
+}
+
 template <class Law>
 void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
               double* blocks, double* rows) {
@@ -260,14 +283,7 @@ void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const
     const TetBlocks& where = arrays.blocks[b];
     for (int n = 0; n < 6; ++n) addNines(values + 9 * n, where.offset[n], count, blocks);
     if (!pressure) continue;
-    const TetPressures& corners = arrays.pressures[b];
-    for (int n = 0; n < 12; ++n) {
-      const int node = n / 3 <= n % 3 ? n % 3 + 1 : n % 3;
-      for (int e = 0; e < count; ++e) {
-        double* at = rows + corners.row[n][e];
-        for (int i = 0; i < 3; ++i) at[i] += dilatation[3 * node + i][e];
-      }
-    }
+    addRows(dilatation, arrays.pressures[b].row, count, rows);
   }
 }
 
@@ -290,9 +306,24 @@ void hessian(const TetArrays& arrays, const TetRun& run, const double* x, const 
   hessians<StableNeoHookeanPoints>(arrays, run, x, pressure, blocks, rows);
 }
 
+void expand(const int* index, int lower, int higher, const double* upper, double* row) {
+  Block sum{};
+  for (int k = 0; k < lower; ++k) {
+    const Block A = transposed(loadBlock(upper + 9L * index[k]));
+    storeBlock(A, row + 9L * k);
+    sum = sum + A;
+  }
+  for (int k = lower + 1; k <= lower + higher; ++k) {
+    const Block A = loadBlock(upper + 9L * index[k]);
+    storeBlock(A, row + 9L * k);
+    sum = sum + A;
+  }
+  storeBlock(-0.5 * (sum + transposed(sum)), row + 9L * lower);
+}
+
 }  // namespace
 
 extern const TetKernels kTetKernels;
-const TetKernels kTetKernels{deform, energy, gradient, hessian};
+const TetKernels kTetKernels{deform, energy, gradient, hessian, expand};
 
 }  // namespace palpate::fem::PALPATE_ISA
