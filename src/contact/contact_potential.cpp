@@ -121,7 +121,7 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent,
     for (int k = 0; k < 3; ++k) {
       for (int l = 0; l < 3; ++l) {
         const double w = s.weights[k] * s.weights[l];
-        if (w != 0.0) K->block(K->find(s.nodes[k], s.nodes[l])) += w * H;
+        if (w != 0.0) K->add(s.nodes[k], s.nodes[l], w * H);
       }
     }
   });

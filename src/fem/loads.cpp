@@ -75,7 +75,7 @@ void FollowerPressure::addHessian(const Points& x, Tangent tangent, BlockMatrix*
           // Symmetric part of the matrix whose (a, b) block is N_a d(dx/dr x dx/ds)/dx_b.
           const Mat3 ab = q.N[a] * (q.dN_ds[b] * r - q.dN_dr[b] * s_cross);
           const Mat3 ba = q.N[b] * (q.dN_ds[a] * r - q.dN_dr[a] * s_cross);
-          K->block(K->find(f[a], f[b])) += 0.5 * (ab + ba.transpose());
+          K->add(f[a], f[b], 0.5 * (ab + ba.transpose()));
         }
       }
     }

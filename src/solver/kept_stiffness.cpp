@@ -7,17 +7,6 @@ namespace {
 // Change of an edge vector, of its length, that the elastic part is kept over.
 constexpr double kStrain = 0.02;
 
-// A = s K, of one pattern.
-void scaledCopy(const fem::Stiffness& K, double s, fem::Stiffness* A) {
-  const double* from = K.blocks().values();
-  const std::ptrdiff_t count = 9 * static_cast<std::ptrdiff_t>(K.blocks().numBlocks());
-  double* to = A->blocks().values();
-  for (std::ptrdiff_t k = 0; k < count; ++k) to[k] = s * from[k];
-  if (!K.hasVolume()) return;
-  A->volume() = K.volume();
-  A->volume().factor *= s;
-}
-
 }  // namespace
 
 // The pattern has a block for every edge.
@@ -35,11 +24,34 @@ bool KeptStiffness::near(const Points& x) const {
   return true;
 }
 
-bool KeptStiffness::hessian(const Potential& potential, const Points& x, fem::Tangent tangent,
-                            fem::Stiffness* A) {
+bool KeptStiffness::inMatrix(const Potential& potential) const {
+  return in_matrix_ && scale_ == potential.elastic_scale && free_.cols() == potential.free.cols() &&
+         free_ == potential.free;
+}
+
+void KeptStiffness::copy(fem::Stiffness* A) const {
+  const double* from = elastic_.blocks().values();
+  const std::ptrdiff_t count = 9 * static_cast<std::ptrdiff_t>(elastic_.blocks().numBlocks());
+  double* to = A->blocks().values();
+  for (std::ptrdiff_t k = 0; k < count; ++k) to[k] = scale_ * from[k];
+  if (!elastic_.hasVolume()) return;
+  A->volume() = elastic_.volume();
+  A->volume().factor *= scale_;
+}
+
+void KeptStiffness::restore(fem::BlockMatrix* A) const {
+  const fem::BlockMatrix& K = elastic_.blocks();
+  for (int i = 0; i < K.numNodes(); ++i) A->block(A->diagonal(i)) = scale_ * K.block(K.diagonal(i));
+  for (int slot : A->added()) A->block(slot) = scale_ * K.block(slot);
+}
+
+KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, const Points& x,
+                                                fem::Tangent tangent, fem::Stiffness* A) {
   if (tangent == fem::Tangent::kProjected) {
     potential.hessian(x, tangent, A);
-    return false;
+    A->constrain(potential.free);
+    in_matrix_ = false;
+    return {false, nullptr};
   }
   const bool kept = valid_ && near(x);
   if (!kept) {
@@ -47,9 +59,27 @@ bool KeptStiffness::hessian(const Potential& potential, const Points& x, fem::Ta
     x_ = x;
     valid_ = true;
   }
-  scaledCopy(elastic_, potential.elastic_scale, A);
-  for (const fem::EnergyTerm* term : potential.terms) term->addHessian(x, tangent, &A->blocks());
-  return kept;
+  fem::BlockMatrix& blocks = A->blocks();
+  const bool in_matrix = kept && inMatrix(potential);
+  if (in_matrix) {
+    restore(&blocks);
+    changed_ = blocks.added();
+  } else {
+    scale_ = potential.elastic_scale;
+    free_ = potential.free;
+    copy(A);
+    changed_.clear();
+  }
+  blocks.forgetAdded();
+  potential.addTermHessians(x, tangent, &blocks);
+  changed_.insert(changed_.end(), blocks.added().begin(), blocks.added().end());
+  if (in_matrix) {
+    blocks.constrain(potential.free);  // the volumes are constrained already
+  } else {
+    A->constrain(potential.free);
+  }
+  in_matrix_ = true;
+  return {kept, in_matrix ? &changed_ : nullptr};
 }
 
 }  // namespace palpate::solver

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "palpate/solver/potential.h"
 
 namespace palpate::solver {
@@ -12,18 +14,34 @@ class KeptStiffness {
   /// `pattern` is the body's.
   explicit KeptStiffness(const fem::Stiffness& pattern) : elastic_(pattern) {}
 
-  /// As potential.hessian(), `A` of the body's pattern. True: with an elastic part that was there.
-  bool hessian(const Potential& potential, const Points& x, fem::Tangent tangent,
-               fem::Stiffness* A);
+  struct Assembled {
+    bool kept;  ///< The elastic part was there.
+    /// Slots off the diagonal that the call before may have left otherwise; null: any of them.
+    const std::vector<int>* changed;
+  };
+  /// As potential.hessian(), then constrained by potential.free. `A` has the body's pattern and is
+  /// the same at every call.
+  Assembled hessian(const Potential& potential, const Points& x, fem::Tangent tangent,
+                    fem::Stiffness* A);
   /// The next one is assembled anew.
   void drop() { valid_ = false; }
+  /// Somebody else has written into A.
+  void matrixWasOverwritten() { in_matrix_ = false; }
 
  private:
   bool near(const Points& x) const;
+  bool inMatrix(const Potential& potential) const;
+  /// A as it was before terms were added, all of it or where they were.
+  void copy(fem::Stiffness* A) const;
+  void restore(fem::BlockMatrix* A) const;
 
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
   Points x_;
   bool valid_ = false;
+  bool in_matrix_ = false;  // A is elastic_, scaled and constrained, and what terms added
+  double scale_ = 1.0;
+  fem::FreeMask free_;
+  std::vector<int> changed_;
 };
 
 }  // namespace palpate::solver

@@ -52,9 +52,7 @@ SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes
   if (status != SolveStatus::kConverged) return status;
   elastic_diagonal_ = factor_->diagonal();
   terms_.setZero();
-  for (const fem::EnergyTerm* term : potential.terms) {
-    term->addHessian(x, fem::Tangent::kProjected, &terms_);
-  }
+  potential.addTermHessians(x, fem::Tangent::kProjected, &terms_);
   for (int i = 0; i < terms_.numNodes(); ++i) {
     const auto F = potential.free.col(i).asDiagonal();
     elastic_diagonal_[i] -= F * terms_.block(terms_.diagonal(i)) * F;
@@ -64,9 +62,7 @@ SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes
 
 bool Lbfgs::scaleFactor(const Potential& potential, const Points& x) {
   terms_.setZero();
-  for (const fem::EnergyTerm* term : potential.terms) {
-    term->addHessian(x, fem::Tangent::kProjected, &terms_);
-  }
+  potential.addTermHessians(x, fem::Tangent::kProjected, &terms_);
   diagonal_.resize(elastic_diagonal_.size());
   for (int i = 0; i < terms_.numNodes(); ++i) {
     const auto F = potential.free.col(i).asDiagonal();

@@ -46,16 +46,17 @@ void Newton::restart() {
   linear_->restart();
 }
 
-// A_ at x, without what is held. True: its elastic part is kept from an earlier x.
+// A_ at x, without what is held, about to be solved with. True: its elastic part is kept from an
+// earlier x.
 bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent) {
-  bool kept = false;
-  if (elastic_) {
-    kept = elastic_->hessian(potential, x, tangent, &A_);
-  } else {
+  if (!elastic_) {
     potential.hessian(x, tangent, &A_);
+    A_.constrain(potential.free);
+    return false;
   }
-  A_.constrain(potential.free);
-  return kept;
+  const KeptStiffness::Assembled assembled = elastic_->hessian(potential, x, tangent, &A_);
+  if (assembled.changed) linear_->onlyChanged(*assembled.changed);
+  return assembled.kept;
 }
 
 // Whether a kept stiffness may serve on.
@@ -154,6 +155,7 @@ double Newton::roundoffForce(const Points& x) const { return solver::roundoffFor
 
 void Newton::prepare(const Potential& potential, const Points& x) {
   if (!linear_->prepares()) return;
+  if (elastic_) elastic_->matrixWasOverwritten();
   potential.hessian(x, fem::Tangent::kProjected, &A_);
   A_.constrain(potential.free);
   linear_->prepare(A_);
@@ -171,6 +173,7 @@ bool tangentSystem(const Potential& potential, const Points& x, const Points& mo
 }
 
 SolveStatus Newton::predict(const Potential& potential, const Points& move, Points* x) {
+  if (elastic_) elastic_->matrixWasOverwritten();
   if (!tangentSystem(potential, *x, move, &A_, &g_, &right_)) return SolveStatus::kNonFinite;
   const LinearReport solved = linear_->solve(A_, right_, 1e-8, &d_);
   if (solved.status != SolveStatus::kConverged) return solved.status;

@@ -37,6 +37,13 @@ class BlockMatrix {
   /// Of block after block, 9 each.
   double* values() { return values_.data(); }
   const double* values() const { return values_.data(); }
+  /// += M on block (i, j), which is in the pattern. Those off the diagonal are remembered.
+  void add(int i, int j, const Mat3& M);
+  /// Slots off the diagonal that add() wrote to since forgetAdded(), some of them more than once.
+  const std::vector<int>& added() const { return added_; }
+  void forgetAdded() { added_.clear(); }
+
+  /// Forgets what was added, too.
   void setZero();
   /// Every value times `s`.
   void scale(double s);
@@ -51,6 +58,7 @@ class BlockMatrix {
  private:
   std::vector<int> row_start_{0}, column_, diagonal_, transposed_;
   std::vector<double> values_;  // 9 a block, column-major
+  std::vector<int> added_;
 };
 
 }  // namespace palpate::fem

@@ -17,7 +17,8 @@ class EnergyTerm {
   virtual double value(const Points& x) const = 0;
   /// The energy; g += its gradient [N], which is minus the force on the nodes.
   virtual double addGradient(const Points& x, Points* g) const = 0;
-  /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks.
+  /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks:
+  /// off the diagonal by BlockMatrix::add().
   virtual void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const = 0;
   /// Largest part in [0, 1] of the step d from x that this term can be trusted over; a line search
   /// begins there.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "palpate/fem/stiffness.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
@@ -22,6 +24,10 @@ class LinearSolver {
   /// kIterationLimit, kDeadline: `x` is the best so far, still a direction of descent.
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
+
+  /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal
+  /// and in these slots off it. Unsaid, it may have changed anywhere.
+  virtual void onlyChanged(const std::vector<int>& /*slots*/) {}
 
   /// Whether prepare() is of use: the first system after a restart, before there is one to solve.
   virtual bool prepares() const { return false; }

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../../src/solver/kept_stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "palpate/mesh/tet_mesh.h"
+#include "palpate/solver/block_pcg.h"
+#include "palpate/solver/inertia.h"
+#include "support/random.h"
+
+namespace palpate::solver {
+namespace {
+
+// Springs between a node and its neighbours on the diagonal, here and there as it moves on.
+struct Spring final : fem::EnergyTerm {
+  int node = 0;
+  double value(const Points&) const override { return 0.0; }
+  double addGradient(const Points&, Points*) const override { return 0.0; }
+  void addHessian(const Points&, fem::Tangent, fem::BlockMatrix* K) const override {
+    const Mat3 k = 3.0 * Mat3::Identity() + Mat3::Ones();
+    for (int slot = K->rowBegin(node); slot < K->rowEnd(node); ++slot) {
+      const int j = K->column(slot);
+      if (j == node) continue;
+      K->add(node, node, k);
+      K->add(j, j, k);
+      K->add(node, j, -k);
+      K->add(j, node, -k);
+    }
+  }
+};
+
+struct Body {
+  mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(3));
+  std::unique_ptr<fem::Elasticity> elasticity;
+  Spring spring;
+  Inertia inertia;
+  Potential potential;
+
+  explicit Body(const std::string& element)
+      : elasticity(fem::makeElasticity(
+            element, mesh,
+            fem::Composition::uniform(material::makeMaterial(
+                "stable_neo_hookean", {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}})))),
+        potential{
+            elasticity.get(), {&spring, &inertia}, fem::FreeMask::Ones(3, mesh.numPoints()), 1.25} {
+    inertia.beginStep(mesh.points, 1e4, elasticity->masses());
+    potential.free.leftCols(16).setZero();
+    potential.free(1, 20) = 0.0;
+  }
+  // The elastic part at x_elastic, all else at x.
+  fem::Stiffness expected(const Points& x_elastic, const Points& x) const {
+    fem::Stiffness A = elasticity->makeMatrix();
+    elasticity->hessian(x_elastic, fem::Tangent::kExact, &A);
+    A.scale(potential.elastic_scale);
+    potential.addTermHessians(x, fem::Tangent::kExact, &A.blocks());
+    A.constrain(potential.free);
+    return A;
+  }
+};
+
+bool sameBlocks(const fem::Stiffness& A, const fem::Stiffness& B) {
+  const double* a = A.blocks().values();
+  return std::equal(a, a + 9L * A.blocks().numBlocks(), B.blocks().values()) &&
+         (!A.hasVolume() ||
+          (A.volume().rows == B.volume().rows && A.volume().factor == B.volume().factor));
+}
+
+class Kept : public testing::TestWithParam<const char*> {};
+
+TEST_P(Kept, IsTheMatrixOfNowButForTheElasticPart) {
+  test::Random random;
+  Body body(GetParam());
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  const Points X = body.mesh.points;
+  EXPECT_FALSE(kept.hessian(body.potential, X, fem::Tangent::kExact, &A).kept);
+  EXPECT_TRUE(sameBlocks(A, body.expected(X, X)));
+  for (int k = 1; k <= 8; ++k) {
+    const fem::Stiffness before = A;
+    const Points x = X + random.points(body.mesh.numPoints(), 1e-4);
+    body.spring.node = 7 * k % 60;
+    if (k == 3) body.potential.elastic_scale = 1.5;
+    if (k == 5) body.potential.free.col(30).setZero();
+    if (k == 6) body.inertia.beginStep(X, 3e4, body.elasticity->masses());
+    const auto assembled = kept.hessian(body.potential, x, fem::Tangent::kExact, &A);
+    EXPECT_TRUE(assembled.kept);
+    EXPECT_TRUE(sameBlocks(A, body.expected(X, x))) << k;
+    EXPECT_EQ(assembled.changed == nullptr, k == 3 || k == 5);
+    if (!assembled.changed) continue;
+    const fem::BlockMatrix& blocks = A.blocks();
+    for (int i = 0; i < blocks.numNodes(); ++i) {
+      for (int slot = blocks.rowBegin(i); slot < blocks.rowEnd(i); ++slot) {
+        if (slot == blocks.diagonal(i) || blocks.block(slot) == before.blocks().block(slot)) {
+          continue;
+        }
+        const auto& changed = *assembled.changed;
+        EXPECT_TRUE(std::find(changed.begin(), changed.end(), slot) != changed.end());
+      }
+    }
+  }
+}
+
+TEST_P(Kept, IsAssembledAnewWhereTheBodyChangesItsShape) {
+  Body body(GetParam());
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  const Points X = body.mesh.points;
+  kept.hessian(body.potential, X, fem::Tangent::kExact, &A);
+  Points x = X;
+  x(0, 40) += 0.01;
+  EXPECT_FALSE(kept.hessian(body.potential, x, fem::Tangent::kExact, &A).kept);
+  EXPECT_TRUE(sameBlocks(A, body.expected(x, x)));
+  kept.drop();
+  EXPECT_FALSE(kept.hessian(body.potential, x, fem::Tangent::kExact, &A).kept);
+}
+
+TEST_P(Kept, MatrixThatSomebodyElseWroteIntoIsFilledWhole) {
+  Body body(GetParam());
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  const Points X = body.mesh.points;
+  kept.hessian(body.potential, X, fem::Tangent::kExact, &A);
+  A.scale(2.0);
+  kept.matrixWasOverwritten();
+  const auto assembled = kept.hessian(body.potential, X, fem::Tangent::kExact, &A);
+  EXPECT_TRUE(assembled.kept);
+  EXPECT_EQ(assembled.changed, nullptr);
+  EXPECT_TRUE(sameBlocks(A, body.expected(X, X)));
+}
+
+TEST_P(Kept, ProjectedTangentsAreNotKept) {
+  Body body(GetParam());
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  const Points X = body.mesh.points;
+  kept.hessian(body.potential, X, fem::Tangent::kExact, &A);
+  EXPECT_FALSE(kept.hessian(body.potential, X, fem::Tangent::kProjected, &A).kept);
+  const auto assembled = kept.hessian(body.potential, X, fem::Tangent::kExact, &A);
+  EXPECT_TRUE(assembled.kept);
+  EXPECT_EQ(assembled.changed, nullptr);
+  EXPECT_TRUE(sameBlocks(A, body.expected(X, X)));
+}
+
+// Conjugate gradients on a matrix of which only what has changed is packed, and on all of it.
+TEST_P(Kept, SolvesWithWhatHasChangedToTheSameBits) {
+  test::Random random;
+  Body body(GetParam());
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  BlockPcg pcg(1000);
+  for (int k = 0; k < 6; ++k) {
+    const Points x = body.mesh.points + random.points(body.mesh.numPoints(), 1e-4);
+    body.spring.node = 7 * k % 60;
+    if (k == 4) body.inertia.beginStep(x, 3e4, body.elasticity->masses());
+    const auto assembled = kept.hessian(body.potential, x, fem::Tangent::kExact, &A);
+    EXPECT_EQ(assembled.changed != nullptr, k > 0);
+    if (assembled.changed) pcg.onlyChanged(*assembled.changed);
+    const Points b = random.points(x.cols(), 1.0).cwiseProduct(body.potential.free);
+    Points y, all;
+    EXPECT_EQ(pcg.solve(A, b, 1e-3, &y).status, SolveStatus::kConverged);
+    BlockPcg(1000).solve(A, b, 1e-3, &all);
+    EXPECT_EQ(y, all) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, Kept, testing::Values("tet4", "anp"),
+                         [](const auto& element) { return std::string(element.param); });
+
+}  // namespace
+}  // namespace palpate::solver
