@@ -5,7 +5,7 @@ namespace palpate::solver {
 namespace {
 
 // Change of an edge vector, of its length, that the elastic part is kept over.
-constexpr double kStrain = 0.02;
+constexpr double kStrain = 0.05;
 
 }  // namespace
 
