@@ -63,6 +63,7 @@ void Diagnostics::simulation(Status& status) {
   status.add("cycles", s.cycles);
   status.add("cycles not solved", s.unsolved);
   status.add("resets", s.resets);
+  for (const std::string& note : notes_) status.add("note", note);
   for (const sim::Skip& skip : sim::skips()) {
     if (skip.count) status.add(std::string("skipped ") + skip.counter, s.skipped.*skip.count);
   }

@@ -5,6 +5,7 @@
 
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "channels.h"
 #include "haptic_loop.h"
@@ -22,6 +23,8 @@ class Diagnostics {
   void loading(const std::string& what);
   /// What to warn of in every report on the simulation; "" for nothing.
   void setBlasWarning(const std::string& warning) { blas_warning_ = warning; }
+  /// What loading decided, such as the method that auto took, for every report on the simulation.
+  void setNotes(const std::vector<std::string>& notes) { notes_ = notes; }
   /// From now on there is a simulation to report on.
   void running(const Inputs* inputs, const HapticLoop* haptic);
 
@@ -36,6 +39,7 @@ class Diagnostics {
 
   diagnostic_updater::Updater updater_;
   std::string loading_, blas_warning_;
+  std::vector<std::string> notes_;
   const Inputs* inputs_ = nullptr;
   const HapticLoop* haptic_ = nullptr;
   ReportFrame frame_;

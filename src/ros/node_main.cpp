@@ -45,6 +45,7 @@ std::unique_ptr<sim::Simulator> load(const sim::Scene& scene, Diagnostics* diagn
       });
   for (const std::string& warning : simulator->warnings()) ROS_WARN_STREAM(warning);
   for (const std::string& note : simulator->notes()) ROS_INFO_STREAM(note);
+  diagnostics->setNotes(simulator->notes());
   return simulator;
 }
 

@@ -83,7 +83,7 @@ class Parameters(unittest.TestCase):
     def test_overrides_count(self):
         node = subprocess.Popen([NODE, "__name:=overridden",
                                  "_scene:=" + os.path.join(SCENES, "block.yaml"),
-                                 "_rates/simulation:=50", "_solver/step:=0.02",
+                                 "_rates/simulation:=50", "_solver/step:=0.02", "_solver/method:=auto",
                                  "_instruments/probe/joint_topic:=other_js"])
         try:
             reports, diagnostics, hand = report_ear(), diagnostics_ear(), Hand("other_js")
@@ -95,7 +95,8 @@ class Parameters(unittest.TestCase):
             def wanted(d):
                 s = status(d, "simulation")
                 values = {v.key: v.value for v in s.values} if s else {}
-                return float(values.get("rate wanted [Hz]", 0.0)) == 50.0
+                return (float(values.get("rate wanted [Hz]", 0.0)) == 50.0
+                        and "method auto takes" in values.get("note", ""))
 
             self.assertIsNotNone(diagnostics.wait(wanted, 5.0))
         finally:
