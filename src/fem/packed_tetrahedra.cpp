@@ -58,7 +58,6 @@ PackedTetrahedra::PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>
       }
     }
   }
-  if (pressure_) F_.resize(9 * kBatchSize * batches_.size());
   J_.resize(kBatchSize * batches_.size());
   energy_.resize(batches_.size());
 }
@@ -113,15 +112,15 @@ void PackedTetrahedra::forRuns(const Visit& visit) const {
 }
 
 TetArrays PackedTetrahedra::arrays() {
-  return {batches_.data(), blocks_.data(), pressure_ ? pressures_.data() : nullptr,
-          F_.data(),       J_.data(),      energy_.data()};
+  return {batches_.data(), blocks_.data(), pressure_ ? pressures_.data() : nullptr, J_.data(),
+          energy_.data()};
 }
 
 void PackedTetrahedra::moveTo(const Points& x) {
   if (at_x_ && sameBits(x, x_)) return;
   x_ = x;
   at_x_ = true;
-  energy_at_x_ = false;
+  energy_at_x_ = gradient_at_x_ = false;
   if (!pressure_) return;
   double* c = pressure_->clearVolumeChanges();
   forRuns([&](const TetRun& run) { kernels_.deform(arrays(), run, x.data(), c); });
@@ -143,11 +142,15 @@ double PackedTetrahedra::energy(const Points& x) {
 
 double PackedTetrahedra::gradient(const Points& x, Points* g) {
   moveTo(x);
-  g->setZero(3, x.cols());
-  const double* pressures = pressure_ ? pressure_->pressures().data() : nullptr;
-  forRuns(
-      [&](const TetRun& run) { kernels_.gradient(arrays(), run, x.data(), pressures, g->data()); });
-  energy_at_x_ = true;
+  if (!gradient_at_x_) {
+    gradient_.setZero(3, x.cols());
+    const double* pressures = pressure_ ? pressure_->pressures().data() : nullptr;
+    forRuns([&](const TetRun& run) {
+      kernels_.gradient(arrays(), run, x.data(), pressures, gradient_.data());
+    });
+    energy_at_x_ = gradient_at_x_ = true;
+  }
+  *g = gradient_;
   return sumEnergies();
 }
 

@@ -46,7 +46,7 @@ class PackedTetrahedra {
   /// visit(run) on all runs, in an order that the number of threads does not change.
   template <class Visit>
   void forRuns(const Visit& visit) const;
-  /// Brings F, J and the pressures to x.
+  /// Brings the pressures to x, and J where there are any.
   void moveTo(const Points& x);
   double sumEnergies() const;
   TetArrays arrays();
@@ -59,9 +59,10 @@ class PackedTetrahedra {
   std::vector<TetBlocks> blocks_;
   std::vector<TetPressures> pressures_;
   std::vector<std::vector<std::vector<TetRun>>> phases_;  // runs of the parts of the phases
-  std::vector<double> F_, J_, energy_;
+  std::vector<double> J_, energy_;
   Points x_;  // where all this is
-  bool at_x_ = false, energy_at_x_ = false;
+  Points gradient_;
+  bool at_x_ = false, energy_at_x_ = false, gradient_at_x_ = false;
 };
 
 }  // namespace palpate::fem

@@ -87,7 +87,8 @@ void ImplicitMethod::startFromPredictor(double s, double h) {
   const double value_here = valueHere();
   integrator_.extrapolate(h, &way_);
   predicted_ = body_.x + potential_.maxStep(body_.x, way_) * way_;
-  const double value_there = potential_.value(predicted_);
+  // Of all that is computed here most is kept for the first iteration, which begins at one of both.
+  const double value_there = potential_.gradient(predicted_, &gradient_there_);
   if (value_there < value_here) body_.x.swap(predicted_);  // false for NaN
 }
 

@@ -37,7 +37,7 @@ class ImplicitMethod final : public StepMethod {
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
 
-  Points elastic_gradient_, inertia_forces_, predicted_, way_;
+  Points elastic_gradient_, inertia_forces_, predicted_, gradient_there_, way_;
   TissueStep* out_ = nullptr;  // of the cycle under way
 };
 

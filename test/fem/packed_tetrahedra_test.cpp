@@ -95,6 +95,9 @@ TEST_P(Packed, WhatIsKeptFromTheLastCallChangesNothing) {
   body.K.multiply(body.g, &body.Kg);
   EXPECT_TRUE(body.g == fresh.g);
   EXPECT_TRUE(body.Kg == fresh.Kg);
+  g.setZero();
+  EXPECT_EQ(body.packed->gradient(x, &g), fresh.energy);
+  EXPECT_TRUE(g == fresh.g);
 }
 
 // Without nodal pressures the energy is a plain sum over elements.

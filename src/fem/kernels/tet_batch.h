@@ -42,15 +42,14 @@ struct TetArrays {
   const TetBatch* batches;
   const TetBlocks* blocks;
   const TetPressures* pressures;  ///< Null without nodal pressures.
-  double* F;                      ///< [batch][3 j + i][element]: F_ij, where there are pressures.
   double* J;                      ///< [batch][element]
   double* energy;                 ///< [batch] [J]
 };
 
 struct TetKernels {
-  /// F and J at x, and += V/4 (J - 1) into the volume changes of the corners' pressures.
+  /// J at x, and += V/4 (J - 1) into the volume changes of the corners' pressures.
   void (*deform)(const TetArrays&, const TetRun&, const double* x, double* volume_changes);
-  /// Energies at x, or at F where there are pressures, which do not count here.
+  /// Energies at x, without those of pressures.
   void (*energy)(const TetArrays&, const TetRun&, const double* x);
   /// The same, and += the gradient into g; `pressure` [Pa] of the pressure nodes.
   void (*gradient)(const TetArrays&, const TetRun&, const double* x, const double* pressure,

@@ -64,12 +64,6 @@ inline Mat deformation(const TetBatch& batch, int lane, const double* x) {
   return F;
 }
 
-inline Mat loadF(const double* F, int lane) {
-  Mat A;
-  for (int k = 0; k < 9; ++k) A.col[k / 3].v[k % 3] = load(F + kBatchSize * k + lane);
-  return A;
-}
-
 inline Lanes meanPressure(const TetPressures& corners, int lane, const double* pressure) {
   Lanes sum = gather(pressure, corners.corner[0] + lane);
   for (int a = 1; a < 4; ++a) sum += gather(pressure, corners.corner[a] + lane);
@@ -97,8 +91,6 @@ void deform(const TetArrays& arrays, const TetRun& run, const double* x, double*
     double change[kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
       const Mat F = deformation(batch, lane, x);
-      double* F_out = arrays.F + 9 * kBatchSize * static_cast<long>(b);
-      for (int c = 0; c < 9; ++c) store(F_out + kBatchSize * c + lane, F.col[c / 3].v[c % 3]);
       const Lanes J = dot(F.col[0], cross(F.col[1], F.col[2]));
       store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
       store(change + lane, 0.25 * load(batch.volume + lane) * (J - 1.0));
@@ -118,8 +110,7 @@ void energies(const TetArrays& arrays, const TetRun& run, const double* x) {
     const TetBatch& batch = arrays.batches[b];
     double energy[kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
-      const Mat F = arrays.pressures ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
-                                     : deformation(batch, lane, x);
+      const Mat F = deformation(batch, lane, x);
       const Lanes J = dot(F.col[0], cross(F.col[1], F.col[2]));
       if (!arrays.pressures) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
       const auto point = law.at(squaredNorm(F), J, Lanes{});
@@ -138,8 +129,7 @@ void gradients(const TetArrays& arrays, const TetRun& run, const double* x, cons
     const TetBatch& batch = arrays.batches[b];
     double energy[kBatchSize], force[12][kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
-      const Mat F = pressure ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
-                             : deformation(batch, lane, x);
+      const Mat F = deformation(batch, lane, x);
       const Mat cof = cofactor(F);
       const Lanes J = dot(F.col[0], cof.col[0]);
       if (!pressure) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
@@ -243,8 +233,7 @@ void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const
     alignas(64) double values[54][kBatchSize];
     double dilatation[12][kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
-      const Mat F = pressure ? loadF(arrays.F + 9 * kBatchSize * static_cast<long>(b), lane)
-                             : deformation(batch, lane, x);
+      const Mat F = deformation(batch, lane, x);
       const Mat cof = cofactor(F);
       const Lanes J = dot(F.col[0], cof.col[0]);
       const Lanes p = pressure ? meanPressure(arrays.pressures[b], lane, pressure) : Lanes{};
