@@ -11,6 +11,13 @@ namespace {
 typedef double Pair __attribute__((vector_size(16)));
 typedef double PairInMemory __attribute__((vector_size(16), aligned(8), may_alias));
 
+// Two numbers and one, each time the same way: a processor passes a number that was just stored on
+// to the next load only if both are of the same place and width.
+inline void addThree(Pair xy, double z, double* at) {
+  *reinterpret_cast<PairInMemory*>(at) += xy;
+  at[2] += z;
+}
+
 struct Vec {
   Lanes v[3];
 };
@@ -155,8 +162,8 @@ void gradients(const TetArrays& arrays, const TetRun& run, const double* x, cons
     arrays.energy[b] = sum(energy, count);
     for (int e = 0; e < count; ++e) {
       for (int a = 0; a < 4; ++a) {
-        double* at = g + batch.node[a][e];
-        for (int i = 0; i < 3; ++i) at[i] += force[3 * a + i][e];
+        const Pair xy = {force[3 * a][e], force[3 * a + 1][e]};
+        addThree(xy, force[3 * a + 2][e], g + batch.node[a][e]);
       }
     }
   }
@@ -205,8 +212,7 @@ inline void storeBlock(const Mat& K, double (*out)[kBatchSize], int lane) {
 }
 
 // Into the rows of the nodes' pressures: the gradients of an element's volume with respect to the
-// other three nodes. Two numbers and one, each time the same way: a processor passes a number that
-// was just stored on to the next load only if both are of the same place and width.
+// other three nodes.
 inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBatchSize], int count,
                     double* rows) {
   for (int e = 0; e < count; ++e) {
@@ -214,10 +220,7 @@ inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBa
       const Pair xy = {dilatation[3 * a][e], dilatation[3 * a + 1][e]};
       const double z = dilatation[3 * a + 2][e];
       for (int k = 0; k < 4; ++k) {
-        if (k == a) continue;
-        double* at = rows + row[3 * k + (a < k ? a : a - 1)][e];
-        *reinterpret_cast<PairInMemory*>(at) += xy;
-        at[2] += z;
+        if (k != a) addThree(xy, z, rows + row[3 * k + (a < k ? a : a - 1)][e]);
       }
     }
   }
