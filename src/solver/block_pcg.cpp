@@ -22,22 +22,22 @@ struct BlockPcg::Impl {
   // r = b, all else 0.
   void load(const Points& b) {
     const SliceOrder& nodes = matrix.nodes();
-    const std::ptrdiff_t size = 3L * kSlice * nodes.numSlices();
-    vectors.setZero(size, 5);
-    p_single.setZero(size);
-    v = {vectors.col(0).data(), vectors.col(1).data(), vectors.col(2).data(),
-         vectors.col(3).data(), vectors.col(4).data(), p_single.data()};
+    const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes.numSlices();
+    for (auto* vector : {&x, &r, &p}) vector->assign(3 * lanes, 0.0);
+    for (auto* vector : {&z, &Ap}) vector->assign(3 * lanes, 0.0F);
+    p_nodes.assign(kNodeStride * lanes, 0.0F);
+    v = {x.data(), r.data(), p.data(), z.data(), Ap.data(), p_nodes.data()};
     for (int i = 0; i < nodes.count(); ++i) {
-      double* r = v.r + nodes.offset(i, 3);
-      for (int c = 0; c < 3; ++c) r[kSlice * c] = b(c, i);
+      double* r_i = v.r + nodes.offset(i, 3);
+      for (int c = 0; c < 3; ++c) r_i[kSlice * c] = b(c, i);
     }
   }
   template <class Take>
   void forSolution(const Take& take) const {
     const SliceOrder& nodes = matrix.nodes();
     for (int i = 0; i < nodes.count(); ++i) {
-      const double* x = v.x + nodes.offset(i, 3);
-      take(i, Vec3(x[0], x[kSlice], x[2 * kSlice]));
+      const double* x_i = v.x + nodes.offset(i, 3);
+      take(i, Vec3(x_i[0], x_i[kSlice], x_i[2 * kSlice]));
     }
   }
 
@@ -46,16 +46,16 @@ struct BlockPcg::Impl {
     load(b);
     double rz = 0.0, rr = 0.0;
     matrix.update(0.0, v, &rz, &rr);
-    matrix.direct(0.0, v);
+    matrix.direct(0.0, 0.0, v);
     while (std::sqrt(rr) > target) {
       if (*iterations == max_iterations) return SolveStatus::kIterationLimit;
       if (asked.interrupted(*iterations)) return SolveStatus::kDeadline;
       const double curvature = matrix.apply(v);
       if (!std::isfinite(curvature)) return SolveStatus::kNonFinite;
       if (!(curvature > 0.0)) return SolveStatus::kNotPositiveDefinite;
-      const double rz_last = rz;
-      matrix.update(rz / curvature, v, &rz, &rr);
-      matrix.direct(rz / rz_last, v);
+      const double rz_last = rz, alpha = rz / curvature;
+      matrix.update(alpha, v, &rz, &rr);
+      matrix.direct(alpha, rz / rz_last, v);
       ++*iterations;
     }
     return SolveStatus::kConverged;
@@ -63,8 +63,8 @@ struct BlockPcg::Impl {
 
   int max_iterations;
   PcgMatrix matrix;
-  Eigen::Matrix<double, Eigen::Dynamic, 5> vectors;  // x, r, z, p, Ap
-  Eigen::VectorXf p_single;
+  AlignedVector<double> x, r, p;
+  AlignedVector<float> z, Ap, p_nodes;
   PcgVectors v{};
   Points residual, Ax;
 };

@@ -2,84 +2,89 @@
 #include "pcg_matrix.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace palpate::solver {
-namespace {
-
-constexpr int kChunk = 16;        // slices that one thread works through in one go
-constexpr int kWorthThreads = 8;  // chunks: below it, sharing costs more than it gains
-
-int numChunks(int slices) { return (slices + kChunk - 1) / kChunk; }
-
-}  // namespace
-
-template <class Body>
-void PcgMatrix::forChunks(int slices, const Body& body) {
-  const int chunks = numChunks(slices);
-  const auto run = [&](std::size_t first, std::size_t last) {
-    for (auto chunk = static_cast<int>(first); chunk < static_cast<int>(last); ++chunk) {
-      body(chunk, kChunk * chunk, std::min(kChunk * (chunk + 1), slices));
-    }
-  };
-  if (pool_ && chunks >= kWorthThreads) {
-    pool_->forRanges(static_cast<std::size_t>(chunks), run);
-  } else {
-    run(0, static_cast<std::size_t>(chunks));
-  }
-}
 
 void PcgMatrix::takePattern(const fem::Stiffness& A) {
   const fem::BlockMatrix& K = A.blocks();
-  std::vector<int> lengths;
-  for (int i = 0; i < K.numNodes(); ++i) lengths.push_back(K.rowEnd(i) - K.rowBegin(i));
+  std::vector<int> lengths(static_cast<std::size_t>(K.numNodes()));
+  for (int i = 0; i < K.numNodes(); ++i) lengths[i] = K.rowEnd(i) - K.rowBegin(i);
   nodes_ = SliceOrder(lengths);
-  std::vector<std::vector<SlicedRows::Entry>> blocks(lengths.size());
-  for (int i = 0; i < K.numNodes(); ++i) {
-    for (int slot = K.rowBegin(i); slot < K.rowEnd(i); ++slot) {
-      blocks[i].push_back({static_cast<int>(nodes_.offset(K.column(slot), 3)), 9 * slot});
-    }
-  }
-  blocks_ = SlicedRows(blocks, 9, nodes_);
+  if (A.hasVolume()) takeVolumes(K, *A.volume().pattern);
+  takeRows(A);
   const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes_.numSlices();
   inverse_diagonal_.resize(6 * lanes);
   for (int p = 0; p < static_cast<int>(lanes); ++p) {
     diagonal_.push_back(9 * K.diagonal(std::max(nodes_.at(p), 0)));  // beyond the last: any
   }
-  partial_.resize(static_cast<std::size_t>(numChunks(nodes_.numSlices())));
+  partial_.resize(static_cast<std::size_t>(Chunks::number(nodes_.numSlices())));
   partial_2_ = partial_;
-  if (A.hasVolume()) takePattern(*A.volume().pattern);
 }
 
-void PcgMatrix::takePattern(const fem::VolumeStiffness::Pattern& pattern) {
-  const auto count = static_cast<int>(pattern.start.size()) - 1;
-  std::vector<int> lengths;
-  for (int p = 0; p < count; ++p) lengths.push_back(pattern.start[p + 1] - pattern.start[p]);
-  pressures_ = SliceOrder(lengths);
-  std::vector<std::vector<SlicedRows::Entry>> rows(lengths.size());
-  std::vector<std::vector<SlicedRows::Entry>> columns(static_cast<std::size_t>(nodes_.count()));
-  for (int p = 0; p < count; ++p) {
+// Rows of K, with those of B that are at home in them.
+void PcgMatrix::takeRows(const fem::Stiffness& A) {
+  const fem::BlockMatrix& K = A.blocks();
+  std::vector<std::vector<SlicedRows::Entry>> rows(static_cast<std::size_t>(K.numNodes()));
+  for (int i = 0; i < K.numNodes(); ++i) {
+    for (int slot = K.rowBegin(i); slot < K.rowEnd(i); ++slot) {
+      rows[i].push_back({kNodeStride * nodes_.position(K.column(slot)), 9 * slot});
+    }
+    const int p = A.hasVolume() ? pressures_.atHome(i) : -1;
+    if (p < 0) continue;
+    const fem::VolumeStiffness::Pattern& pattern = *A.volume().pattern;
     for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
-      rows[p].push_back({static_cast<int>(nodes_.offset(pattern.node[k], 3)), 3 * k});
+      rows[i][K.find(i, pattern.node[k]) - K.rowBegin(i)].from_next = 3 * k;
+    }
+  }
+  rows_ = SlicedRows(rows, {9, A.hasVolume() ? 3 : 0}, nodes_);
+}
+
+void PcgMatrix::takeVolumes(const fem::BlockMatrix& K,
+                            const fem::VolumeStiffness::Pattern& pattern) {
+  pressures_ = PressurePlaces(K, pattern, nodes_);
+  std::vector<std::vector<SlicedRows::Entry>> columns(static_cast<std::size_t>(nodes_.count()));
+  for (int p = 0; p < pressures_.count(); ++p) {
+    for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
       columns[pattern.node[k]].push_back({pressures_.position(p), 3 * k});
     }
   }
-  rows_ = SlicedRows(rows, 3, pressures_);
-  columns_ = SlicedRows(columns, 3, nodes_);
+  takeReach(columns);
+  columns_ = SlicedRows(columns, {3, 0}, nodes_);
+  std::vector<std::vector<SlicedRows::Entry>> others;
+  for (int p : pressures_.numbers()) {
+    others.emplace_back();
+    for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
+      others.back().push_back({kNodeStride * nodes_.position(pattern.node[k]), 3 * k});
+    }
+  }
+  others_ = SlicedRows(others, {3, 0}, pressures_.others());
   c_.assign(static_cast<std::size_t>(kSlice) * pressures_.numSlices(), 0.0F);
   weights_ = c_;
 }
 
-PcgVolumes PcgMatrix::volumes() const {
-  return {rows_.rows(), columns_.rows(), metric_ ? nullptr : weights_.data()};
+// Of chunks in entries of columns; those of others are beyond all nodes.
+void PcgMatrix::takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns) {
+  constexpr int kNodes = kSlice * Chunks::kSlices;
+  const int beyond = kSlice * nodes_.numSlices();
+  reach_.assign(static_cast<std::size_t>(Chunks::number(nodes_.numSlices())), Reach{});
+  added_.assign(reach_.size(), 0);
+  for (int i = 0; i < nodes_.count(); ++i) {
+    Reach& reach = reach_[nodes_.position(i) / kNodes];
+    for (const SlicedRows::Entry& entry : columns[i]) {
+      reach.first = std::min(reach.first, entry.source / kNodes);
+      reach.last = std::max(reach.last, entry.source / kNodes);
+      reach.others |= entry.source >= beyond;
+    }
+  }
 }
 
 void PcgMatrix::packVolumes(const fem::VolumeStiffness& volume) {
   const double* values = volume.rows.data();
-  forChunks(pressures_.numSlices(),
-            [&](int, int begin, int end) { rows_.assign(begin, end, values, kernels_); });
-  forChunks(nodes_.numSlices(),
-            [&](int, int begin, int end) { columns_.assign(begin, end, values, kernels_); });
+  chunks_.forAll(nodes_.numSlices(), [&](int, int begin, int end) {
+    rows_.assign(1, begin, end, values, kernels_);
+    columns_.assign(0, begin, end, values, kernels_);
+  });
+  others_.assign(0, 0, pressures_.others().numSlices(), values, kernels_);
   factor_ = volume.factor;
   metric_ = volume.metric->isDiagonal() ? nullptr : volume.metric.get();
   for (int p = 0; p < pressures_.count(); ++p) {
@@ -87,9 +92,13 @@ void PcgMatrix::packVolumes(const fem::VolumeStiffness& volume) {
   }
 }
 
+PcgVolumes PcgMatrix::volumes(const float* weights) {
+  return {others_.rows(), columns_.rows(), weights, c_.data()};
+}
+
 bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
-  const PcgVolumes B{rows_.rows(), columns_.rows(), weights_.data()};
-  forChunks(nodes_.numSlices(), [&](int chunk, int begin, int end) {
+  const PcgVolumes B = volumes(weights_.data());
+  chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
     partial_[chunk] =
         kernels_.invert(A.blocks().values(), diagonal_.data(), A.hasVolume() ? &B : nullptr, begin,
                         end, inverse_diagonal_.data());
@@ -100,48 +109,10 @@ bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
 bool PcgMatrix::assign(const fem::Stiffness& A) {
   if (nodes_.count() == 0) takePattern(A);
   const double* values = A.blocks().values();
-  forChunks(nodes_.numSlices(),
-            [&](int, int begin, int end) { blocks_.assign(begin, end, values, kernels_); });
+  chunks_.forAll(nodes_.numSlices(),
+                 [&](int, int begin, int end) { rows_.assign(0, begin, end, values, kernels_); });
   if (A.hasVolume()) packVolumes(A.volume());
   return invertDiagonal(A);
-}
-
-// c = M c.
-void PcgMatrix::applyMetric() {
-  changes_.resize(pressures_.count());
-  for (int p = 0; p < pressures_.count(); ++p) changes_[p] = c_[pressures_.position(p)];
-  metric_->apply(changes_, &metric_times_changes_);
-  for (int p = 0; p < pressures_.count(); ++p) {
-    c_[pressures_.position(p)] = static_cast<float>(factor_ * metric_times_changes_[p]);
-  }
-}
-
-double PcgMatrix::apply(const PcgVectors& v) {
-  const PcgVolumes B = volumes();
-  float* c = c_.empty() ? nullptr : c_.data();
-  if (c) {
-    forChunks(pressures_.numSlices(),
-              [&](int, int begin, int end) { kernels_.volumes(B, begin, end, v.p_single, c); });
-    if (metric_) applyMetric();
-  }
-  forChunks(nodes_.numSlices(), [&](int chunk, int begin, int end) {
-    partial_[chunk] = kernels_.apply(blocks_.rows(), B, begin, end, c, v);
-  });
-  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
-}
-
-void PcgMatrix::update(double alpha, const PcgVectors& v, double* rz, double* rr) {
-  forChunks(nodes_.numSlices(), [&](int chunk, int begin, int end) {
-    kernels_.update(inverse_diagonal_.data(), begin, end, alpha, v, &partial_[chunk],
-                    &partial_2_[chunk]);
-  });
-  *rz = std::accumulate(partial_.begin(), partial_.end(), 0.0);
-  *rr = std::accumulate(partial_2_.begin(), partial_2_.end(), 0.0);
-}
-
-void PcgMatrix::direct(double beta, const PcgVectors& v) {
-  forChunks(nodes_.numSlices(),
-            [&](int, int begin, int end) { kernels_.direct(begin, end, beta, v); });
 }
 
 }  // namespace palpate::solver

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
+#include "chunks.h"
 #include "kernels/pcg_kernels.h"
-#include "palpate/base/thread_pool.h"
 #include "palpate/fem/stiffness.h"
+#include "pressure_places.h"
 #include "sliced_rows.h"
 
 namespace palpate::solver {
@@ -15,7 +17,7 @@ namespace palpate::solver {
 /// blocks. Sums over nodes run over chunks of a fixed size, so that threads never change a bit.
 class PcgMatrix {
  public:
-  PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), pool_(pool) {}
+  PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), chunks_(pool) {}
 
   /// Takes the values of A, and at the first call its pattern. False: a diagonal block is not
   /// positive definite.
@@ -26,31 +28,42 @@ class PcgMatrix {
 
   /// Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
-  /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
+  /// r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
   void update(double alpha, const PcgVectors& v, double* rz, double* rr);
-  /// p = z + beta p.
-  void direct(double beta, const PcgVectors& v);
+  /// x += alpha p, p = z + beta p.
+  void direct(double alpha, double beta, const PcgVectors& v);
 
  private:
+  /// Chunks whose pressures a chunk's nodes belong to.
+  struct Reach {
+    int first = std::numeric_limits<int>::max(), last = -1;
+    bool others = false;  ///< Also some that are not at home.
+  };
+
   void takePattern(const fem::Stiffness& A);
-  void takePattern(const fem::VolumeStiffness::Pattern& pattern);
+  void takeRows(const fem::Stiffness& A);
+  void takeVolumes(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
+  void takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns);
   void packVolumes(const fem::VolumeStiffness& volume);
   bool invertDiagonal(const fem::Stiffness& A);
-  PcgVolumes volumes() const;
+  PcgVolumes volumes(const float* weights);
+  /// Ap = K p + B^T M B p; returns p . Ap.
+  double applyWithVolumes(const PcgVectors& v);
+  void sweep(const PcgVolumes& B, int first, int last, const PcgVectors& v);
   void applyMetric();
-  /// body(chunk, begin, end) on chunks of `slices` slices.
-  template <class Body>
-  void forChunks(int slices, const Body& body);
 
   const PcgKernels& kernels_;
-  ThreadPool* pool_;
-  SliceOrder nodes_, pressures_;
-  SlicedRows blocks_, rows_, columns_;
-  std::vector<int> diagonal_;            // where it begins in the values, [slice][lane]
-  std::vector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
-  std::vector<float> weights_, c_;
+  Chunks chunks_;
+  SliceOrder nodes_;
+  PressurePlaces pressures_;
+  SlicedRows rows_, others_, columns_;     // of K, of B (those not in rows_), of B^T
+  std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
+  AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
+  AlignedVector<float> weights_, c_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
   double factor_ = 1.0;
+  std::vector<Reach> reach_;                        // of each chunk
+  std::vector<char> added_;                         // of each chunk: B^T c is in Ap
   Eigen::VectorXd changes_, metric_times_changes_;  // for a metric that is not diagonal
   std::vector<double> partial_, partial_2_;
 };

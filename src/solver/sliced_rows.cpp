@@ -22,28 +22,30 @@ SliceOrder::SliceOrder(const std::vector<int>& lengths)
   for (int p = 0; p < static_cast<int>(count); ++p) position_[at_[p]] = p;
 }
 
-SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, int size,
+SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, std::array<int, 2> count,
                        const SliceOrder& order)
-    : size_(size), start_{0} {
+    : count_(count), start_{0} {
   const std::vector<Entry> none;
   for (int s = 0; s < order.numSlices(); ++s) {
     const std::vector<Entry>* of[kSlice];
-    std::size_t longest = 0;
+    const std::vector<Entry>* longest = &none;
     for (int lane = 0; lane < kSlice; ++lane) {
       const int row = order.at(kSlice * s + lane);
       of[lane] = row < 0 ? &none : &rows[row];
-      longest = std::max(longest, of[lane]->size());
+      if (of[lane]->size() > longest->size()) longest = of[lane];
     }
-    for (std::size_t k = 0; k < longest; ++k) {
+    for (std::size_t k = 0; k < longest->size(); ++k) {
+      const Entry filler{(*longest)[k].source, -1};  // nothing that the slice does not reach
       for (const std::vector<Entry>* row : of) {
-        const Entry entry = k < row->size() ? (*row)[k] : Entry{0, -1};
+        const Entry& entry = k < row->size() ? (*row)[k] : filler;
         source_.push_back(entry.source);
-        from_.push_back(entry.from);
+        from_[0].push_back(entry.from);
+        if (count_[1] > 0) from_[1].push_back(entry.from_next);
       }
     }
-    start_.push_back(start_.back() + static_cast<int>(longest));
+    start_.push_back(start_.back() + static_cast<int>(longest->size()));
   }
-  values_.assign(static_cast<std::size_t>(size_) * source_.size(), 0.0F);
+  values_.assign(static_cast<std::size_t>(count_[0] + count_[1]) * source_.size(), 0.0F);
 }
 
 }  // namespace palpate::solver

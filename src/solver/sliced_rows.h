@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "aligned_vector.h"
 #include "kernels/pcg_arrays.h"
 
 namespace palpate::solver {
@@ -30,28 +32,35 @@ class SliceOrder {
   std::vector<int> at_, position_;
 };
 
-/// Rows of a sparse matrix in single precision, as PcgRows has them.
+/// Rows of a sparse matrix in single precision, as PcgRows has them. The values of an entry come
+/// from one array or from two.
 class SlicedRows {
  public:
   struct Entry {
-    int source;  ///< Where that begins which it is multiplied with.
-    int from;    ///< Where its values begin.
+    int source;          ///< Where that begins which it is multiplied with.
+    int from;            ///< Where its values begin.
+    int from_next = -1;  ///< Where those of the second part begin, if it has any.
   };
 
   SlicedRows() = default;
-  /// `rows`: the entries of each; `size`: values of an entry.
-  SlicedRows(const std::vector<std::vector<Entry>>& rows, int size, const SliceOrder& order);
+  /// `rows`: the entries of each; `count`: values of an entry in each part.
+  SlicedRows(const std::vector<std::vector<Entry>>& rows, std::array<int, 2> count,
+             const SliceOrder& order);
 
-  /// Takes the values of slices from `begin` to `end` from `values`.
-  void assign(int begin, int end, const double* values, const PcgKernels& kernels) {
-    kernels.pack(start_.data(), from_.data(), size_, begin, end, values, values_.data());
+  /// Takes the values of a part of slices from `begin` to `end`.
+  void assign(int part, int begin, int end, const double* values, const PcgKernels& kernels) {
+    const PcgPart taken{part == 0 ? 0 : count_[0], count_[part], count_[0] + count_[1],
+                        from_[part].data()};
+    kernels.pack(start_.data(), taken, begin, end, values, values_.data());
   }
   PcgRows rows() const { return {start_.data(), source_.data(), values_.data()}; }
 
  private:
-  int size_ = 0;
-  std::vector<int> start_, source_, from_;  // from_: -1 for what fills up
-  std::vector<float> values_;
+  std::array<int, 2> count_{};
+  std::vector<int> start_;
+  AlignedVector<int> source_;
+  std::array<std::vector<int>, 2> from_;  // -1 for what fills up
+  AlignedVector<float> values_;
 };
 
 }  // namespace palpate::solver

@@ -10,48 +10,64 @@ constexpr int kSlice = 16;
 
 // Vectors have the three components of the nodes of a slice one after the other: component c of the
 // node in a lane of slice s is at 3 kSlice s + kSlice c + lane. Lanes beyond the last node are
-// zero.
+// zero. What is gathered from lies node by node instead: kNodeStride numbers each, the last zero,
+// so that a node is fetched by one load.
+constexpr int kNodeStride = 4;
 
 /// Sliced rows of entries. Rows of a slice are as long as the longest of them: the others are
 /// filled up with entries of zeros.
 struct PcgRows {
   const int* start;     ///< Slice s has the entries start[s] .. start[s + 1] of each of its rows.
   const int* source;    ///< [entry][lane]: where that begins which an entry is multiplied with.
-  const float* values;  ///< [entry][component][lane]: 9 of a block, column-major, or 3.
+  const float* values;  ///< [entry][component][lane]
 };
 
-/// B^T M B, M = diag(weights): B by rows (pressures), and once more by columns (nodes).
+/// A part of the components of each entry, and where its values come from.
+struct PcgPart {
+  int first, count, size;  ///< Components first .. first + count, of `size` all in all.
+  const int* from;         ///< [entry][lane]: where they begin; negative: zeros.
+};
+
+/// B^T M B, M = diag(weights). Changes c = M B p lie in slices: first those of pressures that are
+/// at home at the node in the same place, whose rows of B are part of K's; then the others.
 struct PcgVolumes {
-  PcgRows rows, columns;
-  const float* weights;  ///< Of each pressure; null: the metric is applied by somebody else.
+  PcgRows others;        ///< Rows of B of the others, 3 numbers an entry.
+  PcgRows columns;       ///< B by columns (nodes), 3 numbers an entry; sources lie in c.
+  const float* weights;  ///< As c; null: the metric is applied by somebody else.
+  float* c;
 };
 
 struct PcgVectors {
-  double *x, *r, *z, *p, *Ap;
-  float* p_single;  ///< p, rounded.
+  double *x, *r, *p;
+  float *z, *Ap;
+  float* p_nodes;  ///< p, rounded, node by node.
 };
 
 /// Every kernel works on the slices from `begin` to `end`.
 struct PcgKernels {
-  /// The entries of `rows` into `to`, `size` numbers each: values[from[entry][lane]] and following,
-  /// zeros where it is negative.
-  void (*pack)(const int* start, const int* from, int size, int begin, int end,
-               const double* values, float* to);
-  /// c = M B p, without M where there are no weights.
-  void (*volumes)(const PcgVolumes&, int begin, int end, const float* p, float* c);
-  /// Ap = K p + B^T c; returns p . Ap. `c` null: no volumes.
-  double (*apply)(const PcgRows& K, const PcgVolumes&, int begin, int end, const float* c,
-                  const PcgVectors&);
+  /// Takes one part of the entries: from[entry][lane] and following of `values`.
+  void (*pack)(const int* start, const PcgPart&, int begin, int end, const double* values,
+               float* to);
+  /// Ap = K p, K with 9 numbers an entry (blocks, column-major); returns p . Ap.
+  double (*multiply)(const PcgRows& K, int begin, int end, const PcgVectors&);
+  /// Ap = K p and c = M B p of the pressures at home, K with 12 numbers an entry: those of the
+  /// block, then those of B.
+  void (*multiplyWithVolumes)(const PcgRows& K, const PcgVolumes&, int begin, int end,
+                              const PcgVectors&);
+  /// c = M B p of others; `first` is the slice of c where they begin.
+  void (*changeOthers)(const PcgVolumes&, int first, int begin, int end, const PcgVectors&);
+  /// Ap += B^T c; returns p . Ap.
+  double (*addVolumes)(const PcgVolumes&, int begin, int end, const PcgVectors&);
   /// Inverses of the diagonal blocks of K, which begin at values[from[slice][lane]], with their
   /// part of B^T M B if there are volumes: [slice][xx xy yy xz yz zz][lane]. 0: one is not
   /// definite.
   int (*invert)(const double* values, const int* from, const PcgVolumes*, int begin, int end,
                 float* inverse_diagonal);
-  /// x += alpha p, r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
+  /// r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
   void (*update)(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors&,
                  double* rz, double* rr);
-  /// p = z + beta p, also in single precision.
-  void (*direct)(int begin, int end, double beta, const PcgVectors&);
+  /// x += alpha p, p = z + beta p.
+  void (*direct)(int begin, int end, double alpha, double beta, const PcgVectors&);
 };
 
 }  // namespace palpate::solver

@@ -1,95 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/base/float_lanes.h"
 #include "pcg_arrays.h"
+#include "pcg_products.h"
 
 namespace palpate::solver::PALPATE_ISA {
 namespace {
 
-// Sums over nodes are kept lane by lane, whatever the width of a register.
-struct alignas(64) LaneSums {
-  double lanes[kSlice] = {};
-
-  void add(int lane, Lanes v) { store(lanes + lane, load(lanes + lane) + v); }
-  double total() const {
-    double sum = 0.0;
-    for (double v : lanes) sum += v;
-    return sum;
-  }
-};
-
-void pack(const int* start, const int* from, int size, int begin, int end, const double* values,
+void pack(const int* start, const PcgPart& part, int begin, int end, const double* values,
           float* to) {
-  for (int k = start[begin]; k < start[end]; ++k) {
-    for (int c = 0; c < size; ++c) {
+  for (long k = start[begin]; k < start[end]; ++k) {
+    for (int c = 0; c < part.count; ++c) {
       for (int lane = 0; lane < kSlice; lane += kWidth) {
-        storeAsFloats(to + kSlice * (static_cast<long>(size) * k + c) + lane,
-                      gatherOrZero(values + c, from + static_cast<long>(kSlice) * k + lane));
+        storeAsFloats(to + kSlice * (part.size * k + part.first + c) + lane,
+                      gatherOrZero(values + c, part.from + kSlice * k + lane));
       }
     }
   }
-}
-
-void volumes(const PcgVolumes& B, int begin, int end, const float* p, float* c) {
-  for (int s = begin; s < end; ++s) {
-    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
-      FloatLanes sum[3] = {};
-      for (long k = B.rows.start[s]; k < B.rows.start[s + 1]; ++k) {
-        const float* b = B.rows.values + 3 * kSlice * k + lane;
-        const int* at = B.rows.source + kSlice * k + lane;
-        for (int i = 0; i < 3; ++i) sum[i] += load(b + kSlice * i) * gather(p + kSlice * i, at);
-      }
-      FloatLanes change = (sum[0] + sum[1]) + sum[2];
-      const long at = static_cast<long>(kSlice) * s + lane;
-      if (B.weights) change *= load(B.weights + at);
-      store(c + at, change);
-    }
-  }
-}
-
-// Rows of slice s times p, for the lanes of one register.
-inline void multiply(const PcgRows& K, int s, int lane, const float* p, FloatLanes* y) {
-  constexpr int kAhead = 16;
-  for (long k = K.start[s]; k < K.start[s + 1]; ++k) {
-    const float* A = K.values + 9 * kSlice * k + lane;
-    const int* at = K.source + kSlice * k + lane;
-    for (int c = 0; c < 9; ++c) __builtin_prefetch(A + kSlice * (9 * kAhead + c));
-    for (int j = 0; j < 3; ++j) {
-      const FloatLanes x = gather(p + kSlice * j, at);
-      for (int i = 0; i < 3; ++i) y[i] += load(A + kSlice * (3 * j + i)) * x;
-    }
-  }
-}
-
-inline void addColumns(const PcgRows& B, int s, int lane, const float* c, FloatLanes* y) {
-  for (long k = B.start[s]; k < B.start[s + 1]; ++k) {
-    const FloatLanes at_p = gather(c, B.source + kSlice * k + lane);
-    for (int i = 0; i < 3; ++i) y[i] += load(B.values + kSlice * (3 * k + i) + lane) * at_p;
-  }
-}
-
-double apply(const PcgRows& K, const PcgVolumes& B, int begin, int end, const float* c,
-             const PcgVectors& v) {
-  LaneSums curvature;
-  for (int s = begin; s < end; ++s) {
-    alignas(64) float product[3 * kSlice];
-    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
-      FloatLanes y[3] = {};
-      multiply(K, s, lane, v.p_single, y);
-      if (c) addColumns(B.columns, s, lane, c, y);
-      for (int i = 0; i < 3; ++i) store(product + kSlice * i + lane, y[i]);
-    }
-    for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
-      const long at = 3L * kSlice * s + lane;
-      const Lanes Ap = loadAsDoubles(product + lane);
-      store(v.Ap + at, Ap);
-      curvature.add(lane % kSlice, Ap * load(v.p + at));
-    }
-  }
-  return curvature.total();
 }
 
 // Diagonal of B^T M B: sum of weight times b b^T, xx xy yy xz yz zz.
-inline void addVolumes(const PcgVolumes& B, int s, int lane, FloatLanes* D) {
+inline void addDiagonal(const PcgVolumes& B, int s, int lane, FloatLanes* D) {
   for (long k = B.columns.start[s]; k < B.columns.start[s + 1]; ++k) {
     const FloatLanes weight = gather(B.weights, B.columns.source + kSlice * k + lane);
     FloatLanes b[3];
@@ -111,7 +41,7 @@ int invert(const double* values, const int* from, const PcgVolumes* B, int begin
     alignas(64) float volume[6][kSlice] = {};
     for (int lane = 0; B && lane < kSlice; lane += kFloatWidth) {
       FloatLanes D[6] = {};
-      addVolumes(*B, s, lane, D);
+      addDiagonal(*B, s, lane, D);
       for (int c = 0; c < 6; ++c) store(volume[c] + lane, D[c]);
     }
     float* out = inverse_diagonal + 6L * kSlice * s;
@@ -147,15 +77,14 @@ void update(const float* inverse_diagonal, int begin, int end, double alpha, con
       Lanes r[3], d[6];
       for (int i = 0; i < 3; ++i) {
         const long at = first + kSlice * i;
-        store(v.x + at, load(v.x + at) + alpha * load(v.p + at));
-        r[i] = load(v.r + at) - alpha * load(v.Ap + at);
+        r[i] = load(v.r + at) - alpha * loadAsDoubles(v.Ap + at);
         store(v.r + at, r[i]);
       }
       for (int c = 0; c < 6; ++c) d[c] = loadAsDoubles(D + kSlice * c);
       const Lanes z[3] = {d[0] * r[0] + d[1] * r[1] + d[3] * r[2],
                           d[1] * r[0] + d[2] * r[1] + d[4] * r[2],
                           d[3] * r[0] + d[4] * r[1] + d[5] * r[2]};
-      for (int i = 0; i < 3; ++i) store(v.z + first + kSlice * i, z[i]);
+      for (int i = 0; i < 3; ++i) storeAsFloats(v.z + first + kSlice * i, z[i]);
       rz_sum.add(lane, r[0] * z[0] + r[1] * z[1] + r[2] * z[2]);
       rr_sum.add(lane, r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
     }
@@ -164,17 +93,29 @@ void update(const float* inverse_diagonal, int begin, int end, double alpha, con
   *rr = rr_sum.total();
 }
 
-void direct(int begin, int end, double beta, const PcgVectors& v) {
-  for (long k = 3L * kSlice * begin; k < 3L * kSlice * end; k += kWidth) {
-    const Lanes p = load(v.z + k) + beta * load(v.p + k);
-    store(v.p + k, p);
-    storeAsFloats(v.p_single + k, p);
+void direct(int begin, int end, double alpha, double beta, const PcgVectors& v) {
+  for (int s = begin; s < end; ++s) {
+    alignas(64) float rounded[3 * kSlice];
+    for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
+      const long at = 3L * kSlice * s + lane;
+      const Lanes last = load(v.p + at);
+      const Lanes p = loadAsDoubles(v.z + at) + beta * last;
+      store(v.x + at, load(v.x + at) + alpha * last);
+      store(v.p + at, p);
+      storeAsFloats(rounded + lane, p);
+    }
+    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
+      FloatLanes p[3];
+      for (int i = 0; i < 3; ++i) p[i] = load(rounded + kSlice * i + lane);
+      storeNodes(p, v.p_nodes + kNodeStride * (static_cast<long>(kSlice) * s + lane));
+    }
   }
 }
 
 }  // namespace
 
 extern const PcgKernels kPcgKernels;
-const PcgKernels kPcgKernels{pack, volumes, apply, invert, update, direct};
+const PcgKernels kPcgKernels{
+    pack, multiply, multiplyWithVolumes, changeOthers, addVolumes, invert, update, direct};
 
 }  // namespace palpate::solver::PALPATE_ISA

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <numeric>
+
+#include "pcg_matrix.h"
+
+namespace palpate::solver {
+
+// c = M c.
+void PcgMatrix::applyMetric() {
+  changes_.resize(pressures_.count());
+  for (int p = 0; p < pressures_.count(); ++p) changes_[p] = c_[pressures_.position(p)];
+  metric_->apply(changes_, &metric_times_changes_);
+  for (int p = 0; p < pressures_.count(); ++p) {
+    c_[pressures_.position(p)] = static_cast<float>(factor_ * metric_times_changes_[p]);
+  }
+}
+
+// Ap = K p and c = M B p of one thread's chunks, and right behind it, as soon as all c that a chunk
+// reaches are there, Ap += B^T c. Both arrays are then read in one go, from one end to the other.
+void PcgMatrix::sweep(const PcgVolumes& B, int first, int last, const PcgVectors& v) {
+  const int slices = nodes_.numSlices();
+  for (int k = 0, next = 0; k < last - first; ++k) {
+    const int now = chunks_.at(k, first, last);
+    Chunks::slicesOf(now, slices, [&](int begin, int end) {
+      kernels_.multiplyWithVolumes(rows_.rows(), B, begin, end, v);
+    });
+    for (; next <= k; ++next) {
+      const int chunk = chunks_.at(next, first, last);
+      const Reach& reach = reach_[chunk];
+      const bool own = reach.first >= first && reach.last < last;
+      added_[chunk] = own && !reach.others && !metric_ ? 1 : 0;
+      if (added_[chunk] == 0) continue;
+      if (chunks_.backwards() ? reach.first < now : reach.last > now) break;
+      Chunks::slicesOf(chunk, slices, [&](int begin, int end) {
+        partial_[chunk] = kernels_.addVolumes(B, begin, end, v);
+      });
+    }
+  }
+}
+
+double PcgMatrix::applyWithVolumes(const PcgVectors& v) {
+  const PcgVolumes B = volumes(metric_ ? nullptr : weights_.data());
+  chunks_.forParts(nodes_.numSlices(), [&](int first, int last) { sweep(B, first, last, v); });
+  chunks_.forAll(pressures_.others().numSlices(), [&](int, int begin, int end) {
+    kernels_.changeOthers(B, pressures_.othersBegin(), begin, end, v);
+  });
+  if (metric_) applyMetric();
+  if (std::find(added_.begin(), added_.end(), 0) != added_.end()) {
+    chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
+      if (added_[chunk] == 0) partial_[chunk] = kernels_.addVolumes(B, begin, end, v);
+    });
+  }
+  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
+}
+
+double PcgMatrix::apply(const PcgVectors& v) {
+  chunks_.turn();
+  if (pressures_.count() > 0) return applyWithVolumes(v);
+  chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
+    partial_[chunk] = kernels_.multiply(rows_.rows(), begin, end, v);
+  });
+  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
+}
+
+void PcgMatrix::update(double alpha, const PcgVectors& v, double* rz, double* rr) {
+  chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
+    kernels_.update(inverse_diagonal_.data(), begin, end, alpha, v, &partial_[chunk],
+                    &partial_2_[chunk]);
+  });
+  *rz = std::accumulate(partial_.begin(), partial_.end(), 0.0);
+  *rr = std::accumulate(partial_2_.begin(), partial_2_.end(), 0.0);
+}
+
+void PcgMatrix::direct(double alpha, double beta, const PcgVectors& v) {
+  chunks_.forAll(nodes_.numSlices(),
+                 [&](int, int begin, int end) { kernels_.direct(begin, end, alpha, beta, v); });
+}
+
+}  // namespace palpate::solver
