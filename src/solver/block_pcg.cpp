@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pcg_matrix.h"
 
@@ -67,11 +68,15 @@ struct BlockPcg::Impl {
   AlignedVector<float> z, Ap, p_nodes;
   PcgVectors v{};
   Points residual, Ax;
+  const std::vector<int>* changed = nullptr;  // of the next matrix
+  bool current = false;                       // the last matrix is packed
 };
 
 BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa)
     : impl_(std::make_unique<Impl>(max_iterations, pool, isa)) {}
 BlockPcg::~BlockPcg() = default;
+
+void BlockPcg::onlyChanged(const std::vector<int>& slots) { impl_->changed = &slots; }
 
 LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) {
@@ -79,8 +84,12 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
   LinearReport report;
   x->setZero(3, b.cols());
   const double target = relative_tolerance * b.norm();
+  const std::vector<int>* changed = std::exchange(s.changed, nullptr);
+  if (!std::exchange(s.current, false)) changed = nullptr;
   if (!std::isfinite(target)) return {SolveStatus::kNonFinite, 0};
-  if (!s.matrix.assign(A)) return {SolveStatus::kNotPositiveDefinite, 0};
+  const bool definite = s.matrix.assign(A, changed);
+  s.current = true;
+  if (!definite) return {SolveStatus::kNotPositiveDefinite, 0};
   report.status = s.iterate(*this, b, target, &report.iterations);
   s.forSolution([&](int i, const Vec3& x_i) { x->col(i) = x_i; });
   if (relative_tolerance >= kSinglePrecision) return report;

@@ -37,6 +37,7 @@ void PcgMatrix::takeRows(const fem::Stiffness& A) {
     }
   }
   rows_ = SlicedRows(rows, {9, A.hasVolume() ? 3 : 0}, nodes_);
+  place_ = rows_.places(static_cast<std::size_t>(K.numBlocks()), 9);
 }
 
 void PcgMatrix::takeVolumes(const fem::BlockMatrix& K,
@@ -106,8 +107,18 @@ bool PcgMatrix::invertDiagonal(const fem::Stiffness& A) {
   return std::find(partial_.begin(), partial_.end(), 0.0) == partial_.end();
 }
 
-bool PcgMatrix::assign(const fem::Stiffness& A) {
+void PcgMatrix::pack(const fem::BlockMatrix& K, const std::vector<int>& changed) {
+  const auto take = [&](int slot) { rows_.assignAt(place_[slot], K.block(slot).data()); };
+  for (int i = 0; i < K.numNodes(); ++i) take(K.diagonal(i));
+  for (int slot : changed) take(slot);
+}
+
+bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
+  if (changed) {
+    pack(A.blocks(), *changed);
+    return invertDiagonal(A);
+  }
   const double* values = A.blocks().values();
   chunks_.forAll(nodes_.numSlices(),
                  [&](int, int begin, int end) { rows_.assign(0, begin, end, values, kernels_); });

@@ -19,9 +19,10 @@ class PcgMatrix {
  public:
   PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), chunks_(pool) {}
 
-  /// Takes the values of A, and at the first call its pattern. False: a diagonal block is not
-  /// positive definite.
-  bool assign(const fem::Stiffness& A);
+  /// Takes the values of A, and at the first call its pattern. `changed`: slots off the diagonal
+  /// that alone, with those on it, differ from what was taken last; null: all may. False: a
+  /// diagonal block is not positive definite.
+  bool assign(const fem::Stiffness& A, const std::vector<int>* changed = nullptr);
 
   /// Where the kernels' vectors have the nodes.
   const SliceOrder& nodes() const { return nodes_; }
@@ -44,6 +45,7 @@ class PcgMatrix {
   void takeRows(const fem::Stiffness& A);
   void takeVolumes(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
   void takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns);
+  void pack(const fem::BlockMatrix& K, const std::vector<int>& changed);
   void packVolumes(const fem::VolumeStiffness& volume);
   bool invertDiagonal(const fem::Stiffness& A);
   PcgVolumes volumes(const float* weights);
@@ -58,6 +60,7 @@ class PcgMatrix {
   PressurePlaces pressures_;
   SlicedRows rows_, others_, columns_;     // of K, of B (those not in rows_), of B^T
   std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
+  std::vector<int> place_;                 // in rows_, of each slot
   AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
   AlignedVector<float> weights_, c_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it

@@ -48,4 +48,14 @@ SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, std::array<i
   values_.assign(static_cast<std::size_t>(count_[0] + count_[1]) * source_.size(), 0.0F);
 }
 
+std::vector<int> SlicedRows::places(std::size_t count, int stride) const {
+  std::vector<int> places(count, -1);
+  for (std::size_t k = 0; k < from_[0].size(); ++k) {
+    if (from_[0][k] < 0) continue;
+    const std::size_t entry = k / kSlice * (count_[0] + count_[1]);
+    places[from_[0][k] / stride] = static_cast<int>(kSlice * entry + k % kSlice);
+  }
+  return places;
+}
+
 }  // namespace palpate::solver

@@ -53,6 +53,12 @@ class SlicedRows {
                         from_[part].data()};
     kernels.pack(start_.data(), taken, begin, end, values, values_.data());
   }
+  /// Where the first part of each entry is, by where its values come from over `stride`.
+  std::vector<int> places(std::size_t count, int stride) const;
+  /// Takes the values of the first part of the entry at one of these places.
+  void assignAt(int place, const double* values) {
+    for (int c = 0; c < count_[0]; ++c) values_[place + kSlice * c] = static_cast<float>(values[c]);
+  }
   PcgRows rows() const { return {start_.data(), source_.data(), values_.data()}; }
 
  private:
