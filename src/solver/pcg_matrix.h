@@ -24,6 +24,9 @@ class PcgMatrix {
   /// diagonal block is not positive definite.
   bool assign(const fem::Stiffness& A, const std::vector<int>* changed = nullptr);
 
+  /// Of the matrix, all of which a product reads.
+  std::size_t bytes() const { return rows_.bytes() + others_.bytes() + columns_.bytes(); }
+
   /// Where the kernels' vectors have the nodes.
   const SliceOrder& nodes() const { return nodes_; }
 

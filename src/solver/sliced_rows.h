@@ -59,6 +59,10 @@ class SlicedRows {
   void assignAt(int place, const double* values) {
     for (int c = 0; c < count_[0]; ++c) values_[place + kSlice * c] = static_cast<float>(values[c]);
   }
+  /// Of values and where they are multiplied.
+  std::size_t bytes() const {
+    return sizeof(float) * values_.size() + sizeof(int) * source_.size();
+  }
   PcgRows rows() const { return {start_.data(), source_.data(), values_.data()}; }
 
  private:

@@ -77,6 +77,7 @@ def run(context):
 
 
 TEXT = """The parts of a step one by one (`palpate_micro`, fastest of three): elasticity by element and law,
-matrix times vector (`multiply`) beside a loop that only reads as many bytes (`read`), linear solves of
+matrix times vector (`multiply`, and `product` as conjugate gradients do it, in single precision) beside a
+loop that only reads as many bytes (`read`, `read_as_product`), linear solves of
 a step of 10 ms, contact with a ball in a cube's top, and the hand-over of a loop to the threads. Laws
 other than the neo-Hookean ones show what the generic path costs."""
