@@ -42,8 +42,9 @@ if $sanitize; then
 fi
 export BUILD_DIR=${BUILD_DIR:-build}
 
-passed=0 failed=0 skipped=0 failures=()
+passed=0 failed=0 skipped=0 failures=() said=()
 finish() {
+  if [ ${#said[@]} -gt 0 ]; then printf '\n%s\n' "${said[@]}"; fi
   if [ ${#failures[@]} -gt 0 ]; then printf '\nFailed:\n'; printf '  %s\n' "${failures[@]}"; fi
   echo
   if [ "$skipped" -gt 0 ]; then
@@ -54,17 +55,20 @@ finish() {
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }
 
-# check NAME COMMAND ...: counts as one test.
+# check NAME COMMAND ...: counts as one test. What a failed one said stands at the end once more.
 check() {
-  local name=$1
+  local name=$1 log
   shift
   echo "== $name"
-  if "$@"; then
+  log=$(mktemp)
+  if "$@" 2>&1 | tee "$log"; then
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
     failures+=("$name")
+    said+=("== $name"$'\n'"$(tail -n 40 "$log")")
   fi
+  rm -f "$log"
 }
 
 # run_ctest ARGUMENT ...: counts what ctest says about each test.

@@ -57,8 +57,8 @@ struct TetKernels {
   /// += element matrices into the blocks above the diagonal, += V/4 dJ/dx into `rows`.
   void (*hessian)(const TetArrays&, const TetRun&, const double* x, const double* pressure,
                   double* blocks, double* rows);
-  /// A row of blocks: `lower` of them as the transposed of upper[9 index], minus the sum's symmetric
-  /// part, `higher` of them as they are.
+  /// A row of blocks: `lower` of them as the transposed of upper[9 index], minus the sum's
+  /// symmetric part, `higher` of them as they are.
   void (*expand)(const int* index, int lower, int higher, const double* upper, double* row);
 };
 
