@@ -17,17 +17,17 @@ inline double triangularSolveSeconds(double nonzeros) { return 2.0 * 8.0 * nonze
 
 /// Energy and its gradient, of linear tetrahedra; `averaged`: with nodal volumes.
 inline double gradientSeconds(double tets, bool averaged) {
-  return (averaged ? 22.0e-9 : 15.0e-9) * tets;
+  return (averaged ? 21.0e-9 : 13.5e-9) * tets;
 }
 /// Gradient and tangent matrix.
 inline double tangentSeconds(double tets, bool averaged) {
-  return (averaged ? 100.0e-9 : 65.0e-9) * tets;
+  return (averaged ? 90.0e-9 : 62.0e-9) * tets;
 }
 /// Of the matrix for BlockPcg.
-inline double packingSeconds(double tets) { return 15.0e-9 * tets; }
+inline double packingSeconds(double tets) { return 10.0e-9 * tets; }
 /// One iteration of BlockPcg, for 3 x 3 blocks and entries of VolumeStiffness::rows.
 inline double pcgIterationSeconds(double blocks, double volume_entries) {
-  return 2.4e-9 * blocks + 1.7e-9 * volume_entries;
+  return 1.3e-9 * blocks + 1.3e-9 * volume_entries;
 }
 
 }  // namespace palpate::solver
