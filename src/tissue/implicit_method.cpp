@@ -86,6 +86,7 @@ void ImplicitMethod::startFromPredictor(double s, double h) {
   body_.sweep.place(s);
   const double value_here = valueHere();
   integrator_.extrapolate(h, &way_);
+  way_ = way_.cwiseProduct(body_.free);  // held components: only rounding, which would grow
   predicted_ = body_.x + potential_.maxStep(body_.x, way_) * way_;
   // Of all that is computed here most is kept for the first iteration, which begins at one of both.
   const double value_there = potential_.gradient(predicted_, &gradient_there_);
