@@ -15,6 +15,9 @@
 namespace palpate::fem {
 namespace {
 
+// Tetrahedra: packed ones are so quick that waking a thread for fewer costs more than it gains.
+constexpr int kWorthThreads = 8000;
+
 std::vector<int> fill(std::vector<int> solid_of, Eigen::Index num_elements) {
   solid_of.resize(static_cast<std::size_t>(num_elements), 0);
   return solid_of;
@@ -49,7 +52,8 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
       pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
     }
     packed_ = PackedTetrahedra::make(mesh, shape_, composition, element_kappa_, pressure_.get(),
-                                     scatter_.pattern(), pool);
+                                     scatter_.pattern(),
+                                     mesh.numTets() >= kWorthThreads ? pool : nullptr);
   }
   if (!packed_) allocate();
 }
