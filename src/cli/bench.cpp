@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -40,8 +41,13 @@ class WorkFolder {
       path_ = makeFolder(wanted).string();
       return;
     }
-    path_ = (std::filesystem::temp_directory_path() / "palpate_bench_XXXXXX").string();
-    if (!mkdtemp(&path_[0])) throw std::runtime_error("no temporary folder");
+    std::error_code none;
+    path_ = (std::filesystem::temp_directory_path(none) / "palpate_bench_XXXXXX").string();
+    if (none || !mkdtemp(&path_[0])) {
+      const char* folder = std::getenv("TMPDIR");
+      throw InputError("environment", "TMPDIR", folder ? folder : "",
+                       "must be a folder that can be written to, or give --out");
+    }
     temporary_ = true;
   }
   ~WorkFolder() {

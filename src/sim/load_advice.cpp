@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCoarsest = 3.0;         // times the edges: beyond it is another organ
 constexpr double kUsualPoisson = 0.45;    // at which the iterations are few
+constexpr int kWorthThreads = 4000;       // nodes: on a liver of half as many it gained 15 % only
 constexpr double kThreadShare = 0.6;      // of the time of shared loops, with two threads
 constexpr double kSmallestChange = 0.95;  // of the cycle: advice that gains less is noise
 constexpr std::size_t kMostAdvice = 5;
@@ -118,6 +119,7 @@ class Adviser {
 
   void addThread() {
     if (facts_.threads >= facts_.cores || facts_.threads > 1) return;
+    if (facts_.nodes < kWorthThreads) return;
     const double shared = part(Phase::kForces) + part(Phase::kAssembly) + part(Phase::kLineSearch) +
                           (iterative() ? part(Phase::kLinearSolve) : 0.0);
     add("solver.threads: 2, if the second core has nothing else to do",

@@ -108,6 +108,12 @@ TEST_F(BenchCommand, BadOptionsAreBadInput) {
   EXPECT_EQ(runCli(kCube + std::string("--edge-length 0.01")).status, 2);
 }
 
+TEST_F(BenchCommand, SaysWhereItCannotPutItsFiles) {
+  const test::CliResult result = runCli(kCube, "TMPDIR=/nowhere");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(contains(result.err, "TMPDIR = /nowhere")) << result.err;
+}
+
 TEST_F(BenchCommand, SmallRunsEverySceneThatIsABox) {
   const test::CliResult result = runCli("bench --small");
   EXPECT_EQ(result.status, 0) << result.err;

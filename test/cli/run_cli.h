@@ -15,10 +15,10 @@ struct CliResult {
   std::string out, err;
 };
 
-/// Runs `palpate ARGUMENTS` through the shell.
-inline CliResult runCli(const std::string& arguments) {
+/// Runs `palpate ARGUMENTS` through the shell, with NAME=VALUE settings of the environment.
+inline CliResult runCli(const std::string& arguments, const std::string& environment = "") {
   const TempFolder folder;
-  const std::string command = std::string("'") + PALPATE_CLI + "' " + arguments + " > '" +
+  const std::string command = environment + " '" + PALPATE_CLI + "' " + arguments + " > '" +
                               folder.path("out") + "' 2> '" + folder.path("err") + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileBytes(folder.path("out")),

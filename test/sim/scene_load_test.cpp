@@ -131,6 +131,9 @@ TEST(SceneLoad, AdviceFitsThePhaseThatCosts) {
   EXPECT_TRUE(advises(newton, "lower contact.stiffness from 300000000 to 75000000"));
 
   facts.cores = 2;
+  facts.nodes = 3999;  // too few to share
+  EXPECT_FALSE(advises(judgeLoad(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
+  facts.nodes = 4000;
   EXPECT_TRUE(advises(judgeLoad(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
   facts.method = "implicit_direct";
   const SceneLoad direct = judgeLoad(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
