@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace palpate {
+
+/// Collects what somebody must remember to go on later, as bytes: opaque to everybody else, equal
+/// where the memories are equal, read back by StateReader in the same order. For the machine that
+/// wrote them (byte order, size of int).
+class StateWriter {
+ public:
+  template <class T>
+  std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>> put(const T& value) {
+    append(&value, sizeof(T));
+  }
+  template <class T, int Rows, int Cols, int Options, int MaxRows, int MaxCols>
+  void put(const Eigen::Matrix<T, Rows, Cols, Options, MaxRows, MaxCols>& values) {
+    put(static_cast<std::int64_t>(values.rows()));
+    put(static_cast<std::int64_t>(values.cols()));
+    append(values.data(), sizeof(T) * static_cast<std::size_t>(values.size()));
+  }
+  void put(std::string_view bytes) {
+    put(static_cast<std::int64_t>(bytes.size()));
+    append(bytes.data(), bytes.size());
+  }
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put(static_cast<std::int64_t>(values.size()));
+    for (const T& value : values) put(value);
+  }
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    bytes_.append(static_cast<const char*>(data), size);
+  }
+  std::string bytes_;
+};
+
+/// Reads what a StateWriter wrote. Every function throws std::invalid_argument where the bytes end
+/// too early or are of another shape; nothing larger than the bytes that are left is allocated.
+class StateReader {
+ public:
+  /// `bytes` must outlive the reader.
+  explicit StateReader(std::string_view bytes) : left_(bytes) {}
+
+  template <class T>
+  std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>> get(T* value) {
+    take(value, sizeof(T));
+  }
+  template <class T, int Rows, int Cols, int Options, int MaxRows, int MaxCols>
+  void get(Eigen::Matrix<T, Rows, Cols, Options, MaxRows, MaxCols>* values) {
+    const std::int64_t rows = count(1), cols = count(1);
+    const bool fits =
+        (Rows == Eigen::Dynamic || rows == Rows) && (Cols == Eigen::Dynamic || cols == Cols) &&
+        (rows == 0 || cols <= static_cast<std::int64_t>(left_.size() / sizeof(T)) / rows);
+    if (!fits) fail();
+    values->resize(rows, cols);
+    take(values->data(), sizeof(T) * static_cast<std::size_t>(values->size()));
+  }
+  void get(std::string* bytes) {
+    const std::int64_t size = count(1);
+    bytes->assign(left_.substr(0, static_cast<std::size_t>(size)));
+    left_.remove_prefix(static_cast<std::size_t>(size));
+  }
+  template <class T>
+  void get(std::vector<T>* values) {
+    values->assign(static_cast<std::size_t>(count(1)), T());
+    for (T& value : *values) get(&value);
+  }
+  /// A number of things that take at least `least` bytes each of what is left.
+  std::int64_t count(std::int64_t least) {
+    std::int64_t number = 0;
+    get(&number);
+    if (number < 0 || number > static_cast<std::int64_t>(left_.size()) / least) fail();
+    return number;
+  }
+  /// The bytes must be read to their end.
+  void finish() const {
+    if (!left_.empty()) fail();
+  }
+
+  /// @throws std::invalid_argument: the bytes are not of who reads them.
+  [[noreturn]] static void fail() {
+    throw std::invalid_argument("the state is cut off, or not one of this scene");
+  }
+
+ private:
+  void take(void* data, std::size_t size) {
+    if (size > left_.size()) fail();
+    if (size > 0) std::memcpy(data, left_.data(), size);
+    left_.remove_prefix(size);
+  }
+  std::string_view left_;
+};
+
+}  // namespace palpate
