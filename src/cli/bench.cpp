@@ -75,7 +75,7 @@ Settings settingsFrom(const Options& options) {
   return settings;
 }
 
-double poissonRatio(const sim::Scene& scene) {
+double poissonRatio(const scene::Scene& scene) {
   const auto& constants = scene.organs[0].material.constants;
   const auto found = constants.find("poisson_ratio");
   return found == constants.end() ? 0.0 : found->second.front();

@@ -37,7 +37,7 @@ void rewind(const BenchCase& bench, sim::Simulator* simulator) {
   sim::SimulatorState state = simulator->state();
   for (std::size_t i = 0; i < state.velocities.size(); ++i) {
     state.velocities[i].colwise() = bench.start_velocity;
-    for (const sim::SupportConfig& support : bench.scene.organs[i].supports) {
+    for (const scene::SupportConfig& support : bench.scene.organs[i].supports) {
       for (int node :
            mesh::selectPoints(simulator->restPositions(static_cast<int>(i)), support.select)) {
         state.velocities[i].col(node).setZero();

@@ -49,8 +49,8 @@ void refuse(const char* scene, const char* option, const std::string& why) {
                    std::string("has no place in ") + scene + ": " + why);
 }
 
-sim::MaterialConfig gel(double young_modulus, double poisson_ratio) {
-  sim::MaterialConfig material;
+scene::MaterialConfig gel(double young_modulus, double poisson_ratio) {
+  scene::MaterialConfig material;
   material.law = "stable_neo_hookean";
   material.constants = {{"young_modulus", {young_modulus}}, {"poisson_ratio", {poisson_ratio}}};
   material.density = 1000.0;
@@ -67,12 +67,12 @@ Eigen::Vector3i cellsFor(int tets, const Eigen::Vector3i& ratio) {
 }
 
 // A box of about `tets` tetrahedra, held at z = 0.
-sim::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
-                     const BenchChoice& choice, const std::string& folder) {
+scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
+                       const BenchChoice& choice, const std::string& folder) {
   if (choice.edge_length) refuse("a box", "--edge-length", "give --tets");
   const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
   mesh::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
-  sim::OrganConfig organ;
+  scene::OrganConfig organ;
   organ.name = "body";
   organ.tetrahedra = "body.vtu";
   organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
@@ -81,13 +81,13 @@ sim::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
   return organ;
 }
 
-void addBall(const std::string& folder, sim::Scene* scene) {
+void addBall(const std::string& folder, scene::Scene* scene) {
   std::string urdf = kBall;
   urdf.replace(urdf.find("RADIUS"), 6, formatNumber(kRadius));
   io::OutputFile file(folder + "/ball.urdf");
   file.write(urdf);
   file.close();
-  sim::InstrumentConfig ball;
+  scene::InstrumentConfig ball;
   ball.name = "ball";
   ball.urdf = "ball.urdf";
   ball.control_frame = "tip";
@@ -113,7 +113,7 @@ BenchCase cube(const BenchChoice& choice, const std::string& folder) {
 
 BenchCase inclusion(const BenchChoice& choice, const std::string& folder) {
   BenchCase made = cube(choice, folder);
-  sim::RegionConfig stiff;
+  scene::RegionConfig stiff;
   stiff.name = "inclusion";
   stiff.select = mesh::SphereRegion{Vec3(0.06, 0.05, 0.07), 0.016};
   stiff.material = gel(1.0e5, choice.poisson_ratio.value_or(0.45));
@@ -123,7 +123,7 @@ BenchCase inclusion(const BenchChoice& choice, const std::string& folder) {
 
 BenchCase capsule(const BenchChoice& choice, const std::string& folder) {
   BenchCase made = cube(choice, folder);
-  sim::RegionConfig skin;
+  scene::RegionConfig skin;
   skin.name = "capsule";
   skin.select = mesh::DepthRegion{0.0, 0.006};
   skin.material = gel(1.0e5, choice.poisson_ratio.value_or(0.45));
@@ -167,8 +167,8 @@ BenchCase liverOf(double edge_length, const BenchChoice& choice) {
       throw InputError("command line", "--scene", "liver", error.what());
     }
   };
-  made.scene = sim::readScene(shipped("scenes/liver_palpation.yaml"));
-  sim::OrganConfig& organ = made.scene.organs[0];
+  made.scene = scene::readScene(shipped("scenes/liver_palpation.yaml"));
+  scene::OrganConfig& organ = made.scene.organs[0];
   organ.edge_length = choice.edge_length.value_or(edge_length);
   if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};
   organ.element = choice.element.value_or(organ.element);

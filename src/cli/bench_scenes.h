@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::cli {
 
@@ -21,7 +21,7 @@ struct BenchChoice {
 
 /// A scene in memory, ready for sim::Simulator, and what is done in it.
 struct BenchCase {
-  sim::Scene scene;
+  scene::Scene scene;
   double duration = 0.5;  ///< [s]
   /// Joint positions of instrument 0 at a time [s]; empty where there is none.
   std::function<Eigen::VectorXd(double)> joints;

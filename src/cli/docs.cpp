@@ -6,21 +6,22 @@
 #include <string>
 
 #include "commands.h"
+#include "palpate/analysis/case.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
-#include "palpate/io/case.h"
-#include "palpate/sim/scene.h"
-#include "palpate/sim/tissue_file.h"
+#include "palpate/scene/scene.h"
+#include "palpate/scene/tissue_file.h"
 
 namespace palpate::cli {
 namespace {
 
 std::string textOf(const std::string& page) {
-  if (page == "scene_format") return sim::sceneFormatMarkdown();
-  if (page == "case_format") return io::caseFormatMarkdown();
+  if (page == "scene_format") return scene::sceneFormatMarkdown();
+  if (page == "case_format") return analysis::caseFormatMarkdown();
   const std::string folder = "package://palpate/config/materials";
   try {
-    return sim::tissuesMarkdown(resolveResource(folder, std::filesystem::current_path().string()));
+    return scene::tissuesMarkdown(
+        resolveResource(folder, std::filesystem::current_path().string()));
   } catch (const std::invalid_argument& error) {
     throw InputError(folder, "", "", error.what());
   }

@@ -13,12 +13,12 @@
 
 #include "commands.h"
 #include "files.h"
+#include "palpate/advice/scene_verdict.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
 #include "palpate/io/trajectory.h"
 #include "palpate/mesh/vtu_writer.h"
 #include "palpate/sim/lockstep.h"
-#include "palpate/sim/scene_load.h"
 #include "palpate/solver/blas_speed.h"
 #include "progress_line.h"
 
@@ -55,14 +55,15 @@ void printSummary(const io::Replay& replay, std::vector<double> step_ms) {
               step_ms.back());
 }
 
-void printProfile(const sim::Simulator& simulator, const sim::LoadFigures& figures) {
+void printProfile(const sim::Simulator& simulator, const advice::CycleCosts& figures) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const sim::SceneLoad load = sim::judgeLoad(sim::sceneFacts(simulator, cores), figures);
-  std::printf("\n%s\n%s", sim::profileTable(figures).c_str(), sim::longText(load).c_str());
+  const advice::SceneVerdict load =
+      advice::judgeScene(advice::sceneFacts(simulator, cores), figures);
+  std::printf("\n%s\n%s", advice::profileTable(figures).c_str(), advice::longText(load).c_str());
 }
 
 // Where the scene's method needs a fast BLAS, or the user asks where the time goes.
-void checkBlas(const sim::Scene& scene, bool profile) {
+void checkBlas(const scene::Scene& scene, bool profile) {
   if (!profile && !solver::dependsOnBlas(scene.solver.method)) return;
   const std::string warning =
       solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
@@ -70,7 +71,7 @@ void checkBlas(const sim::Scene& scene, bool profile) {
 }
 
 int replay(const Options& options) {
-  sim::Scene scene = sim::readScene(options.scene);
+  scene::Scene scene = scene::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
   const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
   checkBlas(scene, options.profile);
@@ -86,7 +87,7 @@ int replay(const Options& options) {
   std::optional<std::filesystem::path> pictures;
   if (!options.vtu.empty()) pictures = makeFolder(options.vtu);
   std::vector<double> step_ms;
-  sim::LoadRecorder recorder;
+  advice::CostRecorder recorder;
   while (run.hasNext()) {
     const auto begin = std::chrono::steady_clock::now();
     const sim::StepReport& report = run.next().report;

@@ -7,13 +7,13 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
-#include "palpate/sim/scene_fields.h"
+#include "palpate/scene/scene_fields.h"
 
 namespace palpate::cli {
 namespace {
 
 // Walks over the fields as the scene reader does, but takes values from the command line.
-class SettingsVisitor final : public sim::FieldVisitor {
+class SettingsVisitor final : public keys::FieldVisitor {
  public:
   explicit SettingsVisitor(Settings given) : given_(std::move(given)) {}
 
@@ -21,7 +21,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
   using FieldVisitor::number;
   using FieldVisitor::vector3;
 
-  bool number(const sim::Field& field, double& value, const sim::Range& range) override {
+  bool number(const keys::Field& field, double& value, const keys::Range& range) override {
     const std::string* text = find(field);
     if (text) {
       const std::optional<double> parsed = parseNumber(*text);
@@ -34,7 +34,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
     record(field, formatNumber(value));
     return text != nullptr;
   }
-  bool integer(const sim::Field& field, int& value, const sim::Range& range) override {
+  bool integer(const keys::Field& field, int& value, const keys::Range& range) override {
     double number_value = value;
     const bool given = number(field, number_value, range);
     if (number_value != static_cast<int>(number_value)) {
@@ -43,7 +43,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
     value = static_cast<int>(number_value);
     return given;
   }
-  bool flag(const sim::Field& field, bool& value) override {
+  bool flag(const keys::Field& field, bool& value) override {
     const std::string* text = find(field);
     if (text) {
       if (*text != "true" && *text != "false") refuse(field, *text, "must be true or false");
@@ -52,14 +52,14 @@ class SettingsVisitor final : public sim::FieldVisitor {
     record(field, value ? "true" : "false");
     return text != nullptr;
   }
-  bool text(const sim::Field& field, std::string& value) override {
+  bool text(const keys::Field& field, std::string& value) override {
     const std::string* given = find(field);
     if (given) value = *given;
     record(field, value);
     return given != nullptr;
   }
-  bool name(const sim::Field& field, std::string& value) override { return text(field, value); }
-  bool choice(const sim::Field& field, std::string& value,
+  bool name(const keys::Field& field, std::string& value) override { return text(field, value); }
+  bool choice(const keys::Field& field, std::string& value,
               const std::vector<std::string>& allowed) override {
     const bool given = text(field, value);
     if (!std::count(allowed.begin(), allowed.end(), value)) {
@@ -68,14 +68,19 @@ class SettingsVisitor final : public sim::FieldVisitor {
     return given;
   }
   // No section that is walked here has fields of these kinds.
-  bool vector3(const sim::Field& field, Vec3&, const sim::Range&) override { return closed(field); }
-  bool integers3(const sim::Field& field, Eigen::Vector3i&, const sim::Range&) override {
+  bool vector3(const keys::Field& field, Vec3&, const keys::Range&) override {
     return closed(field);
   }
-  bool partialVector3(const sim::Field& field, sim::PartialVec3&, const sim::Range&) override {
+  bool integers3(const keys::Field& field, Eigen::Vector3i&, const keys::Range&) override {
     return closed(field);
   }
-  void materialConstants(const std::string&, material::Constants&) override {}
+  bool partialVector3(const keys::Field& field, keys::PartialVec3&, const keys::Range&) override {
+    return closed(field);
+  }
+  bool numbersOfKind(const std::string&, const std::vector<keys::Kind>&, const std::string&,
+                     keys::NumberLists&) override {
+    return false;
+  }
 
   void rule(bool holds, const std::string& key, const std::string& text) override {
     if (!holds && hidden_ == 0) problems_.push_back({path(key), "", text});
@@ -96,7 +101,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
   const Settings& all() const { return all_; }
 
  protected:
-  Entered enterSection(const sim::Field& field) override {
+  Entered enterSection(const keys::Field& field) override {
     const std::string below = path(field.key) + ".";
     sections_.push_back(field.key);
     const bool given = std::any_of(given_.begin(), given_.end(), [&](const auto& setting) {
@@ -104,8 +109,8 @@ class SettingsVisitor final : public sim::FieldVisitor {
     });
     return {given, true};
   }
-  int enterList(const sim::Field& field, int) override { return closed(field); }
-  bool enterItem(const sim::Field&, int) override { return false; }
+  int enterList(const keys::Field& field, int) override { return closed(field); }
+  bool enterItem(const keys::Field&, int) override { return false; }
   void leaveSection() override { sections_.pop_back(); }
   void beginAlternative(bool chosen, const std::string&) override {
     if (hidden_ > 0 || !chosen) ++hidden_;
@@ -120,7 +125,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
     for (const std::string& section : sections_) whole += section + ".";
     return whole + key;
   }
-  const std::string* find(const sim::Field& field) {
+  const std::string* find(const keys::Field& field) {
     if (hidden_ > 0) return nullptr;  // a key of another alternative
     const std::string key = path(field.key);
     known_.push_back(key);
@@ -131,13 +136,13 @@ class SettingsVisitor final : public sim::FieldVisitor {
     if (last) used_.insert(key);
     return last;
   }
-  void record(const sim::Field& field, const std::string& value) {
+  void record(const keys::Field& field, const std::string& value) {
     if (hidden_ == 0) all_.emplace_back(path(field.key), value);
   }
-  void refuse(const sim::Field& field, const std::string& value, const std::string& allowed) {
+  void refuse(const keys::Field& field, const std::string& value, const std::string& allowed) {
     problems_.push_back({path(field.key), value, allowed});
   }
-  bool closed(const sim::Field& field) {
+  bool closed(const keys::Field& field) {
     if (find(field)) refuse(field, "", "cannot be set on the command line");
     return false;
   }
@@ -149,7 +154,7 @@ class SettingsVisitor final : public sim::FieldVisitor {
   int hidden_ = 0;  // depth of alternatives that are not chosen
 };
 
-Settings walk(const Settings& settings, sim::Scene* scene) {
+Settings walk(const Settings& settings, scene::Scene* scene) {
   SettingsVisitor visitor(settings);
   visitor.section({"solver", "", ""}, scene->solver);
   visitor.section({"contact", "", ""}, scene->contact);
@@ -159,10 +164,10 @@ Settings walk(const Settings& settings, sim::Scene* scene) {
 
 }  // namespace
 
-void applySettings(const Settings& settings, sim::Scene* scene) { walk(settings, scene); }
+void applySettings(const Settings& settings, scene::Scene* scene) { walk(settings, scene); }
 
-Settings settingsOf(const sim::Scene& scene) {
-  sim::Scene copy = scene;
+Settings settingsOf(const scene::Scene& scene) {
+  scene::Scene copy = scene;
   return walk({}, &copy);
 }
 

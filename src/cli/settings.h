@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::cli {
 
@@ -16,9 +16,9 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// if the file said so.
 /// @throws InputError with all that is wrong: unknown keys (with the nearest known one), values out
 /// of range, broken rules.
-void applySettings(const Settings& settings, sim::Scene* scene);
+void applySettings(const Settings& settings, scene::Scene* scene);
 
 /// All keys of these sections that hold, with their values.
-Settings settingsOf(const sim::Scene& scene);
+Settings settingsOf(const scene::Scene& scene);
 
 }  // namespace palpate::cli

@@ -7,8 +7,9 @@
 
 #include "commands.h"
 #include "files.h"
-#include "palpate/io/case_solver.h"
+#include "palpate/analysis/case_solver.h"
 #include "palpate/io/csv_writer.h"
+#include "palpate/io/result_json.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -19,7 +20,7 @@ struct Options {
   int threads = 1;
 };
 
-void writeOutcome(const io::CaseOutcome& outcome, const std::filesystem::path& folder) {
+void writeOutcome(const analysis::CaseOutcome& outcome, const std::filesystem::path& folder) {
   io::writeResultJson((folder / "result.json").string(), outcome.result);
   mesh::writeVtu((folder / "result.vtu").string(), outcome.mesh, outcome.point_data,
                  outcome.cell_data);
@@ -34,12 +35,12 @@ void writeOutcome(const io::CaseOutcome& outcome, const std::filesystem::path& f
 
 int solve(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const io::Case problem = io::readCase(options.case_file);
+  const analysis::Case problem = analysis::readCase(options.case_file);
   const std::filesystem::path folder = makeFolder(options.out);
   ProgressLine line;
-  io::CaseOutcome outcome = io::solveCase(problem, options.threads, [&](double fraction) {
-    line.show("solving " + options.case_file, fraction);
-  });
+  analysis::CaseOutcome outcome = analysis::solveCase(
+      problem, options.threads,
+      [&](double fraction) { line.show("solving " + options.case_file, fraction); });
   line.finish();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   outcome.result.seconds = {{"total", seconds.count()}};

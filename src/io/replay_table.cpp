@@ -3,9 +3,9 @@
 
 namespace palpate::io {
 
-std::vector<std::string> replayColumns(const sim::Scene& scene) {
+std::vector<std::string> replayColumns(const scene::Scene& scene) {
   std::vector<std::string> names{"t"};
-  for (const sim::InstrumentConfig& instrument : scene.instruments) {
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
     const std::string prefix = scene.instruments.size() > 1 ? instrument.name + "/" : "";
     for (const char* part : {"fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration"}) {
       names.push_back(prefix + part);

@@ -6,11 +6,11 @@
 
 namespace palpate::io {
 
-std::string resultJson(const SolveResult& result) {
+std::string resultJson(const analysis::SolveResult& result) {
   JsonMembers seconds, energies, probes(",\n    ");
   for (const auto& [region, energy] : result.energy_by_region) energies.add(region, json(energy));
   for (const auto& [part, time] : result.seconds) seconds.add(part, json(time));
-  for (const ProbeResult& p : result.probes) {
+  for (const analysis::ProbeResult& p : result.probes) {
     JsonMembers probe;
     probe.add("displacement", p.displacement);
     probe.add("cauchy_stress", p.cauchy_stress);
@@ -38,7 +38,7 @@ std::string resultJson(const SolveResult& result) {
   return "{\n  " + all.text() + "\n}\n";
 }
 
-void writeResultJson(const std::string& file, const SolveResult& result) {
+void writeResultJson(const std::string& file, const analysis::SolveResult& result) {
   OutputFile output(file);
   output.write(resultJson(result));
   output.close();

@@ -30,7 +30,7 @@ std::string cleared(std::string message) {
 BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
     : file_(file), simulator_(simulator), reordered_(simulator.scene().rates.stale_after) {
   for (int i = 0; i < simulator.numInstruments(); ++i) {
-    const sim::InstrumentConfig& config =
+    const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
     Source source;
     if (config.input == "tf") {

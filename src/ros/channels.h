@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "node_state.h"
+#include "palpate/advice/scene_verdict.h"
 #include "palpate/base/latest_value.h"
-#include "palpate/sim/scene_load.h"
 #include "palpate/sim/simulator.h"
 #include "throttle.h"
 
@@ -50,9 +50,9 @@ struct Statistics {
   double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
   double sim_speed = 0.0;                                    ///< Simulated over real time.
-  sim::SceneLoad load;  ///< Whether the scene is too heavy; unknown while no cycle solves.
+  advice::SceneVerdict load;  ///< Whether the scene is too heavy; unknown while no cycle solves.
   long cycles = 0, unsolved = 0, resets = 0;
-  sim::SkipCounters skipped;         ///< Work that the cycles could leave out, since the start.
+  tissue::SkipCounters skipped;      ///< Work that the cycles could leave out, since the start.
   long unwatched_pictures = 0;       ///< Pictures not made because nobody subscribes.
   std::vector<std::string> missing;  ///< Inputs that never came.
   std::vector<std::string> stale;    ///< Inputs that stopped.

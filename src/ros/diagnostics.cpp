@@ -2,7 +2,7 @@
 #include "diagnostics.h"
 
 #include "palpate/base/error.h"
-#include "palpate/sim/skips.h"
+#include "palpate/tissue/skips.h"
 
 namespace palpate::node {
 
@@ -59,12 +59,12 @@ void Diagnostics::simulation(Status& status) {
   status.add("cycle max [ms]", s.cycle_max);
   status.add("costliest phase", std::string(toString(s.load.costliest)));
   status.add("its share of the slowest cycles", s.load.share);
-  status.add("advice", sim::shortText(s.load));
+  status.add("advice", advice::shortText(s.load));
   status.add("cycles", s.cycles);
   status.add("cycles not solved", s.unsolved);
   status.add("resets", s.resets);
   for (const std::string& note : notes_) status.add("note", note);
-  for (const sim::Skip& skip : sim::skips()) {
+  for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) status.add(std::string("skipped ") + skip.counter, s.skipped.*skip.count);
   }
   status.add("skipped unwatched_pictures", s.unwatched_pictures);

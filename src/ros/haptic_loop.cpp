@@ -12,7 +12,7 @@
 namespace palpate::node {
 namespace {
 
-haptics::WrenchFilterSettings filterSettings(const sim::Scene& scene) {
+haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
   haptics::WrenchFilterSettings s;
   s.max_force = scene.haptics.max_force;
   s.max_torque = scene.haptics.max_torque;
@@ -34,11 +34,11 @@ bool becomeRealtime() {
 
 }  // namespace
 
-HapticLoop::HapticLoop(ros::NodeHandle handle, const sim::Scene& scene, Channels* channels)
+HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channels* channels)
     : channels_(*channels),
       period_(seconds(1.0 / scene.rates.haptic)),
       silence_(seconds(std::max(scene.rates.stale_after, 5.0 / scene.rates.simulation))) {
-  for (const sim::InstrumentConfig& instrument : scene.instruments) {
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
     const auto advertise = [&](const char* topic) {
       return handle.advertise<geometry_msgs::WrenchStamped>(instrumentTopic(instrument.name, topic),
                                                             1);

@@ -10,7 +10,7 @@
 
 #include "channels.h"
 #include "palpate/haptics/wrench_filter.h"
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::node {
 
@@ -27,7 +27,7 @@ struct HapticStatistics {
 /// Silent until the first cycle of the simulation.
 class HapticLoop {
  public:
-  HapticLoop(ros::NodeHandle handle, const sim::Scene& scene, Channels* channels);
+  HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channels* channels);
   ~HapticLoop();
 
   void start();

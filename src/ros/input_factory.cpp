@@ -25,7 +25,7 @@ InputFactory::~InputFactory() = default;
 Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulator) {
   Inputs inputs;
   for (int i = 0; i < simulator.numInstruments(); ++i) {
-    const sim::InstrumentConfig& config =
+    const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
       if (!tf_) tf_ = std::make_unique<Tf>();
@@ -41,7 +41,7 @@ Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulato
 void broadcastBases(const sim::Simulator& simulator) {
   std::vector<geometry_msgs::TransformStamped> bases;
   for (int i = 0; i < simulator.numInstruments(); ++i) {
-    const sim::InstrumentConfig& config =
+    const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
     const std::string root = config.tf_prefix + simulator.instrument(i).linkNames().front();
     if (config.input != "joints" || root == kWorldFrame) continue;

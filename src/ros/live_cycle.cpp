@@ -24,7 +24,7 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       live_(inputs->size(), false),
       poses_(inputs->size()),
       targets_(inputs->size()),
-      scene_facts_(sim::sceneFacts(*simulator, numCores())),
+      scene_facts_(advice::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {
   if (simulator_.scene().solver.deadline <= 0.0) return;
@@ -105,7 +105,7 @@ void LiveCycle::step(Steady::time_point start) {
     poses_[i] = samples_[i].poses;
     stamp_ = std::max(stamp_, samples_[i].stamp);
   }
-  const sim::Scene& scene = simulator_.scene();
+  const scene::Scene& scene = simulator_.scene();
   deadline_ = start + seconds(scene.solver.deadline / scene.rates.simulation);
   result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
   cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
@@ -154,7 +154,7 @@ void LiveCycle::writeReport(Steady::time_point now) {
   frame.state = reported_;
   frame.stamp = stamp_;
   if (result_) frame.report = result_->report;
-  if (!facts_.stepped) frame.report.skipped = sim::SkipCounters();
+  if (!facts_.stepped) frame.report.skipped = tissue::SkipCounters();
   frame.cycle_ms = facts_.stepped ? cycle_ms_ : 0.0;
   channels_.report.write(frame);
   channels_.news.notify_one();

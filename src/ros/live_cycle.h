@@ -66,10 +66,10 @@ class LiveCycle {
   NodeState reported_ = NodeState::kWaiting;
 
   long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, unwatched_pictures_ = 0;
-  sim::SkipCounters skipped_;
+  tissue::SkipCounters skipped_;
   std::vector<double> cycle_times_;  // of this second [ms]
-  sim::LoadRecorder load_;           // likewise
-  sim::SceneFacts scene_facts_;
+  advice::CostRecorder load_;        // likewise
+  advice::SceneFacts scene_facts_;
   long window_ticks_ = 0, window_steps_ = 0;
   Steady::time_point window_start_ = Steady::now();
   Throttle idle_report_{1.0}, picture_, unwatched_, idle_picture_{1.0};

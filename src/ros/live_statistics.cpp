@@ -15,7 +15,7 @@ std::string slowAdvice(const Statistics& s) {
   std::ostringstream text;
   text << std::setprecision(3) << "the simulation reaches " << s.rate_reached << " of "
        << s.rate_wanted << " Hz (median cycle " << s.cycle_p50 << " ms), so simulated time runs at "
-       << s.sim_speed << " of real time; " << sim::shortText(s.load);
+       << s.sim_speed << " of real time; " << advice::shortText(s.load);
   return text.str();
 }
 
@@ -24,7 +24,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   const bool first = !said_anything_;  // who is missing cannot wait
   if (elapsed < 1.0 && !first) return;
   said_anything_ = true;
-  const sim::Scene& scene = simulator_.scene();
+  const scene::Scene& scene = simulator_.scene();
   Statistics s;
   s.rate_wanted = scene.rates.simulation;
   if (!first) {
@@ -35,7 +35,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.cycle_p50 = p.p50;
   s.cycle_p99 = p.p99;
   s.cycle_max = p.max;
-  s.load = sim::judgeLoad(scene_facts_, load_.figures());
+  s.load = advice::judgeScene(scene_facts_, load_.figures());
   s.cycles = steps_;
   s.unsolved = unsolved_;
   s.resets = resets_;

@@ -31,7 +31,7 @@ struct Interrupted : std::runtime_error {
 };
 
 /// Loads, and says on the way what takes so long. Meshing can take minutes the first time.
-std::unique_ptr<sim::Simulator> load(const sim::Scene& scene, Diagnostics* diagnostics) {
+std::unique_ptr<sim::Simulator> load(const scene::Scene& scene, Diagnostics* diagnostics) {
   Throttle said(1.0);
   std::string last;
   auto simulator =
@@ -50,7 +50,7 @@ std::unique_ptr<sim::Simulator> load(const sim::Scene& scene, Diagnostics* diagn
 }
 
 void sayHello(const sim::Simulator& simulator) {
-  const sim::Scene& scene = simulator.scene();
+  const scene::Scene& scene = simulator.scene();
   for (int i = 0; i < simulator.numOrgans(); ++i) {
     ROS_INFO("organ %s: %ld nodes", simulator.organName(i).c_str(),
              static_cast<long>(simulator.positions(i).cols()));
@@ -63,7 +63,7 @@ void sayHello(const sim::Simulator& simulator) {
 }
 
 /// Says so if the scene's method needs a BLAS that is faster than this one.
-std::string checkBlas(const sim::Scene& scene) {
+std::string checkBlas(const scene::Scene& scene) {
   if (!solver::dependsOnBlas(scene.solver.method)) return "";
   const std::string warning =
       solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
@@ -75,7 +75,7 @@ int run() {
   ros::NodeHandle handle, private_handle("~");
   Diagnostics diagnostics;
   const NodeParams params = readParams(private_handle);
-  const sim::Scene scene = readScene(sceneFile(params.scene), private_handle);
+  const scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
   diagnostics.loading(scene.file);
   diagnostics.setBlasWarning(checkBlas(scene));
   const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);

@@ -6,8 +6,8 @@
 
 namespace palpate::node {
 
-using sim::Field;
-using sim::Range;
+using keys::Field;
+using keys::Range;
 using XmlRpc::XmlRpcValue;
 
 namespace {
@@ -162,8 +162,11 @@ bool ParamFields::integers3(const Field& field, Eigen::Vector3i& value, const Ra
 }
 
 // These stand in lists of organs only, which parameters do not reach.
-bool ParamFields::partialVector3(const Field&, sim::PartialVec3&, const Range&) { return false; }
-void ParamFields::materialConstants(const std::string&, material::Constants&) {}
+bool ParamFields::partialVector3(const Field&, keys::PartialVec3&, const Range&) { return false; }
+bool ParamFields::numbersOfKind(const std::string&, const std::vector<keys::Kind>&,
+                                const std::string&, keys::NumberLists&) {
+  return false;
+}
 int ParamFields::enterList(const Field&, int) { return 0; }
 bool ParamFields::enterItem(const Field&, int) { return false; }
 
@@ -171,7 +174,7 @@ void ParamFields::rule(bool holds, const std::string& key, const std::string& te
   if (!holds) refuse(path(key), "", text);
 }
 
-sim::FieldVisitor::Entered ParamFields::enterSection(const Field& field) {
+keys::FieldVisitor::Entered ParamFields::enterSection(const Field& field) {
   const bool there = handle_.hasParam(path(field.key));
   open_.push_back(field.key);
   return {there, true};

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/sim/scene_fields.h"
+#include "palpate/scene/scene_fields.h"
 
 namespace palpate::node {
 
 /// Replaces fields of a scene by private parameters of the same name, checked by the same list of
 /// keys that reads the file.
-class ParamFields : public sim::FieldVisitor {
+class ParamFields : public keys::FieldVisitor {
  public:
   explicit ParamFields(const ros::NodeHandle& handle);
 
@@ -29,24 +29,26 @@ class ParamFields : public sim::FieldVisitor {
   /// @throws InputError with everything that was wrong.
   void check() const;
 
-  bool number(const sim::Field& field, double& value, const sim::Range& range) override;
-  bool integer(const sim::Field& field, int& value, const sim::Range& range) override;
-  bool flag(const sim::Field& field, bool& value) override;
-  bool text(const sim::Field& field, std::string& value) override;
-  bool name(const sim::Field& field, std::string& value) override;
-  bool choice(const sim::Field& field, std::string& value,
+  bool number(const keys::Field& field, double& value, const keys::Range& range) override;
+  bool integer(const keys::Field& field, int& value, const keys::Range& range) override;
+  bool flag(const keys::Field& field, bool& value) override;
+  bool text(const keys::Field& field, std::string& value) override;
+  bool name(const keys::Field& field, std::string& value) override;
+  bool choice(const keys::Field& field, std::string& value,
               const std::vector<std::string>& allowed) override;
-  bool vector3(const sim::Field& field, Vec3& value, const sim::Range& range) override;
-  bool integers3(const sim::Field& field, Eigen::Vector3i& value, const sim::Range& range) override;
-  bool partialVector3(const sim::Field& field, sim::PartialVec3& value,
-                      const sim::Range& range) override;
-  void materialConstants(const std::string& law, material::Constants& constants) override;
+  bool vector3(const keys::Field& field, Vec3& value, const keys::Range& range) override;
+  bool integers3(const keys::Field& field, Eigen::Vector3i& value,
+                 const keys::Range& range) override;
+  bool partialVector3(const keys::Field& field, keys::PartialVec3& value,
+                      const keys::Range& range) override;
+  bool numbersOfKind(const std::string& choice, const std::vector<keys::Kind>& kinds,
+                     const std::string& chosen, keys::NumberLists& values) override;
   void rule(bool holds, const std::string& key, const std::string& text) override;
 
  protected:
-  Entered enterSection(const sim::Field& field) override;
-  int enterList(const sim::Field& field, int min_size) override;
-  bool enterItem(const sim::Field& field, int index) override;
+  Entered enterSection(const keys::Field& field) override;
+  int enterList(const keys::Field& field, int min_size) override;
+  bool enterItem(const keys::Field& field, int index) override;
   void leaveSection() override;
   void beginAlternative(bool chosen, const std::string& condition) override;
   void endAlternative() override;
@@ -57,7 +59,7 @@ class ParamFields : public sim::FieldVisitor {
   std::string path(const std::string& key) const;
   /// Whether ~<path>/<key> is set; remembers that the key is known.
   bool given(const std::string& key, XmlRpc::XmlRpcValue* value);
-  bool toNumber(const std::string& key, XmlRpc::XmlRpcValue& value, const sim::Range& range,
+  bool toNumber(const std::string& key, XmlRpc::XmlRpcValue& value, const keys::Range& range,
                 double* number);
   void refuse(const std::string& key, const std::string& value, const std::string& allowed);
 

@@ -50,14 +50,14 @@ std::string sceneFile(const std::string& name) {
   return ros::package::getPath("palpate") + "/config/scenes/" + name + ".yaml";
 }
 
-sim::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
-  sim::Scene scene = sim::readScene(file);
+scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
+  scene::Scene scene = scene::readScene(file);
   ParamFields fields(handle);
   fields.apply("contact", scene.contact);
   fields.apply("solver", scene.solver);
   fields.apply("rates", scene.rates);
   fields.apply("haptics", scene.haptics);
-  for (sim::InstrumentConfig& instrument : scene.instruments) {
+  for (scene::InstrumentConfig& instrument : scene.instruments) {
     fields.apply("instruments/" + instrument.name, instrument);
   }
   fields.check();

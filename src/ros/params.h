@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::node {
 
@@ -27,6 +27,6 @@ std::string sceneFile(const std::string& name);
 /// Reads the scene, then lets parameters replace single keys: ~contact/..., ~solver/...,
 /// ~rates/..., ~haptics/... and ~instruments/<name>/... mean the scene's keys of that name.
 /// @throws InputError for the file, or for all parameters that are unknown or out of range.
-sim::Scene readScene(const std::string& file, const ros::NodeHandle& handle);
+scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle);
 
 }  // namespace palpate::node

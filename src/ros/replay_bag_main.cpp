@@ -48,7 +48,7 @@ void replay(const Options& options) {
   if (std::filesystem::equivalent(options.in, options.out, ignored)) {
     throw InputError(options.out, "--out", "", "must be another file than the input");
   }
-  const sim::Scene scene = sim::readScene(sceneFile(options.scene));
+  const scene::Scene scene = scene::readScene(sceneFile(options.scene));
   std::unique_ptr<sim::Simulator> simulator;
   {
     ProgressLine line;

@@ -22,7 +22,7 @@ void PartFile::finish() {
   finished_ = true;
 }
 
-ReplayBag::ReplayBag(const std::string& file, const sim::Scene& scene)
+ReplayBag::ReplayBag(const std::string& file, const scene::Scene& scene)
     : file_(file), scene_(scene) {
   try {
     bag_.open(file_.part(), rosbag::bagmode::Write);
@@ -38,7 +38,7 @@ void ReplayBag::copy(const rosbag::MessageInstance& message, const ros::Time& st
 
 void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
   for (std::size_t i = 0; i < scene_.instruments.size(); ++i) {
-    const sim::InstrumentConfig& config = scene_.instruments[i];
+    const scene::InstrumentConfig& config = scene_.instruments[i];
     const sim::InstrumentResult& r = result.instruments[i];
     bag_.write("/" + instrumentTopic(config.name, kSpatialWrench), stamp,
                toMsg(r.spatial, stamp, kWorldFrame));
@@ -61,7 +61,7 @@ TrajectoryCsv::TrajectoryCsv(const std::string& file, const sim::Simulator& simu
   const bool several = simulator.numInstruments() > 1;
   std::vector<std::string> header = {"t"};
   for (int i = 0; i < simulator.numInstruments(); ++i) {
-    const sim::InstrumentConfig& config =
+    const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
       throw InputError(file, "--trajectory", config.name,
@@ -94,7 +94,7 @@ void TrajectoryCsv::finish() {
   part_.finish();
 }
 
-ResultCsv::ResultCsv(const std::string& file, const sim::Scene& scene)
+ResultCsv::ResultCsv(const std::string& file, const scene::Scene& scene)
     : part_(file), csv_(part_.part(), io::replayColumns(scene)) {}
 
 void ResultCsv::write(double t, const sim::StepResult& result, double step_ms) {

@@ -33,14 +33,14 @@ class PartFile {
 class ReplayBag {
  public:
   /// @throws InputError if the file cannot be written.
-  ReplayBag(const std::string& file, const sim::Scene& scene);
+  ReplayBag(const std::string& file, const scene::Scene& scene);
   void copy(const rosbag::MessageInstance& message, const ros::Time& stamp);
   void write(const ros::Time& stamp, const sim::StepResult& result);
   void finish();
 
  private:
   PartFile file_;
-  const sim::Scene& scene_;
+  const scene::Scene& scene_;
   rosbag::Bag bag_;
 };
 
@@ -66,7 +66,7 @@ class TrajectoryCsv {
 class ResultCsv {
  public:
   /// @throws InputError if it cannot be written.
-  ResultCsv(const std::string& file, const sim::Scene& scene);
+  ResultCsv(const std::string& file, const scene::Scene& scene);
   void write(double t, const sim::StepResult& result, double step_ms);
   void finish();
 

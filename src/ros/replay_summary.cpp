@@ -8,8 +8,8 @@
 
 namespace palpate::node {
 
-ReplaySummary::ReplaySummary(const sim::Scene& scene) : peak_force_(scene.instruments.size()) {
-  for (const sim::InstrumentConfig& instrument : scene.instruments) {
+ReplaySummary::ReplaySummary(const scene::Scene& scene) : peak_force_(scene.instruments.size()) {
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
     names_.push_back(instrument.name);
   }
 }

@@ -12,7 +12,7 @@ namespace palpate::node {
 /// What a replay was like, as a table.
 class ReplaySummary {
  public:
-  explicit ReplaySummary(const sim::Scene& scene);
+  explicit ReplaySummary(const scene::Scene& scene);
 
   void add(const sim::StepResult& result, double cycle_ms);
   void print(std::ostream& out, double simulated, double wall, long dropped);

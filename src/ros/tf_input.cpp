@@ -6,7 +6,7 @@
 namespace palpate::node {
 
 TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer,
-                 const instrument::Instrument& instrument, const sim::InstrumentConfig& config)
+                 const instrument::Instrument& instrument, const scene::InstrumentConfig& config)
     : buffer_(std::move(buffer)), lookup_(instrument, config) {}
 
 bool TfInput::poll(InputSample* sample) {

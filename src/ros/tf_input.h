@@ -16,7 +16,7 @@ namespace palpate::node {
 class TfInput : public Input {
  public:
   TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const instrument::Instrument& instrument,
-          const sim::InstrumentConfig& config);
+          const scene::InstrumentConfig& config);
 
   bool poll(InputSample* sample) override;
   void forget() override;

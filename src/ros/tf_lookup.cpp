@@ -10,7 +10,7 @@
 
 namespace palpate::node {
 
-TfLookup::TfLookup(const instrument::Instrument& instrument, const sim::InstrumentConfig& config)
+TfLookup::TfLookup(const instrument::Instrument& instrument, const scene::InstrumentConfig& config)
     : num_links_(instrument.linkNames().size()) {
   std::vector<int> needed = {instrument.linkIndex(config.control_frame)};
   for (const instrument::CollisionBody& body : instrument.bodies()) needed.push_back(body.link);

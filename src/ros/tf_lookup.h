@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "palpate/instrument/instrument.h"
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::node {
@@ -16,7 +16,7 @@ namespace palpate::node {
 /// Finds the links of one instrument in tf: those with a collision shape and the control frame.
 class TfLookup {
  public:
-  TfLookup(const instrument::Instrument& instrument, const sim::InstrumentConfig& config);
+  TfLookup(const instrument::Instrument& instrument, const scene::InstrumentConfig& config);
 
   /// The newest poses that all needed links have at one common time, in world; the other links
   /// are set to identity. `stamp` is that time, zero if all transforms are static. Returns "" or

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::node {
 
@@ -31,7 +31,7 @@ inline std::string instrumentTopic(const std::string& instrument, const char* na
 }
 
 /// Where the joint positions of an instrument come from.
-inline std::string jointTopic(const sim::InstrumentConfig& instrument) {
+inline std::string jointTopic(const scene::InstrumentConfig& instrument) {
   return instrument.joint_topic.empty() ? instrumentTopic(instrument.name, kMeasuredJoints)
                                         : instrument.joint_topic;
 }

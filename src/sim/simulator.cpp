@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "loaded_scene.h"
 #include "palpate/contact/signed_distance.h"
-#include "palpate/sim/skips.h"
+#include "palpate/scene/loaded_scene.h"
+#include "palpate/tissue/skips.h"
 
 namespace palpate::sim {
 namespace {
@@ -35,7 +35,7 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
   report->min_jacobian = std::min(report->min_jacobian, organ.min_jacobian);
   report->kinetic_energy += organ.kinetic_energy;
   report->elastic_energy += organ.elastic_energy;
-  for (const Skip& skip : skips()) {
+  for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) report->skipped.*skip.count += skip.of(organ);
   }
   report->phases += organ.phases;
@@ -47,8 +47,8 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
 }  // namespace
 
 struct Simulator::Impl {
-  Scene scene;
-  LoadedScene loaded;
+  scene::Scene scene;
+  scene::LoadedScene loaded;
   std::vector<tissue::ToolBody> bodies;
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
@@ -57,7 +57,8 @@ struct Simulator::Impl {
   double time = 0.0;
   solver::Interrupt interrupt;
 
-  Impl(const Scene& s, const Progress& progress) : scene(s), loaded(loadScene(s, progress)) {
+  Impl(const scene::Scene& s, const Progress& progress)
+      : scene(s), loaded(scene::loadScene(s, progress)) {
     for (std::size_t i = 0; i < loaded.instruments.size(); ++i) {
       const auto& shapes = loaded.instruments[i].bodies();
       for (std::size_t b = 0; b < shapes.size(); ++b) {
@@ -124,7 +125,7 @@ struct Simulator::Impl {
   }
 };
 
-Simulator::Simulator(const Scene& scene, const Progress& progress)
+Simulator::Simulator(const scene::Scene& scene, const Progress& progress)
     : impl_(std::make_unique<Impl>(scene, progress)) {}
 Simulator::~Simulator() = default;
 
@@ -202,7 +203,7 @@ LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {
   return poses;
 }
 
-const Scene& Simulator::scene() const { return impl_->scene; }
+const scene::Scene& Simulator::scene() const { return impl_->scene; }
 const std::vector<std::string>& Simulator::warnings() const { return impl_->loaded.warnings; }
 const std::vector<std::string>& Simulator::notes() const { return impl_->loaded.notes; }
 int Simulator::numInstruments() const { return static_cast<int>(impl_->loaded.instruments.size()); }

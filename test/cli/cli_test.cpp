@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "palpate/io/case.h"
-#include "palpate/sim/scene.h"
+#include "palpate/analysis/case.h"
+#include "palpate/scene/scene.h"
 #include "run_cli.h"
 
 namespace palpate {
@@ -14,10 +14,10 @@ using test::runCli;
 TEST(Cli, DocsPrintsTheGeneratedPages) {
   const CliResult scene = runCli("docs scene_format");
   EXPECT_EQ(scene.status, 0);
-  EXPECT_EQ(scene.out, sim::sceneFormatMarkdown());
+  EXPECT_EQ(scene.out, scene::sceneFormatMarkdown());
   const CliResult solve = runCli("docs case_format");
   EXPECT_EQ(solve.status, 0);
-  EXPECT_EQ(solve.out, io::caseFormatMarkdown());
+  EXPECT_EQ(solve.out, analysis::caseFormatMarkdown());
 }
 
 TEST(Cli, HelpAndVersion) {

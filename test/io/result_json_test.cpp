@@ -11,8 +11,8 @@
 namespace palpate::io {
 namespace {
 
-SolveResult example() {
-  SolveResult result;
+analysis::SolveResult example() {
+  analysis::SolveResult result;
   result.status = "converged";
   result.load_steps = 20;
   result.newton_iterations = 80;
@@ -20,7 +20,7 @@ SolveResult example() {
   result.strain_energy = 0.25;
   result.min_jacobian = 0.9;
   result.seconds = {{"assembly", 0.5}, {"total", 1.5}};
-  ProbeResult mid, support;
+  analysis::ProbeResult mid, support;
   mid.name = "mid";
   mid.displacement = Vec3(0, 0.5, -1);
   mid.cauchy_stress = (Eigen::Matrix<double, 6, 1>() << 1, 2, 3, 4, 5, 6).finished();
@@ -49,7 +49,7 @@ TEST(ResultJson, HasTheKeysInTheirOrder) {
 }
 
 TEST(ResultJson, NumbersThatAreNoneAreNull) {
-  SolveResult result = example();
+  analysis::SolveResult result = example();
   result.residual = std::nan("");
   result.strain_energy = INFINITY;
   result.probes[0].displacement = Vec3(0, std::nan(""), 0);
@@ -62,7 +62,7 @@ TEST(ResultJson, NumbersThatAreNoneAreNull) {
 }
 
 TEST(ResultJson, TextIsEscaped) {
-  SolveResult result;
+  analysis::SolveResult result;
   result.status = "a\"b\\c\nd";
   const std::string text = resultJson(result);
   EXPECT_NE(text.find(R"("a\"b\\c\u000ad")"), std::string::npos) << text;

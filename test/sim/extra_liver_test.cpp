@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "palpate/sim/organ_loader.h"
+#include "palpate/scene/organ_loader.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::sim {
@@ -16,25 +16,25 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   const char* folder = std::getenv("PALPATE_EXTRA_DATA");
   if (!folder || !*folder)
     GTEST_SKIP() << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
-  Scene scene;
+  scene::Scene scene;
   scene.file = (std::filesystem::path(folder) / "scene.yaml").string();  // not there; for paths
   scene.gravity.setZero();
   scene.organs.resize(1);
-  OrganConfig& organ = scene.organs[0];
+  scene::OrganConfig& organ = scene.organs[0];
   organ.name = "liver";
   organ.surface = "organs/liver-smooth.obj";
   organ.scale = 0.04;
   organ.edge_length = 0.02;
   organ.material.constants = {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}};
   std::vector<std::string> warnings;
-  const Points X = loadOrganMesh(organ, scene.file, {}, &warnings).points;
+  const Points X = scene::loadOrganMesh(organ, scene.file, {}, &warnings).points;
   const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
   organ.supports = {{mesh::BoxRegion{low, Vec3(high.x(), high.y(), low.z() + 0.03)}}};
 
   Eigen::Index top;
   X.row(2).maxCoeff(&top);
   scene.instruments.resize(1);
-  InstrumentConfig& probe = scene.instruments[0];
+  scene::InstrumentConfig& probe = scene.instruments[0];
   probe.name = "probe";
   probe.urdf = std::string(PALPATE_SOURCE_DIR) + "/config/instruments/probe.urdf";
   probe.control_frame = "tip";

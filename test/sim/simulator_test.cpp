@@ -133,7 +133,7 @@ TEST(SimulatorOnSlabBy, EveryMethodSaysWhereItsTimeGoes) {
   const std::vector<Eigen::VectorXd> press = SlabScene::press();
   for (const std::string& method : tissue::methodNames()) {
     Simulator simulator(
-        readScene(slab.file("solver: {method: " + method + "}", "    element: tet4\n")));
+        scene::readScene(slab.file("solver: {method: " + method + "}", "    element: tet4\n")));
     std::vector<double> others;
     PhaseTimes sum;
     for (int k = 0; k < 80; ++k) {
@@ -152,7 +152,7 @@ TEST(SimulatorOnSlabBy, EveryMethodSaysWhereItsTimeGoes) {
 TEST_F(SimulatorOnSlab, SkipsWhatIsNotNeeded) {
   int far = 0, slept = 0;
   for (int k = 0; k < 20; ++k) {
-    const SkipCounters skipped = step(Eigen::VectorXd::Zero(6)).report.skipped;
+    const tissue::SkipCounters skipped = step(Eigen::VectorXd::Zero(6)).report.skipped;
     far += skipped.far_bodies;
     slept += skipped.sleeping_organs;
   }
@@ -163,8 +163,10 @@ TEST_F(SimulatorOnSlab, SkipsWhatIsNotNeeded) {
 // Files that a scene names, and what is wrong with them.
 TEST(SimulatorLoading, SaysWhichKeyOfTheSceneIsWrong) {
   const SlabScene slab;
-  const auto load = [](const Scene& scene) { return [scene] { Simulator simulator(scene); }; };
-  Scene scene = slab.scene();
+  const auto load = [](const scene::Scene& scene) {
+    return [scene] { Simulator simulator(scene); };
+  };
+  scene::Scene scene = slab.scene();
   scene.organs[0].supports[0].select = mesh::PlaneRegion{2, 5.0, -1.0};
   EXPECT_TRUE(test::hasProblem(test::problemsOf(load(scene)), "organs[0].supports[0].select",
                                "must select at least one node"));

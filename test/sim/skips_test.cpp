@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is left out does not change what the hand feels, is counted, and can be switched off.
-#include "palpate/sim/skips.h"
+#include "palpate/tissue/skips.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@ constexpr double kStep = 0.01;
 
 TEST(Skips, AreOnUnlessTheSceneSaysOtherwise) {
   const test::SlabScene slab;
-  const SkipConfig usual = slab.scene().solver.skip;
-  for (const Skip& skip : skips()) {
+  const scene::SkipConfig usual = slab.scene().solver.skip;
+  for (const tissue::Skip& skip : tissue::skips()) {
     if (!skip.key) continue;
     EXPECT_TRUE(usual.*skip.on) << skip.key;
-    const SkipConfig off =
+    const scene::SkipConfig off =
         slab.scene("solver: {skip: {" + std::string(skip.key) + ": false}}").solver.skip;
-    for (const Skip& other : skips()) {
+    for (const tissue::Skip& other : tissue::skips()) {
       if (!other.key) continue;
       EXPECT_EQ(off.*other.on, &other != &skip) << skip.key << " " << other.key;
     }
@@ -40,9 +40,9 @@ TEST(Skips, AreOnUnlessTheSceneSaysOtherwise) {
 TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
   const std::string message =
       test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/msg/StepReport.msg");
-  SkipCounters ones, sum;
+  tissue::SkipCounters ones, sum;
   std::int64_t total = 0;
-  for (const Skip& skip : skips()) {
+  for (const tissue::Skip& skip : tissue::skips()) {
     if (!skip.count) continue;
     EXPECT_TRUE(test::contains(message, " skipped_" + std::string(skip.counter) + " "))
         << skip.counter;
@@ -51,7 +51,7 @@ TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
   }
   sum += ones;
   sum += ones;
-  for (const Skip& skip : skips()) {
+  for (const tissue::Skip& skip : tissue::skips()) {
     if (!skip.count) continue;
     EXPECT_EQ(sum.*skip.count, 2) << skip.counter;
   }
@@ -62,11 +62,11 @@ TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
 struct Outcome {
   std::vector<Vec3> forces;
   Points positions;
-  SkipCounters skipped;
+  tissue::SkipCounters skipped;
   double seconds_per_cycle = 0.0;  // the fastest of the last ones
 };
 
-Outcome run(const Scene& scene) {
+Outcome run(const scene::Scene& scene) {
   Simulator simulator(scene);
   Outcome run;
   std::vector<Eigen::VectorXd> joints(30, Eigen::VectorXd::Zero(6));
@@ -95,11 +95,12 @@ INSTANTIATE_TEST_SUITE_P(Simulation, SkipOf,
                          [](const auto& name) { return name.param; });
 
 TEST_P(SkipOf, ChangesNothingThatIsFelt) {
-  const auto skip = std::find_if(skips().begin(), skips().end(),
-                                 [](const Skip& s) { return s.key && GetParam() == s.key; });
-  ASSERT_NE(skip, skips().end());
+  const auto skip =
+      std::find_if(tissue::skips().begin(), tissue::skips().end(),
+                   [](const tissue::Skip& s) { return s.key && GetParam() == s.key; });
+  ASSERT_NE(skip, tissue::skips().end());
   const test::SlabScene slab;
-  Scene scene = slab.scene();
+  scene::Scene scene = slab.scene();
   const Outcome on = run(scene);
   scene.solver.skip.*skip->on = false;
   const Outcome off = run(scene);
@@ -125,7 +126,7 @@ TEST(Skips, AnOrganOfTwoPartsIsSolvedPartByPart) {
   two.tets.conservativeResize(4, 2 * m);
   two.tets.rightCols(m) = two.tets.leftCols(m).array() + static_cast<int>(n);
   mesh::writeVtu(slab.folder().path("slab.vtu"), two, {}, {});
-  Scene scene = slab.scene();
+  scene::Scene scene = slab.scene();
   const Outcome on = run(scene);
   scene.solver.skip.islands = false;
   const Outcome off = run(scene);
@@ -138,7 +139,7 @@ TEST(Skips, AnOrganOfTwoPartsIsSolvedPartByPart) {
 
 TEST(Skips, ARestingSceneCostsNextToNothing) {
   const test::SlabScene slab;
-  Scene scene = slab.scene();
+  scene::Scene scene = slab.scene();
   const double asleep = run(scene).seconds_per_cycle;
   scene.solver.skip.sleeping = false;
   const double awake = run(scene).seconds_per_cycle;

@@ -40,7 +40,7 @@ instruments:
     control_frame: tip
 )" + extra);
   }
-  sim::Scene scene(const std::string& extra = "") const { return sim::readScene(file(extra)); }
+  scene::Scene scene(const std::string& extra = "") const { return scene::readScene(file(extra)); }
 
   /// Down 10 mm into the slab, aside and up, at 100 Hz for 1.5 s: joints x y z roll pitch yaw.
   static std::vector<Eigen::VectorXd> press() {

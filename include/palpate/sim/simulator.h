@@ -10,7 +10,7 @@
 #include "palpate/base/types.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/sim/scene.h"
+#include "palpate/scene/scene.h"
 #include "palpate/sim/step_report.h"
 #include "palpate/solver/interrupt.h"
 
@@ -64,12 +64,12 @@ using Progress = std::function<void(const std::string& what, double fraction)>;
 class Simulator {
  public:
   /// @throws InputError for anything wrong in a file that the scene names.
-  explicit Simulator(const Scene& scene, const Progress& progress = {});
+  explicit Simulator(const scene::Scene& scene, const Progress& progress = {});
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  const Scene& scene() const;
+  const scene::Scene& scene() const;
   const std::vector<std::string>& warnings() const;  ///< Of loading: repairs, missing visuals ...
   const std::vector<std::string>& notes() const;  ///< What loading decided: the method for `auto`.
 

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-
 #include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/solver/status.h"
+#include "palpate/tissue/skips.h"
 
 namespace palpate::sim {
-
-/// Work that a cycle did not do because the scene did not need it.
-struct SkipCounters {
-  std::int64_t far_bodies = 0;  ///< Tool shapes that cannot touch in this cycle: no contact search.
-  std::int64_t sleeping_organs = 0;   ///< At rest and untouched: no solve.
-  std::int64_t sleeping_islands = 0;  ///< Parts of organs, likewise.
-  std::int64_t satisfied_solves =
-      0;  ///< The predictor was already within tolerance: no Newton iteration.
-  std::int64_t distant_samples =
-      0;  ///< Surface points, times near tool shapes, that were out of reach.
-  std::int64_t inactive_samples =
-      0;  ///< Those within reach that did not touch at the end: no derivative.
-  std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
-  std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
-
-  /// Of the pieces of work: shapes, organs, solves. See sim/skips.h.
-  std::int64_t total() const;
-  SkipCounters& operator+=(const SkipCounters& other);
-};
 
 /// What one cycle did. Sums over organs where several are in the scene, maxima where said.
 struct StepReport {
@@ -46,7 +26,7 @@ struct StepReport {
   double min_jacobian = 1.0;    ///< Smallest det F of any element.
   double kinetic_energy = 0.0;  ///< [J]
   double elastic_energy = 0.0;  ///< Of viscous organs the potential of the last step [J].
-  SkipCounters skipped;
+  tissue::SkipCounters skipped;
   PhaseTimes phases;  ///< Wall time; the one part that differs between equal runs.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }

@@ -4,7 +4,7 @@
 namespace palpate::tissue {
 
 /// Work that is left out where a scene does not need it. False: it is done all the same, to see
-/// that the answer stays and what it costs. What each means and counts stands in sim/skips.h.
+/// that the answer stays and what it costs. What each means and counts stands in tissue/skips.h.
 struct SkipSwitches {
   bool sleeping = true;
   bool islands = true;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/keys/fields.h"
+#include "palpate/mesh/selection.h"
+#include "palpate/scene/scene.h"
+#include "palpate/solver/integrator.h"
+
+namespace palpate::analysis {
+
+// The case file of `palpate solve` as plain data. Member initialisers are the only defaults;
+// case.cpp lists every key once, with unit, range and meaning.
+
+struct BoxMesh {
+  Vec3 size = Vec3::Ones();                         ///< [m], from the origin.
+  Eigen::Vector3i cells = Eigen::Vector3i::Ones();  ///< Per axis.
+};
+
+/// Exactly one of `file` and `box`.
+struct CaseMesh {
+  std::string file;  ///< Relative paths start from the case's folder.
+  std::optional<BoxMesh> box;
+  double scale = 1.0;  ///< Unit of file or box to metre.
+};
+
+/// By `angle` about the line through `origin` along `axis`.
+struct Rotation {
+  Vec3 axis = Vec3::UnitZ();   ///< Not zero; of any length.
+  Vec3 origin = Vec3::Zero();  ///< [m]
+  double angle = 0.0;          ///< [rad]
+};
+
+/// What is prescribed at the selected nodes. Displacements: x = R (X - o) + o + d, and a component
+/// of d that is not there is free; no displacement with a rotation means d = 0. Tractions and
+/// pressures act on the boundary faces whose corners are all selected.
+struct BoundaryCondition {
+  mesh::Region select;
+  std::optional<keys::PartialVec3> displacement;  ///< [m]
+  std::optional<Rotation> rotation;
+  std::optional<Vec3> traction;    ///< [Pa], dead load on the reference area.
+  std::optional<double> pressure;  ///< [Pa], follower, positive pushes inward.
+
+  bool holds() const { return displacement || rotation; }
+};
+
+struct StaticAnalysis {
+  int load_steps = 1;
+  double tolerance = 1.0e-9;  ///< Newton: residual over the forces' scale.
+  int max_newton_iterations = 50;
+};
+
+struct DynamicAnalysis {
+  std::string integrator = scene::SolverConfig().integrator;
+  std::string method = "implicit_pcg";
+  double dt = scene::SolverConfig().step;  ///< [s]
+  double duration = 0.0;                   ///< [s]
+  std::optional<double> ramp_time;  ///< In which what is prescribed grows [s]; else duration.
+  solver::RayleighDamping damping;
+  double tolerance = scene::SolverConfig().tolerance;
+  int max_newton_iterations = scene::SolverConfig().max_newton_iterations;
+  double linear_tolerance = scene::SolverConfig().linear_tolerance;
+};
+
+/// Displacement and stress at a point, or the sum over a region of a quantity.
+struct Probe {
+  std::string name;
+  std::optional<Vec3> point;           ///< [m], in the reference shape.
+  std::optional<mesh::Region> select;  ///< With `quantity`.
+  std::string quantity;                ///< "reaction": force and moment about the origin that the
+                                       ///< support exerts on the body.
+};
+
+/// The body's own frame is the mesh file's, after scaling.
+struct Case : scene::BodyConfig {
+  std::string file;  ///< Where it was read.
+  CaseMesh mesh;
+  std::string element = "anp";
+  std::vector<BoundaryCondition> boundary;
+  Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
+  std::variant<StaticAnalysis, DynamicAnalysis> analysis;
+  std::vector<Probe> probes;
+};
+
+/// How a step of a dynamic case may be solved; the first is the default.
+std::vector<std::string> methodNames();
+/// What a probe with a selection may ask for.
+std::vector<std::string> quantityNames();
+
+/// Reads and checks a case file (not the mesh that it names).
+/// @throws InputError with all problems of the file.
+Case readCase(const std::string& file);
+
+/// docs/case_format.md, from the list of keys.
+std::string caseFormatMarkdown();
+
+}  // namespace palpate::analysis

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/mesh/selection.h"
+#include "palpate/scene/body_config.h"
+#include "palpate/solver/integrator.h"
+#include "palpate/tissue/skip_switches.h"
+
+namespace palpate::scene {
+
+// The scene file as plain data. Member initialisers are the only defaults; scene_fields.cpp lists
+// every key once, with unit, range and meaning, for the reader, the checks and the documentation.
+
+struct PoseConfig {
+  Vec3 position = Vec3::Zero();        ///< [m]
+  Vec3 roll_pitch_yaw = Vec3::Zero();  ///< [rad], about fixed x, y, z
+
+  Pose pose() const { return poseFromXyzRpy(position, roll_pitch_yaw); }
+};
+
+struct SupportConfig {
+  mesh::Region select;  ///< In the organ's own frame, after scaling.
+};
+
+/// The body's own frame is the organ's, after scaling.
+struct OrganConfig : BodyConfig {
+  std::string name;
+  std::string surface;        ///< Surface file, or
+  std::string tetrahedra;     ///< tetrahedra file: exactly one of the two.
+  double scale = 1.0;         ///< File unit to metre.
+  double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
+  PoseConfig pose;            ///< Organ to world.
+  std::string element = "anp";
+  solver::RayleighDamping damping;
+  std::vector<SupportConfig> supports;
+};
+
+struct InstrumentConfig {
+  std::string name;
+  std::string urdf;
+  PoseConfig base;               ///< The URDF's root link in world (used with joint input).
+  std::string input = "joints";  ///< joints | tf
+  std::string joint_topic;       ///< Empty: <name>/measured_js.
+  std::string tf_prefix;         ///< Put before link names when looking up tf frames.
+  std::string control_frame;     ///< Link where the wrench is given.
+  bool cylinder_as_capsule = true;
+};
+
+struct ContactConfig {
+  double stiffness = 3.0e8;     ///< Penalty pressure per penetration [Pa/m].
+  double smoothing = 1.0e-4;    ///< Width of the blend between no contact and linear [m].
+  double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
+                                ///< the inscribed radius of the thinnest tool shape.
+};
+
+struct SkipConfig : tissue::SkipSwitches {
+  bool unwatched_markers = true;
+};
+
+struct SolverConfig {
+  std::string method = "implicit_pcg";
+  std::string integrator = "backward_euler";
+  double step = 0.01;                  ///< Fixed step when live, longest step in a replay [s].
+  double tolerance = 1.0e-4;           ///< Newton: residual over the forces' scale.
+  double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
+  int max_newton_iterations = 20;
+  double linear_tolerance = 1.0e-1;
+  int max_linear_iterations = 500;
+  int threads = 1;
+  double deadline = 0.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
+  SkipConfig skip;
+};
+
+struct RatesConfig {
+  double simulation = 100.0;  ///< At most [Hz].
+  double haptic = 1000.0;     ///< [Hz]
+  double markers = 30.0;      ///< At most [Hz].
+  double stale_after = 0.2;   ///< Input older than this pauses [s].
+  double ramp = 0.1;          ///< Time for the wrench to come or go fully [s].
+};
+
+struct HapticsConfig {
+  double max_force = 20.0;       ///< [N]
+  double max_torque = 2.0;       ///< [N m]
+  double max_force_rate = 2000;  ///< [N/s]
+};
+
+struct Scene {
+  std::string file;  ///< Where it was read; relative paths in it start from its folder.
+  std::string name;
+  Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< [m/s^2], world.
+  std::vector<OrganConfig> organs;
+  std::vector<InstrumentConfig> instruments;
+  ContactConfig contact;
+  SolverConfig solver;
+  RatesConfig rates;
+  HapticsConfig haptics;
+};
+
+/// Reads and checks a scene file (not the files it names).
+/// @throws InputError with all problems of the file.
+Scene readScene(const std::string& file);
+
+/// docs/scene_format.md, from the list of keys.
+std::string sceneFormatMarkdown();
+
+}  // namespace palpate::scene

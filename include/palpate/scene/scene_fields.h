@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/keys/fields.h"
+#include "palpate/scene/body_fields.h"
+#include "palpate/scene/scene.h"
+
+namespace palpate::scene {
+
+// Every key of a scene file.
+void describe(keys::FieldVisitor& v, Scene& scene);
+void describe(keys::FieldVisitor& v, OrganConfig& organ);
+void describe(keys::FieldVisitor& v, PoseConfig& pose);
+void describe(keys::FieldVisitor& v, SupportConfig& support);
+void describe(keys::FieldVisitor& v, InstrumentConfig& instrument);
+void describe(keys::FieldVisitor& v, ContactConfig& contact);
+void describe(keys::FieldVisitor& v, SolverConfig& solver);
+void describe(keys::FieldVisitor& v, SkipConfig& skip);
+void describe(keys::FieldVisitor& v, RatesConfig& rates);
+void describe(keys::FieldVisitor& v, HapticsConfig& haptics);
+
+}  // namespace palpate::scene

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "palpate/tissue/skip_switches.h"
+#include "palpate/tissue/tissue_model.h"
+
+namespace palpate::tissue {
+
+/// Work that a cycle did not do because the scene did not need it.
+struct SkipCounters {
+  std::int64_t far_bodies = 0;  ///< Tool shapes that cannot touch in this cycle: no contact search.
+  std::int64_t sleeping_organs = 0;   ///< At rest and untouched: no solve.
+  std::int64_t sleeping_islands = 0;  ///< Parts of organs, likewise.
+  std::int64_t satisfied_solves =
+      0;  ///< The predictor was already within tolerance: no Newton iteration.
+  std::int64_t distant_samples =
+      0;  ///< Surface points, times near tool shapes, that were out of reach.
+  std::int64_t inactive_samples =
+      0;  ///< Those within reach that did not touch at the end: no derivative.
+  std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
+  std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+
+  /// Of the pieces of work: shapes, organs, solves.
+  std::int64_t total() const;
+  SkipCounters& operator+=(const SkipCounters& other);
+};
+
+/// A kind of work that cycles leave out: its key below `solver.skip`, its counter in the report.
+struct Skip {
+  const char* key;
+  bool SkipSwitches::*on;
+  const char* doc;      ///< What is left out, for the table of keys.
+  const char* counter;  ///< Name of the counter; null where no cycle of the simulation counts it.
+  std::int64_t SkipCounters::*count;
+  int (*of)(const TissueStep&);  ///< An organ's cycle adds this to the counter.
+  bool in_total;                 ///< Counts pieces of work large enough for SkipCounters::total().
+};
+
+/// Every skip. To add one: a switch, a counter, and a line in skips.cpp, which the scene's keys,
+/// the sums, `palpate replay --profile`, /diagnostics and the tests read; and its counter in
+/// StepReport.msg.
+const std::vector<Skip>& skips();
+
+}  // namespace palpate::tissue

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/advice/scene_verdict.h"
+
+namespace palpate::advice {
+
+/// What may be changed about a scene whose slowest cycles take longer than 1 / facts.rate, most
+/// effective first.
+std::vector<Advice> adviseOn(const SceneFacts& facts, const CycleCosts& figures);
+
+}  // namespace palpate::advice

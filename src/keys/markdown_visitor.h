@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/keys/fields.h"
+
+namespace palpate::keys {
+
+/// Writes the fields that it visits as tables. No field "stands in the file" here; every section
+/// and every alternative is walked once, a list as one item.
+class MarkdownVisitor : public FieldVisitor {
+ public:
+  MarkdownVisitor();
+
+  std::string markdown() const;
+
+  bool number(const Field& field, double& value, const Range& range) override;
+  bool integer(const Field& field, int& value, const Range& range) override;
+  bool flag(const Field& field, bool& value) override;
+  bool text(const Field& field, std::string& value) override;
+  bool name(const Field& field, std::string& value) override;
+  bool choice(const Field& field, std::string& value,
+              const std::vector<std::string>& allowed) override;
+  bool vector3(const Field& field, Vec3& value, const Range& range) override;
+  bool integers3(const Field& field, Eigen::Vector3i& value, const Range& range) override;
+  bool partialVector3(const Field& field, PartialVec3& value, const Range& range) override;
+  bool numbersOfKind(const std::string& choice, const std::vector<Kind>& kinds,
+                     const std::string& chosen, NumberLists& values) override;
+  void rule(bool holds, const std::string& key, const std::string& text) override;
+
+ protected:
+  Entered enterSection(const Field& field) override;
+  int enterList(const Field& field, int min_size) override;
+  bool enterItem(const Field& field, int index) override;
+  void leaveSection() override;
+  void beginAlternative(bool chosen, const std::string& condition) override;
+  void endAlternative() override;
+
+ private:
+  struct Table {
+    std::string path;  // "organs[].material"; "" for the file itself
+    std::string rows;
+    std::vector<std::string> rules;
+    std::string after;      // text below
+    std::string condition;  // of the keys that are being visited
+  };
+
+  Table& here() { return tables_[open_.back()]; }
+  void row(const Field& field, const std::string& type, const std::string& default_value,
+           const std::string& allowed);
+  void pushTable(const std::string& key);
+
+  std::vector<Table> tables_;      // in the order in which they were opened
+  std::vector<std::size_t> open_;  // indices of the sections that we are in
+};
+
+}  // namespace palpate::keys

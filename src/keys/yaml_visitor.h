@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/keys/fields.h"
+
+namespace palpate::keys {
+
+/// Reads the fields that it visits from a YAML map and gathers what is wrong.
+class YamlVisitor : public FieldVisitor {
+ public:
+  explicit YamlVisitor(const YAML::Node& root);
+
+  /// Ends the visit. @returns all problems, in the order in which they were met.
+  std::vector<Problem> finish();
+
+  using FieldVisitor::number;
+  using FieldVisitor::partialVector3;
+  using FieldVisitor::vector3;
+  bool number(const Field& field, double& value, const Range& range) override;
+  bool integer(const Field& field, int& value, const Range& range) override;
+  bool flag(const Field& field, bool& value) override;
+  bool text(const Field& field, std::string& value) override;
+  bool name(const Field& field, std::string& value) override;
+  bool choice(const Field& field, std::string& value,
+              const std::vector<std::string>& allowed) override;
+  bool vector3(const Field& field, Vec3& value, const Range& range) override;
+  bool integers3(const Field& field, Eigen::Vector3i& value, const Range& range) override;
+  bool partialVector3(const Field& field, PartialVec3& value, const Range& range) override;
+  bool numbersOfKind(const std::string& choice, const std::vector<Kind>& kinds,
+                     const std::string& chosen, NumberLists& values) override;
+  void rule(bool holds, const std::string& key, const std::string& text) override;
+
+ protected:
+  Entered enterSection(const Field& field) override;
+  int enterList(const Field& field, int min_size) override;
+  bool enterItem(const Field& field, int index) override;
+  void leaveSection() override;
+  void beginAlternative(bool chosen, const std::string& condition) override;
+  void endAlternative() override;
+
+ private:
+  struct Level {
+    YAML::Node map;
+    std::string path;                              // "organs[0].", with the dot
+    std::map<std::string, YAML::Node> given;       // first of each key in the file
+    std::set<std::string> known;                   // keys visited
+    std::map<std::string, std::string> elsewhere;  // keys of alternatives not chosen: condition
+  };
+
+  void pushLevel(const YAML::Node& map, const std::string& path);
+  /// What stands at the field, noted as known; nothing if absent, a problem if that is one.
+  std::optional<YAML::Node> find(const Field& field);
+  void problem(const std::string& key, const YAML::Node& node, const std::string& allowed);
+  void problemAt(const std::string& key, const std::string& allowed);
+  void reportUnknownKeys();
+  /// Reads a list of three with `component(node, i)`, which says whether it could.
+  bool three(const Field& field, const std::string& what,
+             const std::function<bool(const YAML::Node&, int)>& component);
+
+  std::vector<Level> levels_;
+  std::vector<Problem> problems_;
+  std::string skipped_condition_;  // of the alternative we are in and that was not chosen
+};
+
+}  // namespace palpate::keys

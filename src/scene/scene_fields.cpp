@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/scene/scene_fields.h"
+
+#include "palpate/fem/elasticity.h"
+#include "palpate/solver/integrator.h"
+#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/skips.h"
+
+namespace palpate::scene {
+
+void describe(keys::FieldVisitor& v, PoseConfig& pose) {
+  v.vector3({"position", "m", "Origin of the frame in the outer frame."}, pose.position,
+            keys::coordinateRange());
+  v.vector3({"roll_pitch_yaw", "rad",
+             "Turns about the outer frame's fixed x, then y, then z axis, as in URDF."},
+            pose.roll_pitch_yaw, keys::Range::closed(-10.0, 10.0));
+}
+
+void describe(keys::FieldVisitor& v, SupportConfig& support) {
+  v.section({"select", "",
+             "Nodes that are held where they are at rest; coordinates in the organ's own frame, "
+             "after scaling.",
+             keys::Need::kRequired},
+            support.select);
+}
+
+void describe(keys::FieldVisitor& v, OrganConfig& organ) {
+  v.name({"name", "", "Names the organ in markers and reports.", keys::Need::kRequired},
+         organ.name);
+  const bool surface = v.text(
+      {"surface", "",
+       "Closed surface to be filled with tetrahedra: .obj, .off, .stl, .ply or .wrl; a path from "
+       "the scene's folder, absolute, `file://` or `package://`."},
+      organ.surface);
+  const bool tetrahedra = v.text({"tetrahedra", "",
+                                  "Mesh that is used as it is: .msh, .vtk, .vtu or .mesh; a path "
+                                  "as for `surface`."},
+                                 organ.tetrahedra);
+  v.rule(surface != tetrahedra, "", "needs exactly one of surface, tetrahedra");
+  v.number({"scale", "", "Metres in one unit of the file: 0.001 for a mesh in millimetres."},
+           organ.scale, keys::Range::above(0.0, 1.0e6));
+  v.number(
+      {"edge_length", "m", "Wanted length of the tetrahedra's edges where a surface is filled."},
+      organ.edge_length, keys::Range::closed(1.0e-4, 1.0));
+  v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
+  v.choice({"element", "", "Finite element."}, organ.element, fem::elementNames());
+  describe(v, static_cast<BodyConfig&>(organ));
+  v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
+            organ.damping);
+  v.list({"supports", "", "What holds the organ; without any it falls."}, organ.supports, 0);
+}
+
+void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
+  v.name({"name", "", "Names the instrument in topics and result files.", keys::Need::kRequired},
+         instrument.name);
+  v.text({"urdf", "",
+          "Robot description: a path from the scene's folder, absolute, `file://` or `package://`.",
+          keys::Need::kRequired},
+         instrument.urdf);
+  v.section({"base", "", "The URDF's root link in the world; used with joint input."},
+            instrument.base);
+  v.choice({"input", "",
+            "Where the pose comes from: joint positions from a topic, or the frames of the links "
+            "from tf."},
+           instrument.input, {"joints", "tf"});
+  v.text({"joint_topic", "",
+          "Topic of sensor_msgs/JointState; by default the instrument's name and "
+          "`/measured_js`."},
+         instrument.joint_topic);
+  v.text({"tf_prefix", "", "Put before the links' names where they are looked up in tf."},
+         instrument.tf_prefix);
+  v.text({"control_frame", "", "Link at whose origin the wrench is given.", keys::Need::kRequired},
+         instrument.control_frame);
+  v.flag({"cylinder_as_capsule", "",
+          "Give cylinders round ends for contact, which is smooth; the ends stay inside the "
+          "cylinder's length."},
+         instrument.cylinder_as_capsule);
+}
+
+void describe(keys::FieldVisitor& v, ContactConfig& contact) {
+  v.number({"stiffness", "Pa/m", "Contact pressure per penetration."}, contact.stiffness,
+           keys::Range::above(0.0, 1.0e12));
+  v.number({"smoothing", "m",
+            "Width of the blend between no contact and pressure that grows "
+            "linearly."},
+           contact.smoothing, keys::Range::above(0.0, 0.1));
+  v.number({"sample_spacing", "m",
+            "Largest distance between the points of the tissue surface that can touch; 0: half the "
+            "inscribed radius of the thinnest tool shape."},
+           contact.sample_spacing, keys::Range::closed(0.0, 1.0));
+}
+
+void describe(keys::FieldVisitor& v, SolverConfig& solver) {
+  v.choice({"method", "", "How a cycle is solved."}, solver.method, tissue::methodNames());
+  v.choice({"integrator", "", "Time integration."}, solver.integrator, solver::integratorNames());
+  v.number({"step", "s", "Length of a cycle when live, longest cycle in a replay."}, solver.step,
+           keys::Range::above(0.0, 0.1));
+  v.number({"tolerance", "",
+            "Newton's iteration ends when the unbalanced force is this part of the forces."},
+           solver.tolerance, keys::Range::closed(1.0e-14, 0.1));
+  v.number({"position_tolerance", "m",
+            "It also ends when the unbalanced force would move no node farther than this, in the "
+            "time a shear wave takes through the organ."},
+           solver.position_tolerance, keys::Range::closed(1.0e-15, 1.0e-3));
+  v.integer({"max_newton_iterations", "", "Newton iterations in a cycle."},
+            solver.max_newton_iterations, keys::Range::closed(1, 1000));
+  v.number(
+      {"linear_tolerance", "",
+       "The linear solver ends when its residual is this part of what it began with, or less where "
+       "Newton's steps are good (Eisenstat, Walker 1996)."},
+      solver.linear_tolerance, keys::Range::closed(1.0e-14, 0.9));
+  v.integer({"max_linear_iterations", "", "Iterations of the linear solver in a Newton iteration."},
+            solver.max_linear_iterations, keys::Range::closed(1, 100000));
+  v.integer({"threads", "", "Threads that share the work; the results are the same bits for any."},
+            solver.threads, keys::Range::closed(1, 256));
+  v.number({"deadline", "",
+            "When live, a step that has taken this part of 1/rates.simulation ends with the best "
+            "state so far, status `deadline`; 0: it takes the time it needs. Replays have none."},
+           solver.deadline, keys::Range::closed(0.0, 100.0));
+  v.section(
+      {"skip", "",
+       "Work to leave out where it is not needed. `false` has it done all the same, to compare "
+       "results and times."},
+      solver.skip);
+}
+
+void describe(keys::FieldVisitor& v, SkipConfig& skip) {
+  for (const tissue::Skip& s : tissue::skips()) {
+    if (s.key) v.flag({s.key, "", s.doc}, skip.*s.on);
+  }
+  v.flag({"unwatched_markers", "",
+          "Pictures that nobody subscribes to; only `palpate_node` makes any."},
+         skip.unwatched_markers);
+}
+
+void describe(keys::FieldVisitor& v, RatesConfig& rates) {
+  v.number({"simulation", "Hz", "Cycles in a second, at most."}, rates.simulation,
+           keys::Range::above(0.0, 10000.0));
+  v.number({"haptic", "Hz", "Wrenches published in a second."}, rates.haptic,
+           keys::Range::above(0.0, 10000.0));
+  v.number({"markers", "Hz", "Pictures published in a second, at most."}, rates.markers,
+           keys::Range::above(0.0, 1000.0));
+  v.number({"stale_after", "s", "Input older than this pauses the simulation."}, rates.stale_after,
+           keys::Range::above(0.0, 10.0));
+  v.number({"ramp", "s", "Time in which the wrench goes to zero and comes back at a pause."},
+           rates.ramp, keys::Range::above(0.0, 10.0));
+}
+
+void describe(keys::FieldVisitor& v, HapticsConfig& haptics) {
+  v.number({"max_force", "N", "A longer force is shortened to this."}, haptics.max_force,
+           keys::Range::above(0.0, 1000.0));
+  v.number({"max_torque", "N m", "A longer torque is shortened to this."}, haptics.max_torque,
+           keys::Range::above(0.0, 1000.0));
+  v.number({"max_force_rate", "N/s", "The force to the hand changes no faster."},
+           haptics.max_force_rate, keys::Range::above(0.0, 1.0e6));
+}
+
+void describe(keys::FieldVisitor& v, Scene& scene) {
+  v.text({"name", "", "Title of the scene."}, scene.name);
+  v.vector3({"gravity", "m/s^2", "Acceleration of free fall, in the world."}, scene.gravity,
+            keys::Range::closed(-1000.0, 1000.0));
+  v.list({"organs", "", "Soft bodies.", keys::Need::kRequired}, scene.organs, 1);
+  v.uniqueNames("organs", scene.organs);
+  v.list({"instruments", "", "Rigid tools."}, scene.instruments, 0);
+  v.uniqueNames("instruments", scene.instruments);
+  v.section({"contact", "", "Contact between instruments and organs."}, scene.contact);
+  v.section({"solver", "", "Time steps and accuracy."}, scene.solver);
+  v.section({"rates", "", "How often the node does what, and when input is too old."}, scene.rates);
+  v.section({"haptics", "", "Limits of what the hand gets."}, scene.haptics);
+}
+
+}  // namespace palpate::scene

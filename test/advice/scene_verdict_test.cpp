@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/advice/scene_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/tissue/fem_tissue.h"
+#include "sim/slab_scene.h"
+#include "support/contains.h"
+
+namespace palpate::advice {
+namespace {
+
+using test::contains;
+
+sim::StepReport report(Phase costly, double seconds, int newton = 2, int linear = 40) {
+  sim::StepReport r;
+  for (std::size_t k = 0; k < kNumCyclePhases; ++k) r.phases[static_cast<Phase>(k)] = 1e-4;
+  r.phases[costly] = seconds;
+  r.newton_iterations = newton;
+  r.cg_iterations = linear;
+  return r;
+}
+
+CycleCosts figuresOf(const sim::StepReport& r, int count = 100) {
+  CostRecorder recorder;
+  for (int k = 0; k < count; ++k) recorder.add(r, r.phases.cycle());
+  return recorder.figures();
+}
+
+bool advises(const SceneVerdict& load, const std::string& word) {
+  for (const Advice& advice : load.advice) {
+    if (contains(advice.text, word)) return true;
+  }
+  return false;
+}
+
+TEST(CostRecorder, TakesPercentilesAndTheSlowestCycles) {
+  CostRecorder recorder;
+  EXPECT_EQ(recorder.figures().cycles, 0);
+  for (int k = 1; k <= 100; ++k) {
+    sim::StepReport r = report(Phase::kAssembly, 1e-3 * k, k % 2, 10 * (k % 2));
+    r.skipped.far_bodies = 3;
+    recorder.add(r, 1.0 * k);
+  }
+  const CycleCosts f = recorder.figures();
+  EXPECT_EQ(f.cycles, 100);
+  EXPECT_DOUBLE_EQ(f.cycle_median, 50.0);
+  EXPECT_DOUBLE_EQ(f.cycle_p99, 99.0);
+  EXPECT_DOUBLE_EQ(f.median[Phase::kAssembly], 0.050);
+  EXPECT_DOUBLE_EQ(f.p99[Phase::kAssembly], 0.099);
+  EXPECT_NEAR(f.slow[Phase::kAssembly], 0.098, 1e-12);  // of 96 .. 100
+  EXPECT_NEAR(f.total[Phase::kAssembly], 5.050, 1e-12);
+  EXPECT_DOUBLE_EQ(f.newton_per_cycle, 0.5);
+  EXPECT_DOUBLE_EQ(f.linear_per_newton, 10.0);
+  EXPECT_EQ(f.skipped.far_bodies, 300);
+  recorder.clear();
+  EXPECT_EQ(recorder.figures().cycles, 0);
+}
+
+TEST(CostRecorder, ASumOverPartsIsThatManyCycles) {
+  CostRecorder recorder;
+  recorder.add(report(Phase::kAssembly, 6e-3, 4, 80), 9e-3, 2);
+  const CycleCosts f = recorder.figures();
+  EXPECT_EQ(f.cycles, 2);
+  EXPECT_DOUBLE_EQ(f.cycle_p99, 4.5e-3);
+  EXPECT_DOUBLE_EQ(f.slow[Phase::kAssembly], 3e-3);
+  EXPECT_DOUBLE_EQ(f.newton_per_cycle, 2.0);
+  recorder.add(report(Phase::kAssembly, 6e-3), 9e-3, 0);
+  EXPECT_EQ(recorder.figures().cycles, 2);
+}
+
+TEST(SceneVerdict, ALightSceneNeedsNoAdvice) {
+  const SceneVerdict load = judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 3e-3)));
+  EXPECT_FALSE(load.too_heavy);
+  EXPECT_NEAR(load.rate_possible, 1.0 / 3.5e-3, 1.0);
+  EXPECT_EQ(load.costliest, Phase::kAssembly);
+  EXPECT_NEAR(load.share, 3.0 / 3.5, 1e-9);
+  EXPECT_TRUE(load.advice.empty());
+  EXPECT_TRUE(contains(longText(load), "too heavy for 100 Hz?  no"));
+  EXPECT_TRUE(contains(shortText(load), "286 Hz, 100 Hz are wanted"));
+}
+
+TEST(SceneVerdict, KnowsNothingWithoutCycles) {
+  const SceneVerdict load = judgeScene(SceneFacts(), CycleCosts());
+  EXPECT_FALSE(load.too_heavy);
+  EXPECT_EQ(load.rate_possible, 0.0);
+  EXPECT_EQ(shortText(load), "no cycle was measured");
+  EXPECT_NE(longText(load), "");
+}
+
+TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
+  SceneFacts facts;
+  facts.organ = "liver";
+  const SceneVerdict load = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
+  ASSERT_TRUE(load.too_heavy);
+  EXPECT_EQ(load.costliest, Phase::kLinearSolve);
+  ASSERT_TRUE(advises(load, "raise edge_length of organ liver, whose edges are now 0.01 m to "));
+  EXPECT_TRUE(contains(load.advice.front().text, "edge_length"));  // the most effective
+  EXPECT_NEAR(load.advice.front().cycle, 1.0 / facts.rate, 1e-4);
+  // (30 / 9.8)^(1/4) = 1.32 times as long edges
+  EXPECT_TRUE(contains(load.advice.front().text, "to 0.013 m"));
+  // Assembly shrinks with the nodes only: (30 / 9.8)^(1/3) = 1.45.
+  const SceneVerdict assembly = judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3)));
+  EXPECT_TRUE(contains(assembly.advice.front().text, "to 0.015 m"));
+  // What no coarser mesh makes fast enough is estimated as it is.
+  const SceneVerdict hopeless = judgeScene(facts, figuresOf(report(Phase::kAssembly, 10.0)));
+  EXPECT_GT(hopeless.advice.front().cycle, 10.0 / facts.rate);
+  facts.meshed = false;
+  EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))),
+                      "give organ liver a coarser mesh"));
+}
+
+TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
+  SceneFacts facts;
+  facts.poisson_ratio = 0.49;
+  facts.linear_tolerance = 1e-4;
+  facts.methods = {"implicit_pcg", "implicit_direct", "implicit_async"};
+  const SceneVerdict linear =
+      judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3, 2, 400)));
+  EXPECT_TRUE(advises(linear, "poisson_ratio from 0.49 to 0.45"));
+  EXPECT_TRUE(advises(linear, "linear_tolerance from 0.0001 to 0.01"));
+  EXPECT_TRUE(advises(linear, "implicit_async"));
+  EXPECT_FALSE(advises(linear, "contact.sample_spacing"));
+  EXPECT_FALSE(advises(linear, "contact.stiffness"));
+  EXPECT_FALSE(advises(linear, "threads"));
+
+  const SceneVerdict contact = judgeScene(facts, figuresOf(report(Phase::kContact, 30e-3, 6, 60)));
+  EXPECT_TRUE(contains(contact.advice.front().text, "contact.sample_spacing"));
+  EXPECT_FALSE(advises(contact, "poisson_ratio"));
+
+  const SceneVerdict newton = judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3, 6, 60)));
+  EXPECT_TRUE(advises(newton, "lower contact.stiffness from 300000000 to 75000000"));
+
+  facts.cores = 2;
+  facts.nodes = 3999;  // too few to share
+  EXPECT_FALSE(
+      advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
+  facts.nodes = 4000;
+  EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
+  facts.method = "implicit_direct";
+  const SceneVerdict direct = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
+  EXPECT_TRUE(advises(direct, "solver.method: implicit_pcg"));
+  EXPECT_FALSE(advises(direct, "poisson_ratio from"));
+  EXPECT_FALSE(advises(direct, "threads"));
+}
+
+TEST(SceneVerdict, ALongerStepAlwaysHelpsAndStandsLast) {
+  const SceneVerdict load = judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 30e-3)));
+  EXPECT_TRUE(contains(load.advice.back().text, "solver.step: 0.031, rates.simulation: 32"));
+  EXPECT_TRUE(contains(longText(load), "yes, by a factor of 3.05"));
+  EXPECT_TRUE(contains(longText(load), "30.5 ms: or leave the scene"));
+  EXPECT_FALSE(
+      advises(judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 0.2))), "solver.step"));
+}
+
+TEST(SceneVerdict, ProfileTableHasEveryPhaseAndCounter) {
+  sim::StepReport r = report(Phase::kContact, 2.5e-3, 3, 60);
+  r.skipped.sleeping_organs = 1;
+  const std::string table = profileTable(figuresOf(r, 10));
+  for (const char* word :
+       {"contact            2.500     2.500  83.3 %", "forces", "assembly", "linear_solve",
+        "line_search", "other", "Newton iterations per step 3.00",
+        "linear iterations per Newton iteration 20.00", "skipped in 10 steps", "far_bodies 0",
+        "sleeping_organs 10", "distant_samples 0"}) {
+    EXPECT_TRUE(contains(table, word)) << word << "\n" << table;
+  }
+  EXPECT_FALSE(contains(table, "haptics"));
+}
+
+TEST(SceneFacts, AreThoseOfTheSceneAndItsMesh) {
+  const test::SlabScene slab;
+  const sim::Simulator simulator(
+      slab.scene("solver: {threads: 2, step: 0.02}\nrates: {simulation: 50}"));
+  const SceneFacts facts = sceneFacts(simulator, 4);
+  EXPECT_EQ(facts.rate, 50.0);
+  EXPECT_EQ(facts.step, 0.02);
+  EXPECT_EQ(facts.threads, 2);
+  EXPECT_EQ(facts.cores, 4);
+  EXPECT_EQ(facts.organ, "slab");
+  EXPECT_EQ(facts.nodes, 7 * 7 * 4);
+  EXPECT_FALSE(facts.meshed);
+  EXPECT_GT(facts.edge_length, 0.013);
+  EXPECT_LT(facts.edge_length, 0.03);
+  EXPECT_NEAR(facts.poisson_ratio, 0.45, 1e-9);
+  EXPECT_EQ(facts.method, "implicit_pcg");
+  EXPECT_EQ(facts.methods, tissue::methodNames());
+}
+
+}  // namespace
+}  // namespace palpate::advice

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "palpate/scene/scene.h"
+#include "support/input_error.h"
+#include "support/temp_folder.h"
+
+namespace palpate::scene {
+namespace {
+
+using test::hasProblem;
+
+constexpr char kGood[] = R"(organs:
+  - name: liver
+    surface: liver.obj
+    material: {young_modulus: 6000.0, poisson_ratio: 0.45, density: 1060.0}
+    supports:
+      - select: {plane: {axis: z, at: 0.0}}
+instruments:
+  - name: probe
+    urdf: probe.urdf
+    control_frame: tip
+solver: {step: 0.01}
+)";
+
+class SceneErrors : public ::testing::Test {
+ protected:
+  std::vector<Problem> problemsOfText(const std::string& text) const {
+    const std::string file = folder_.write("scene.yaml", text);
+    return test::problemsOf([&] { readScene(file); });
+  }
+  /// Problems of the good scene with `from` turned into `to`.
+  std::vector<Problem> problemsWith(const std::string& from, const std::string& to) const {
+    std::string text = kGood;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return problemsOfText(text.replace(at, from.size(), to));
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(SceneErrors, TheGoodOneHasNone) {
+  EXPECT_NO_THROW(readScene(folder_.write("good.yaml", kGood)));
+}
+
+TEST_F(SceneErrors, NoSuchFile) {
+  EXPECT_TRUE(hasProblem(test::problemsOf([&] { readScene(folder_.path("absent.yaml")); }), "",
+                         "no such file"));
+  EXPECT_TRUE(hasProblem(test::problemsOf([&] { readScene(folder_.path("")); }), "", "folder"));
+}
+
+TEST_F(SceneErrors, EmptyFile) {
+  EXPECT_TRUE(hasProblem(problemsOfText(""), "", "is empty"));
+  EXPECT_TRUE(hasProblem(problemsOfText("# only a comment\n"), "", "is empty"));
+}
+
+TEST_F(SceneErrors, NotYaml) {
+  EXPECT_TRUE(hasProblem(problemsOfText("organs:\n  - name: [a\nrates: {"), "line 3", "not YAML"));
+}
+
+TEST_F(SceneErrors, NotAMap) {
+  EXPECT_TRUE(hasProblem(problemsOfText("- a\n- b\n"), "", "keys with values"));
+  EXPECT_TRUE(hasProblem(problemsOfText("just words"), "", "keys with values"));
+}
+
+TEST_F(SceneErrors, SeveralDocuments) {
+  EXPECT_TRUE(hasProblem(problemsOfText(std::string(kGood) + "---\nname: second\n"), "",
+                         "several YAML documents"));
+}
+
+TEST_F(SceneErrors, UnknownKeyNamesTheNearest) {
+  EXPECT_TRUE(hasProblem(problemsWith("solver: {step", "solver: {stepp"), "solver.stepp",
+                         "did you mean step?"));
+  EXPECT_TRUE(hasProblem(problemsWith("    surface", "    scal: 1\n    surface"), "organs[0].scal",
+                         "did you mean scale?"));
+  EXPECT_TRUE(hasProblem(problemsWith("poisson_ratio", "poison_ratio"),
+                         "organs[0].material.poison_ratio", "did you mean poisson_ratio?"));
+}
+
+TEST_F(SceneErrors, ProblemsNameTheLine) {
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: 0.5"), "solver.step", "[line 11]"));
+}
+
+TEST_F(SceneErrors, DuplicateKey) {
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: 0.01, step: 0.02"), "solver.step",
+                         "stands twice"));
+  EXPECT_TRUE(hasProblem(problemsOfText(std::string(kGood) + "solver: {step: 0.02}\n"), "solver",
+                         "stands twice [line 12]"));
+}
+
+TEST_F(SceneErrors, WrongTypes) {
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: fast"), "solver.step",
+                         "must be a number in (0, 0.1] [s]"));
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: \"0.01\""), "solver.step", "number"));
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: [0.01]"), "solver.step", "number"));
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step:"), "solver.step", "number"));
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "threads: 1.5"), "solver.threads", "whole"));
+  EXPECT_TRUE(hasProblem(problemsWith("{step: 0.01}", "7"), "solver", "must be a section"));
+  EXPECT_TRUE(hasProblem(problemsWith("{step: 0.01}", "[7]"), "solver", "must be a section"));
+  EXPECT_TRUE(hasProblem(problemsWith("solver:", "gravity: [0, 0]\nsolver:"), "gravity",
+                         "list of three numbers"));
+  EXPECT_TRUE(hasProblem(problemsWith("solver:", "gravity: [0, 0, x]\nsolver:"), "gravity",
+                         "list of three numbers"));
+  EXPECT_TRUE(hasProblem(problemsWith("    urdf", "    cylinder_as_capsule: 1\n    urdf"),
+                         "instruments[0].cylinder_as_capsule", "true or false"));
+  EXPECT_TRUE(hasProblem(problemsWith("surface: liver.obj", "surface: {a: b}"), "organs[0].surface",
+                         "must be text"));
+  EXPECT_TRUE(hasProblem(problemsWith("name: liver", "name: right lobe"), "organs[0].name",
+                         "must be a name"));
+  EXPECT_TRUE(hasProblem(problemsOfText("organs: liver\n"), "organs", "must be a list"));
+  EXPECT_TRUE(hasProblem(problemsOfText("organs: [liver]\n"), "organs[0]", "must be a section"));
+  EXPECT_TRUE(
+      hasProblem(problemsWith("0.45", "[0.4, a]"), "organs[0].material.poisson_ratio", "number"));
+}
+
+TEST_F(SceneErrors, OutOfRange) {
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "step: 0"), "solver.step", "(0, 0.1]"));
+  EXPECT_TRUE(hasProblem(problemsWith("1060.0", "-1060"), "organs[0].material.density", "in (0"));
+  EXPECT_TRUE(hasProblem(problemsWith("step: 0.01", "threads: 99999999999"), "solver.threads",
+                         "whole number in [1, 256]"));
+  EXPECT_TRUE(hasProblem(problemsWith("    surface", "    scale: 0\n    surface"),
+                         "organs[0].scale", "in (0"));
+  EXPECT_TRUE(hasProblem(problemsWith("    surface", "    edge_length: 0\n    surface"),
+                         "organs[0].edge_length", "[m]"));
+  EXPECT_TRUE(
+      hasProblem(problemsWith("solver:", "rates: {haptic: -5}\nsolver:"), "rates.haptic", "[Hz]"));
+}
+
+TEST_F(SceneErrors, NotFinite) {
+  for (const char* value : {".nan", ".inf", "-.inf", "nan", "1e999"}) {
+    SCOPED_TRACE(value);
+    EXPECT_TRUE(hasProblem(problemsWith("0.01", value), "solver.step", "number"));
+    EXPECT_TRUE(
+        hasProblem(problemsWith("0.45", value), "organs[0].material.poisson_ratio", "finite"));
+    EXPECT_TRUE(
+        hasProblem(problemsWith("solver:", "gravity: [0, 0, " + std::string(value) + "]\nsolver:"),
+                   "gravity", "three numbers"));
+  }
+}
+
+TEST_F(SceneErrors, Material) {
+  EXPECT_TRUE(hasProblem(problemsWith("0.45", "0.5"), "organs[0].material.poisson_ratio",
+                         "in (-1, 0.5) [line 4]"));
+  EXPECT_TRUE(hasProblem(problemsWith("6000.0", "-1"), "organs[0].material.young_modulus", "> 0"));
+  EXPECT_TRUE(hasProblem(problemsWith("young_modulus: 6000.0", "mu: 1.0"), "organs[0].material",
+                         "needs either"));
+  EXPECT_TRUE(hasProblem(problemsWith("{young", "{law: neo_hokean, young"),
+                         "organs[0].material.law", "did you mean neo_hookean?"));
+}
+
+TEST_F(SceneErrors, MissingRequiredKey) {
+  EXPECT_TRUE(hasProblem(problemsWith("    control_frame: tip\n", ""),
+                         "instruments[0].control_frame", "is missing"));
+  EXPECT_TRUE(hasProblem(problemsWith("axis: z, ", ""), "organs[0].supports[0].select.plane.axis",
+                         "is missing"));
+  EXPECT_TRUE(hasProblem(problemsOfText("name: nothing\n"), "organs", "is missing"));
+  EXPECT_TRUE(hasProblem(problemsOfText("organs: []\n"), "organs", "at least 1"));
+}
+
+TEST_F(SceneErrors, SurfaceOrTetrahedra) {
+  EXPECT_TRUE(hasProblem(problemsWith("    surface: liver.obj\n", ""), "organs[0]",
+                         "exactly one of surface, tetrahedra"));
+  EXPECT_TRUE(hasProblem(problemsWith("    surface", "    tetrahedra: a.msh\n    surface"),
+                         "organs[0]", "exactly one of surface, tetrahedra"));
+}
+
+TEST_F(SceneErrors, OneRegionInASelection) {
+  EXPECT_TRUE(hasProblem(problemsWith("{plane: {axis: z, at: 0.0}}", "{}"),
+                         "organs[0].supports[0].select", "exactly one of"));
+  EXPECT_TRUE(
+      hasProblem(problemsWith("at: 0.0}}", "at: 0.0}, sphere: {center: [0, 0, 0], radius: 1}}"),
+                 "organs[0].supports[0].select", "exactly one of"));
+  EXPECT_TRUE(hasProblem(
+      problemsWith("{plane: {axis: z, at: 0.0}}", "{box: {min: [0, 0, 1], max: [1, 1, 0]}}"),
+      "organs[0].supports[0].select.box.min", "<= max"));
+  EXPECT_TRUE(hasProblem(problemsWith("axis: z", "axis: w"),
+                         "organs[0].supports[0].select.plane.axis", "x, y, z"));
+}
+
+TEST_F(SceneErrors, NamesDiffer) {
+  const std::string second =
+      "  - {name: liver, surface: b.obj, material: {mu: 1.0, kappa: 1.0}}\ninstruments:\n"
+      "  - {name: probe, urdf: a.urdf, control_frame: a}\n";
+  const std::vector<Problem> problems = problemsWith("instruments:\n", second);
+  EXPECT_TRUE(hasProblem(problems, "organs[1].name", "must differ [line 7]"));
+  EXPECT_TRUE(hasProblem(problems, "instruments[1].name", "must differ"));
+}
+
+TEST_F(SceneErrors, ChoicesListWhatThereIs) {
+  EXPECT_TRUE(hasProblem(problemsWith("    surface", "    element: tet5\n    surface"),
+                         "organs[0].element", "must be one of"));
+  EXPECT_TRUE(hasProblem(problemsWith("    urdf", "    input: joint\n    urdf"),
+                         "instruments[0].input", "must be one of joints, tf (did you mean joints"));
+}
+
+TEST_F(SceneErrors, AllInOneMessage) {
+  std::string text = kGood;
+  text.replace(text.find("0.45"), 4, "0.5");
+  text.replace(text.find("control_frame"), 13, "control_fram");
+  text.replace(text.find("step: 0.01"), 10, "step: 9");
+  const std::vector<Problem> problems = problemsOfText(text);
+  EXPECT_EQ(problems.size(), 4u);  // the misspelt key and the missing one are two
+}
+
+TEST_F(SceneErrors, GarbageIsRefusedNotFatal) {
+  problemsOfText(std::string(100000, '['));
+  problemsOfText(std::string("\x00\xff\xfe\x80garbage", 11));
+  problemsOfText("a: &a [*a]\norgans: *a\n");
+  problemsOfText("organs: &a\n  - *a\n");
+  problemsOfText("? [1, 2]\n: 3\n" + std::string(kGood));
+  problemsOfText("<<: {name: x}\n" + std::string(kGood));
+  problemsOfText(std::string(kGood) + std::string(1000000, 'k') + ": 1\n");
+  for (std::size_t n = 1; n < sizeof(kGood) - 1; n += 3) {  // cut off anywhere: said or valid
+    try {
+      readScene(folder_.write("cut.yaml", std::string(kGood).substr(0, n)));
+    } catch (const InputError&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace palpate::scene

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tissues that are shipped.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "palpate/scene/tissue_file.h"
+#include "support/temp_folder.h"
+#include "support/uniaxial.h"
+
+namespace palpate::scene {
+namespace {
+
+const std::string kFolder = std::string(PALPATE_SOURCE_DIR) + "/config/materials/";
+
+material::Solid solidOf(const std::string& tissue) {
+  MaterialConfig material;
+  material.file = kFolder + tissue + ".yaml";
+  return makeSolid(material, "", "");
+}
+
+// As the sources print them, before any conversion: [Pa].
+const std::map<std::string, double> kShearModuli = {
+    {"adventitia", 7.64e3},
+    {"brain_basal_ganglia", 0.70e3},
+    {"brain_corona_radiata", 0.66e3},
+    {"brain_corpus_callosum", 0.35e3},
+    {"brain_cortex", 1.43e3},
+    {"brain_surgical", 842.0},
+    {"dermis", 40.0e3 / 2.9},
+    {"epidermis", 4.0e6 / 2.9},
+    {"hepatic_vein", 0.62e6 / 2.9},
+    {"hypodermis", 15.0e3 / 2.9},
+    {"kidney_cortex", 5.0e3 / 2.9},
+    {"liver", 2.0e3},
+    {"liver_capsule", 8.22e6 / 2.9},
+    {"muscle", 3.91e3},
+    {"myocardium", 134.8},
+    {"pancreas", 4.8e3 / 2.9},
+    {"skin", 1.18e6 / 2.9},
+    {"skin_cat", 3.94e3 * 5.03},
+    {"spleen", 2.9e3 / 2.9},
+    {"subcutaneous_fat", 1.6e3 / 3.0},
+};
+
+TEST(TissueLibrary, EveryTissueIsReadAndHasItsSourcesShearModulus) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    SCOPED_TRACE(entry.path());
+    const std::string name = entry.path().stem().string();
+    ASSERT_TRUE(kShearModuli.count(name));
+    ASSERT_NO_THROW(readTissueFile(entry.path().string()));
+    const material::Solid solid = solidOf(name);
+    EXPECT_NEAR(material::moduli(solid.law).mu, kShearModuli.at(name),
+                1e-3 * kShearModuli.at(name));
+    EXPECT_GT(material::moduli(solid.law).kappa, 9.0 * material::moduli(solid.law).mu);
+    EXPECT_GT(solid.density, 900.0);
+    EXPECT_LT(solid.density, 1100.0);
+    ++count;
+  }
+  EXPECT_EQ(count, kShearModuli.size());
+}
+
+TEST(TissueLibrary, FatHasTheSlopesOfItsSource) {
+  const material::Material fat = solidOf("subcutaneous_fat").law;
+  const auto slope = [&](double strain) {
+    constexpr double h = 1e-4;
+    double ignored = 0.0;
+    return (test::uniaxialStress(fat, 1.0 + strain + h, &ignored) -
+            test::uniaxialStress(fat, 1.0 + strain - h, &ignored)) /
+           (2.0 * h);
+  };
+  EXPECT_NEAR(slope(0.0), 1.6e3, 0.02 * 1.6e3);
+  EXPECT_NEAR(slope(0.3), 11.7e3, 0.05 * 11.7e3);
+}
+
+TEST(TissueLibrary, BrainIsStifferInCompression) {
+  for (const char* name : {"brain_cortex", "brain_basal_ganglia", "brain_corona_radiata",
+                           "brain_corpus_callosum", "brain_surgical"}) {
+    const material::Material law = solidOf(name).law;
+    double ignored = 0.0;
+    EXPECT_GT(-test::uniaxialStress(law, 0.9, &ignored),
+              1.2 * test::uniaxialStress(law, 1.1, &ignored))
+        << name;
+  }
+}
+
+TEST(TissueLibrary, BrainOfSurgeryRelaxes) {
+  double left = 1.0;
+  for (const material::PronyTerm& term : solidOf("brain_surgical").prony) left -= term.g;
+  EXPECT_NEAR(left, 0.185, 1e-12);
+}
+
+TEST(TissuePage, CommittedPageIsTheGeneratedOne) {
+  EXPECT_EQ(test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/docs/tissues.md"),
+            tissuesMarkdown(kFolder))
+      << "regenerate: palpate docs tissues > docs/tissues.md";
+}
+
+}  // namespace
+}  // namespace palpate::scene
