@@ -6,8 +6,8 @@
 #include "commands.h"
 #include "options.h"
 #include "palpate/base/error.h"
+#include "palpate/formats/surface_io.h"
 #include "palpate/mesh/organs.h"
-#include "palpate/mesh/surface_io.h"
 
 namespace palpate::cli {
 namespace {
@@ -22,7 +22,7 @@ int run(const Options& options) {
   requirePositive("--edge-length", options.edge_length);
   requireWritable("--out", options.out, {".obj", ".off"});
   const mesh::SurfaceMesh surface = mesh::makeOrgan(options.name, options.edge_length);
-  mesh::writeSurface(options.out, surface);
+  formats::writeSurface(options.out, surface);
   std::cout << options.out << ": " << surface.points.cols() << " points, "
             << surface.triangles.cols() << " triangles, " << 1.0e6 * mesh::enclosedVolume(surface)
             << " cm^3\n";
