@@ -9,7 +9,7 @@
 
 #include "implicit.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 namespace {
 
 // Kuhn's six tetrahedra of a cell; bit i of a corner's number is its step along axis i.
@@ -29,13 +29,13 @@ class March {
     }
   }
 
-  SurfaceMesh run() {
+  mesh::SurfaceMesh run() {
     for (int k = 0; k + 1 < n_.z(); ++k) {
       for (int j = 0; j + 1 < n_.y(); ++j) {
         for (int i = 0; i + 1 < n_.x(); ++i) cell(i, j, k);
       }
     }
-    SurfaceMesh surface;
+    mesh::SurfaceMesh surface;
     surface.points.resize(3, points_.size());
     for (std::size_t p = 0; p < points_.size(); ++p) surface.points.col(p) = points_[p];
     surface.triangles.resize(3, triangles_.size());
@@ -114,8 +114,8 @@ class March {
 
 }  // namespace
 
-SurfaceMesh marchTetrahedra(const ImplicitBody& body, double spacing) {
+mesh::SurfaceMesh marchTetrahedra(const ImplicitBody& body, double spacing) {
   return March(body, spacing).run();
 }
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/mesh/organs.h"
+#include "palpate/organs/organs.h"
 
 #include <algorithm>
 #include <sstream>
@@ -7,12 +7,12 @@
 #include "organ_shapes.h"
 #include "palpate/base/error.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 namespace {
 
 struct Organ {
   const char* name;
-  SurfaceMesh (*make)(double edge_length);
+  mesh::SurfaceMesh (*make)(double edge_length);
   double max_edge;  // [m]
 };
 
@@ -42,7 +42,7 @@ std::vector<std::string> organNames() {
 
 double maxOrganEdge(const std::string& name) { return findOrgan(name).max_edge; }
 
-SurfaceMesh makeOrgan(const std::string& name, double edge_length) {
+mesh::SurfaceMesh makeOrgan(const std::string& name, double edge_length) {
   const Organ& organ = findOrgan(name);
   if (!(edge_length >= kMinOrganEdge && edge_length <= organ.max_edge)) {
     std::ostringstream value, allowed;
@@ -50,11 +50,11 @@ SurfaceMesh makeOrgan(const std::string& name, double edge_length) {
     allowed << "must be in [" << kMinOrganEdge << ", " << organ.max_edge << "] m for the " << name;
     throw InputError("", "edge_length", value.str(), allowed.str());
   }
-  SurfaceMesh surface = organ.make(edge_length);
+  mesh::SurfaceMesh surface = organ.make(edge_length);
   const Vec3 low = surface.points.rowwise().minCoeff(), high = surface.points.rowwise().maxCoeff();
   const Vec3 origin(0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), low.z());
   surface.points.colwise() -= origin;
   return surface;
 }
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

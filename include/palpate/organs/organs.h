@@ -6,7 +6,7 @@
 
 #include "palpate/mesh/surface_mesh.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 
 /// The organs that makeOrgan() knows: liver, kidney, gallbladder, slab.
 std::vector<std::string> organNames();
@@ -25,11 +25,11 @@ std::vector<std::string> organNames();
 ///
 /// @throws InputError if there is no such organ, or the edge length is not in
 ///   [kMinOrganEdge, maxOrganEdge(name)].
-SurfaceMesh makeOrgan(const std::string& name, double edge_length);
+mesh::SurfaceMesh makeOrgan(const std::string& name, double edge_length);
 
 constexpr double kMinOrganEdge = 1e-3;  ///< [m]
 
 /// The coarsest triangles that still show the organ's shape [m].
 double maxOrganEdge(const std::string& name);
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

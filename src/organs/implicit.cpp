@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cgal/remesh.h"
+#include "palpate/mesh/remesh.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 namespace {
 
 constexpr double kMinSpacing = 1e-3, kMaxSpacing = 3e-3;  // [m] of the grid
@@ -57,13 +57,14 @@ double smoothUnion(double a, double b, double blend) {
 
 double smoothDifference(double a, double b, double blend) { return -smoothUnion(-a, b, blend); }
 
-SurfaceMesh meshImplicit(const ImplicitBody& body, double edge_length) {
+mesh::SurfaceMesh meshImplicit(const ImplicitBody& body, double edge_length) {
   const double spacing = std::clamp(0.5 * edge_length, kMinSpacing, kMaxSpacing);
-  SurfaceMesh surface = cgal::remesh(marchTetrahedra(body, spacing), edge_length, kRemeshingRounds);
+  mesh::SurfaceMesh surface =
+      mesh::remesh(marchTetrahedra(body, spacing), edge_length, kRemeshingRounds);
   for (Eigen::Index i = 0; i < surface.points.cols(); ++i) {
     surface.points.col(i) = project(body, surface.points.col(i), 0.2 * edge_length);
   }
   return surface;
 }
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

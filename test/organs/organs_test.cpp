@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/mesh/organs.h"
+#include "palpate/organs/organs.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 namespace {
 
 struct Expected {
@@ -29,7 +29,7 @@ const std::vector<Expected> kExpected = {
     {"gallbladder", {0.09, 0.034, 0.034}, 3e-5, 5e-5, 0.006, 0.003},
     {"slab", {0.10, 0.10, 0.03}, 2.9999e-4, 3.0001e-4, 0.015, 0.005}};
 
-std::vector<double> edgeLengths(const SurfaceMesh& surface) {
+std::vector<double> edgeLengths(const mesh::SurfaceMesh& surface) {
   std::vector<double> lengths;
   for (Eigen::Index c = 0; c < surface.triangles.size(); ++c) {
     const Eigen::Index t = c / 3;
@@ -50,12 +50,12 @@ TEST(Organs, AreSoundAtTwoResolutions) {
   for (const Expected& expected : kExpected) {
     for (const double edge : {expected.coarse, expected.fine}) {
       SCOPED_TRACE(expected.name + " " + std::to_string(edge));
-      const SurfaceMesh surface = makeOrgan(expected.name, edge);
-      const SurfaceReport report = checkSurface(surface);
+      const mesh::SurfaceMesh surface = makeOrgan(expected.name, edge);
+      const mesh::SurfaceReport report = mesh::checkSurface(surface);
       EXPECT_TRUE(report.ok());
       EXPECT_EQ(report.components, 1);
       EXPECT_EQ(report.duplicate_points + report.isolated_points, 0);
-      EXPECT_NO_THROW(checkSize(surface.points, "", ""));
+      EXPECT_NO_THROW(mesh::checkSize(surface.points, "", ""));
     }
   }
 }
@@ -63,18 +63,18 @@ TEST(Organs, AreSoundAtTwoResolutions) {
 TEST(Organs, HaveTheSizeOfAnAdults) {
   for (const Expected& expected : kExpected) {
     SCOPED_TRACE(expected.name);
-    const SurfaceMesh surface = makeOrgan(expected.name, expected.fine);
+    const mesh::SurfaceMesh surface = makeOrgan(expected.name, expected.fine);
     const Vec3 size = surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff();
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(size[k], expected.size[k], 0.05 * expected.size[k]);
-    EXPECT_GT(enclosedVolume(surface), expected.min_volume);
-    EXPECT_LT(enclosedVolume(surface), expected.max_volume);
+    EXPECT_GT(mesh::enclosedVolume(surface), expected.min_volume);
+    EXPECT_LT(mesh::enclosedVolume(surface), expected.max_volume);
   }
 }
 
 TEST(Organs, LieOnTheGroundAtTheOrigin) {
   for (const Expected& expected : kExpected) {
     SCOPED_TRACE(expected.name);
-    const SurfaceMesh surface = makeOrgan(expected.name, expected.coarse);
+    const mesh::SurfaceMesh surface = makeOrgan(expected.name, expected.coarse);
     const Vec3 low = surface.points.rowwise().minCoeff(),
                high = surface.points.rowwise().maxCoeff();
     EXPECT_NEAR(low.z(), 0.0, 1e-12);
@@ -99,8 +99,8 @@ TEST(Organs, HaveNearUniformTriangles) {
 
 TEST(Organs, AreTheSameBitsEachTime) {
   for (const Expected& expected : kExpected) {
-    const SurfaceMesh a = makeOrgan(expected.name, expected.coarse);
-    const SurfaceMesh b = makeOrgan(expected.name, expected.coarse);
+    const mesh::SurfaceMesh a = makeOrgan(expected.name, expected.coarse);
+    const mesh::SurfaceMesh b = makeOrgan(expected.name, expected.coarse);
     EXPECT_EQ(a.points, b.points) << expected.name;
     EXPECT_EQ(a.triangles, b.triangles) << expected.name;
   }
@@ -108,8 +108,8 @@ TEST(Organs, AreTheSameBitsEachTime) {
 
 TEST(Organs, TheSurfaceConvergesWithTheEdgeLength) {
   for (const Expected& expected : kExpected) {
-    const double coarse = enclosedVolume(makeOrgan(expected.name, expected.coarse));
-    const double fine = enclosedVolume(makeOrgan(expected.name, expected.fine));
+    const double coarse = mesh::enclosedVolume(makeOrgan(expected.name, expected.coarse));
+    const double fine = mesh::enclosedVolume(makeOrgan(expected.name, expected.fine));
     EXPECT_NEAR(coarse, fine, 0.05 * fine) << expected.name;
   }
 }
@@ -134,4 +134,4 @@ TEST(Organs, RefuseImpossibleEdgeLengths) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

@@ -10,7 +10,7 @@
 
 #include "implicit.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 namespace {
 
 /// 0 for x below `from`, 1 above `to`, smooth between.
@@ -58,23 +58,23 @@ double gallbladder(const Vec3& p) {
 
 }  // namespace
 
-SurfaceMesh makeLiver(double edge_length) {
+mesh::SurfaceMesh makeLiver(double edge_length) {
   return meshImplicit({liver, Vec3(-0.125, -0.09, -0.06), Vec3(0.135, 0.09, 0.10)}, edge_length);
 }
 
-SurfaceMesh makeKidney(double edge_length) {
+mesh::SurfaceMesh makeKidney(double edge_length) {
   return meshImplicit({kidney, Vec3(-0.065, -0.04, -0.03), Vec3(0.065, 0.05, 0.03)}, edge_length);
 }
 
-SurfaceMesh makeGallbladder(double edge_length) {
+mesh::SurfaceMesh makeGallbladder(double edge_length) {
   return meshImplicit({gallbladder, Vec3(-0.055, -0.025, -0.025), Vec3(0.055, 0.03, 0.025)},
                       edge_length);
 }
 
-SurfaceMesh makeSlab(double edge_length) {
+mesh::SurfaceMesh makeSlab(double edge_length) {
   const Vec3 size(0.10, 0.10, 0.03);
   const Eigen::Vector3i n = (size / edge_length).array().round().max(1.0).matrix().cast<int>();
-  SurfaceMesh surface;
+  mesh::SurfaceMesh surface;
   std::map<std::vector<int>, int> index;
   std::vector<Vec3> points;
   std::vector<Eigen::Vector3i> triangles;
@@ -119,4 +119,4 @@ SurfaceMesh makeSlab(double edge_length) {
   return surface;
 }
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs

@@ -5,7 +5,7 @@
 
 #include "palpate/mesh/surface_mesh.h"
 
-namespace palpate::mesh {
+namespace palpate::organs {
 
 /// A body given by a function that is negative inside, positive outside, and grows about as the
 /// distance [m] near the surface.
@@ -29,9 +29,9 @@ double smoothDifference(double a, double b, double blend);
 
 /// Closed triangulation of the body's surface on a grid of `spacing` [m] by marching tetrahedra
 /// (Doi and Koide 1991). The triangles are of all shapes, but none is degenerate.
-SurfaceMesh marchTetrahedra(const ImplicitBody& body, double spacing);
+mesh::SurfaceMesh marchTetrahedra(const ImplicitBody& body, double spacing);
 
 /// Near-uniform triangles of about `edge_length` [m], with points on the body's surface.
-SurfaceMesh meshImplicit(const ImplicitBody& body, double edge_length);
+mesh::SurfaceMesh meshImplicit(const ImplicitBody& body, double edge_length);
 
-}  // namespace palpate::mesh
+}  // namespace palpate::organs
