@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "../../src/formats/surface_formats.h"
-#include "../../src/formats/tet_formats.h"
+#include "formats/surface_formats.h"
 #include "formats/surface_samples.h"
 #include "formats/temp_dir.h"
+#include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/formats/vtu_writer.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../src/formats/tet_formats.h"
 #include "formats/temp_dir.h"
+#include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 
 namespace palpate::formats {
