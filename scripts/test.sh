@@ -106,6 +106,8 @@ echo "built in $((SECONDS - start)) s"
 
 if $checks; then
   check "core is free of ROS" scripts/check_core_is_ros_free.sh
+  check "order of the rooms" scripts/check_rooms.py
+  check "check of the rooms finds what is wrong" scripts/check_rooms.py --self-test
   check "format" scripts/check_format.sh
   check "changelog" scripts/check_changelog.sh
   check "package" scripts/check_package.sh

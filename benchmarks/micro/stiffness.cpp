@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "../../src/solver/pcg_matrix.h"
 #include "body.h"
+#include "solver/pcg_matrix.h"
 
 namespace palpate::micro {
 namespace {

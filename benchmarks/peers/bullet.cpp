@@ -25,9 +25,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/formats/tet_io.h"
 #include "palpate/io/json.h"
 #include "palpate/material/constants.h"
-#include "palpate/mesh/tet_io.h"
 
 namespace palpate::peers {
 namespace {
@@ -216,7 +216,7 @@ int main(int argc, char** argv) {
     }
   }
   try {
-    palpate::peers::run(palpate::mesh::readTetMesh(argv[1]), settings, argv[2]);
+    palpate::peers::run(palpate::formats::readTetMesh(argv[1]), settings, argv[2]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "palpate_bullet: %s\n", error.what());
     return 1;

@@ -6,7 +6,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
-#include "palpate/mesh/tet_io.h"
+#include "palpate/formats/tet_io.h"
 #include "palpate/scene/composition.h"
 
 namespace palpate::analysis {
@@ -18,7 +18,7 @@ mesh::TetMesh loadMesh(const Case& problem) {
     mesh = mesh::boxMesh(problem.mesh.box->size, problem.mesh.box->cells);
   } else {
     try {
-      mesh = mesh::readTetMesh(resolveResource(
+      mesh = formats::readTetMesh(resolveResource(
           problem.mesh.file, std::filesystem::path(problem.file).parent_path().string()));
     } catch (const std::invalid_argument& error) {
       throw InputError(problem.file, "mesh.file", problem.mesh.file, error.what());

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <numeric>
 
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/json.h"
 #include "palpate/io/output_file.h"
-#include "palpate/mesh/vtu_writer.h"
 
 namespace palpate::cli {
 namespace {
@@ -204,7 +204,7 @@ void writeBench(const std::string& folder, const BenchTitle& title, const BenchR
   writeForces(folder + "/forces.csv", result);
   writeTimes(folder + "/times.csv", result);
   writeDisplacements(folder + "/displacements.bin", result);
-  mesh::writeVtu(folder + "/mesh.vtu", result.mesh, {}, {});
+  formats::writeVtu(folder + "/mesh.vtu", result.mesh, {}, {});
   io::OutputFile summary(folder + "/summary.json");
   summary.write(summaryJson(title, result));
   summary.close();

@@ -8,10 +8,10 @@
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/resource.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/io/output_file.h"
 #include "palpate/io/trajectory.h"
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/mesh/vtu_writer.h"
 
 namespace palpate::cli {
 namespace {
@@ -71,7 +71,7 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
                        const BenchChoice& choice, const std::string& folder) {
   if (choice.edge_length) refuse("a box", "--edge-length", "give --tets");
   const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
-  mesh::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
+  formats::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
   scene::OrganConfig organ;
   organ.name = "body";
   organ.tetrahedra = "body.vtu";

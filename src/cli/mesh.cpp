@@ -7,13 +7,13 @@
 
 #include "commands.h"
 #include "options.h"
+#include "palpate/formats/surface_io.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/quality.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
-#include "palpate/mesh/surface_io.h"
 #include "palpate/mesh/volume_mesher.h"
-#include "palpate/mesh/vtu_writer.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -41,7 +41,7 @@ Meshed meshSurface(const Options& options) {
   };
   Meshed result;
   line.show("reading " + options.surface, 0.0);
-  mesh::SurfaceMesh surface = mesh::readSurface(options.surface);
+  mesh::SurfaceMesh surface = formats::readSurface(options.surface);
   surface.points *= options.scale;
   mesh::checkSize(surface.points, options.surface, "--scale");
   line.show("checking the surface", 0.0);
@@ -82,7 +82,7 @@ int run(const Options& options) {
   requirePositive("--scale", options.scale);
   requireWritable("--out", options.out, {".vtu"});
   const Meshed result = meshSurface(options);
-  mesh::writeVtu(options.out, result.mesh, {}, {});
+  formats::writeVtu(options.out, result.mesh, {}, {});
   printReport(options, result);
   return kOk;
 }

@@ -6,8 +6,8 @@
 #include "commands.h"
 #include "options.h"
 #include "palpate/base/error.h"
-#include "palpate/mesh/organs.h"
-#include "palpate/mesh/surface_io.h"
+#include "palpate/formats/surface_io.h"
+#include "palpate/organs/organs.h"
 
 namespace palpate::cli {
 namespace {
@@ -21,8 +21,8 @@ struct Options {
 int run(const Options& options) {
   requirePositive("--edge-length", options.edge_length);
   requireWritable("--out", options.out, {".obj", ".off"});
-  const mesh::SurfaceMesh surface = mesh::makeOrgan(options.name, options.edge_length);
-  mesh::writeSurface(options.out, surface);
+  const mesh::SurfaceMesh surface = organs::makeOrgan(options.name, options.edge_length);
+  formats::writeSurface(options.out, surface);
   std::cout << options.out << ": " << surface.points.cols() << " points, "
             << surface.triangles.cols() << " triangles, " << 1.0e6 * mesh::enclosedVolume(surface)
             << " cm^3\n";
@@ -34,7 +34,8 @@ int run(const Options& options) {
 void addOrgan(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("organ", "Make the surface of an organ");
   const auto options = std::make_shared<Options>();
-  command->add_option("name", options->name, "One of " + joinNames(mesh::organNames()))->required();
+  command->add_option("name", options->name, "One of " + joinNames(organs::organNames()))
+      ->required();
   command->add_option("--edge-length", options->edge_length, "Mean edge of the triangles [m]")
       ->required();
   command->add_option("--out", options->out, "File to write, .off or .obj")->required();

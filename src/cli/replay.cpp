@@ -14,10 +14,10 @@
 #include "commands.h"
 #include "files.h"
 #include "palpate/advice/scene_verdict.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
 #include "palpate/io/trajectory.h"
-#include "palpate/mesh/vtu_writer.h"
 #include "palpate/sim/lockstep.h"
 #include "palpate/solver/blas_speed.h"
 #include "progress_line.h"
@@ -39,8 +39,8 @@ void writePictures(const sim::Simulator& simulator, const std::filesystem::path&
     char digits[16];
     std::snprintf(digits, sizeof digits, "_%06zu.vtu", number);
     const Points displacement = simulator.positions(i) - simulator.restPositions(i);
-    mesh::writeVtu((folder / (simulator.organName(i) + digits)).string(), simulator.organMesh(i),
-                   {{"displacement", displacement}}, {});
+    formats::writeVtu((folder / (simulator.organName(i) + digits)).string(), simulator.organMesh(i),
+                      {{"displacement", displacement}}, {});
   }
 }
 

@@ -22,8 +22,8 @@ struct Options {
 
 void writeOutcome(const analysis::CaseOutcome& outcome, const std::filesystem::path& folder) {
   io::writeResultJson((folder / "result.json").string(), outcome.result);
-  mesh::writeVtu((folder / "result.vtu").string(), outcome.mesh, outcome.point_data,
-                 outcome.cell_data);
+  formats::writeVtu((folder / "result.vtu").string(), outcome.mesh, outcome.point_data,
+                    outcome.cell_data);
   if (outcome.history.rows.empty()) return;
   io::CsvWriter csv((folder / "probes.csv").string(), outcome.history.columns);
   for (const std::vector<double>& row : outcome.history.rows) {

@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "palpate/base/resource.h"
+#include "palpate/formats/surface_io.h"
 #include "palpate/instrument/convex_hull.h"
 #include "palpate/mesh/convex_hull.h"
-#include "palpate/mesh/surface_io.h"
 
 namespace palpate::instrument {
 namespace {
@@ -41,7 +41,7 @@ Geometry prism(double radius, double length) {
 
 Geometry hullOfMesh(const urdf::Mesh& urdf, const std::string& folder) {
   const std::string file = resolveResource(urdf.filename, folder);
-  mesh::SurfaceMesh surface = mesh::readSurface(file);
+  mesh::SurfaceMesh surface = formats::readSurface(file);
   const Vec3 scale(urdf.scale.x, urdf.scale.y, urdf.scale.z);
   surface.points = scale.asDiagonal() * surface.points;
   return makeConvexHull(mesh::convexHull(surface.points));

@@ -8,11 +8,11 @@
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/formats/surface_io.h"
+#include "palpate/formats/tet_io.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
-#include "palpate/mesh/surface_io.h"
-#include "palpate/mesh/tet_io.h"
 #include "palpate/scene/composition.h"
 #include "palpate/tissue/islands.h"
 
@@ -30,7 +30,7 @@ std::string resolve(const std::string& uri, const std::string& scene_file, const
 mesh::TetMesh meshSurface(const OrganConfig& organ, const std::string& file,
                           const std::string& scene_file, const LoadProgress& progress,
                           std::vector<std::string>* warnings) {
-  mesh::SurfaceMesh surface = mesh::readSurface(file);
+  mesh::SurfaceMesh surface = formats::readSurface(file);
   surface.points *= organ.scale;
   mesh::checkSize(surface.points, scene_file, "organ " + organ.name + ".scale");
   mesh::SurfaceReport report;
@@ -72,7 +72,7 @@ mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_f
     return meshSurface(organ, file, scene_file, progress, warnings);
   }
   const std::string file = resolve(organ.tetrahedra, scene_file, key + ".tetrahedra");
-  mesh::TetMesh mesh = mesh::readTetMesh(file);
+  mesh::TetMesh mesh = formats::readTetMesh(file);
   mesh.points *= organ.scale;
   mesh::checkSize(mesh.points, scene_file, key + ".scale");
   return mesh;

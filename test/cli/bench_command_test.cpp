@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "palpate/mesh/tet_io.h"
+#include "palpate/formats/tet_io.h"
 #include "run_cli.h"
 #include "support/contains.h"
 
@@ -44,7 +44,7 @@ TEST_F(BenchCommand, WritesWhatItMeasured) {
   const std::string forces = test::fileBytes(path("a/forces.csv"));
   EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 7);
   EXPECT_EQ(test::fileBytes(path("a/displacements.bin")).size(), 3u * 64u * 3u * sizeof(double));
-  EXPECT_EQ(mesh::readTetMesh(path("a/mesh.vtu")).numPoints(), 64);
+  EXPECT_EQ(formats::readTetMesh(path("a/mesh.vtu")).numPoints(), 64);
 }
 
 // The ball is 2 mm inside at the end: the tissue pushes it up.

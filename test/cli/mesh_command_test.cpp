@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "palpate/mesh/tet_io.h"
+#include "palpate/formats/tet_io.h"
 #include "run_cli.h"
 #include "support/contains.h"
 
@@ -44,7 +44,7 @@ TEST_F(MeshCommand, MakesAnOrganAndFillsIt) {
   EXPECT_EQ(first.err.find('\r'), std::string::npos);
   const std::string bytes = test::fileBytes(path("slab.vtu"));
 
-  const mesh::TetMesh mesh = mesh::readTetMesh(path("slab.vtu"));
+  const mesh::TetMesh mesh = formats::readTetMesh(path("slab.vtu"));
   double volume = 0.0;
   for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {
     volume += mesh::signedVolume(mesh.points, mesh.tets.col(t));
@@ -71,7 +71,7 @@ TEST_F(MeshCommand, ScaleIsAppliedOrSuggested) {
   EXPECT_TRUE(contains(kilometres.err, "--scale"));
   const CliResult small = runCli(arguments + " --scale 0.1");
   ASSERT_EQ(small.status, 0) << small.err;
-  EXPECT_NEAR(mesh::readTetMesh(path("slab.vtu")).points.row(0).maxCoeff(), 0.005, 1e-9);
+  EXPECT_NEAR(formats::readTetMesh(path("slab.vtu")).points.row(0).maxCoeff(), 0.005, 1e-9);
 }
 
 TEST_F(MeshCommand, BadInput) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/fem/packed_tetrahedra.h"
+#include "fem/packed_tetrahedra.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "../../src/fem/element_scatter.h"
+#include "fem/element_scatter.h"
 
 namespace palpate::fem {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/mesh/canonical_order.h"
+#include "mesh/canonical_order.h"
 
 #include <gtest/gtest.h>
 

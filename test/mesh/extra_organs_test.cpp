@@ -6,10 +6,10 @@
 #include <string>
 
 #include "palpate/base/error.h"
+#include "palpate/formats/surface_io.h"
 #include "palpate/mesh/quality.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
-#include "palpate/mesh/surface_io.h"
 #include "palpate/mesh/volume_mesher.h"
 
 namespace palpate::mesh {

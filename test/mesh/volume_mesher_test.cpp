@@ -10,10 +10,10 @@
 
 #include "mesh/surfaces.h"
 #include "palpate/base/error.h"
-#include "palpate/mesh/organs.h"
 #include "palpate/mesh/quality.h"
 #include "palpate/mesh/selection.h"
 #include "palpate/mesh/surface_check.h"
+#include "palpate/organs/organs.h"
 
 namespace palpate::mesh {
 namespace {
@@ -49,11 +49,13 @@ void expectSound(const SurfaceMesh& surface, double edge_length, int components 
   EXPECT_EQ(report.components, components);
 }
 
-TEST(VolumeMesher, FillsTheLiver) { expectSound(makeOrgan("liver", 0.006), 0.0155); }
-TEST(VolumeMesher, FillsTheLiverFinely) { expectSound(makeOrgan("liver", 0.006), 0.009); }
-TEST(VolumeMesher, FillsTheKidney) { expectSound(makeOrgan("kidney", 0.004), 0.007); }
-TEST(VolumeMesher, FillsTheGallbladder) { expectSound(makeOrgan("gallbladder", 0.003), 0.005); }
-TEST(VolumeMesher, FillsTheSlab) { expectSound(makeOrgan("slab", 0.010), 0.010); }
+TEST(VolumeMesher, FillsTheLiver) { expectSound(organs::makeOrgan("liver", 0.006), 0.0155); }
+TEST(VolumeMesher, FillsTheLiverFinely) { expectSound(organs::makeOrgan("liver", 0.006), 0.009); }
+TEST(VolumeMesher, FillsTheKidney) { expectSound(organs::makeOrgan("kidney", 0.004), 0.007); }
+TEST(VolumeMesher, FillsTheGallbladder) {
+  expectSound(organs::makeOrgan("gallbladder", 0.003), 0.005);
+}
+TEST(VolumeMesher, FillsTheSlab) { expectSound(organs::makeOrgan("slab", 0.010), 0.010); }
 TEST(VolumeMesher, FillsACoarseBox) { expectSound(boxSurface(0.1, 1), 0.012); }
 
 TEST(VolumeMesher, LeavesACavityEmpty) {
@@ -68,8 +70,8 @@ TEST(VolumeMesher, FillsSeparateBodies) {
 }
 
 TEST(VolumeMesher, FindsASmallRoundBodyAside) {
-  const SurfaceMesh kidney = makeOrgan("kidney", 0.005);
-  SurfaceMesh pebble = makeOrgan("kidney", 0.005);
+  const SurfaceMesh kidney = organs::makeOrgan("kidney", 0.005);
+  SurfaceMesh pebble = organs::makeOrgan("kidney", 0.005);
   pebble.points *= 0.3;
   expectSound(joined(kidney, moved(pebble, Vec3(0.2, 0.3, 0.1))), 0.007, 2);
 }
@@ -89,7 +91,7 @@ TEST(VolumeMesher, AssignsCavitiesToTheirBodies) {
 }
 
 TEST(VolumeMesher, KeepsTheEdgesOfASlab) {
-  const SurfaceMesh slab = makeOrgan("slab", 0.01);
+  const SurfaceMesh slab = organs::makeOrgan("slab", 0.01);
   const TetMesh mesh = meshVolume(slab, withEdge(0.01));
   EXPECT_NEAR(measureQuality(mesh, &slab).volume_error, 0.0, 1e-6);
   // All of its eight corners, exactly.
@@ -109,9 +111,9 @@ TEST(VolumeMesher, KeepsTheEdgesOfASlab) {
 }
 
 TEST(VolumeMesher, GivesTheSameBitsEachTime) {
-  const SurfaceMesh liver = makeOrgan("liver", 0.008);
+  const SurfaceMesh liver = organs::makeOrgan("liver", 0.008);
   const TetMesh a = meshVolume(liver, withEdge(0.016));
-  meshVolume(makeOrgan("slab", 0.02), withEdge(0.02));  // something else between
+  meshVolume(organs::makeOrgan("slab", 0.02), withEdge(0.02));  // something else between
   const TetMesh b = meshVolume(liver, withEdge(0.016), [](const std::string&, double) {});
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.tets, b.tets);
@@ -120,10 +122,11 @@ TEST(VolumeMesher, GivesTheSameBitsEachTime) {
 TEST(VolumeMesher, ReportsGrowingProgress) {
   std::vector<double> fractions;
   std::vector<std::string> stages;
-  meshVolume(makeOrgan("liver", 0.008), withEdge(0.012), [&](const std::string& stage, double f) {
-    fractions.push_back(f);
-    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
-  });
+  meshVolume(organs::makeOrgan("liver", 0.008), withEdge(0.012),
+             [&](const std::string& stage, double f) {
+               fractions.push_back(f);
+               if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+             });
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0.0);
   EXPECT_EQ(fractions.back(), 1.0);

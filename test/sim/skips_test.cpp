@@ -125,7 +125,7 @@ TEST(Skips, AnOrganOfTwoPartsIsSolvedPartByPart) {
   two.points.rightCols(n) = two.points.leftCols(n).colwise() + Vec3(0.2, 0.0, 0.0);
   two.tets.conservativeResize(4, 2 * m);
   two.tets.rightCols(m) = two.tets.leftCols(m).array() + static_cast<int>(n);
-  mesh::writeVtu(slab.folder().path("slab.vtu"), two, {}, {});
+  formats::writeVtu(slab.folder().path("slab.vtu"), two, {}, {});
   scene::Scene scene = slab.scene();
   const Outcome on = run(scene);
   scene.solver.skip.islands = false;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/mesh/vtu_writer.h"
 #include "palpate/sim/simulator.h"
 #include "support/temp_folder.h"
 
@@ -18,8 +18,8 @@ namespace palpate::test {
 class SlabScene {
  public:
   SlabScene() {
-    mesh::writeVtu(folder_.path("slab.vtu"),
-                   mesh::boxMesh(Vec3(0.1, 0.1, 0.04), Eigen::Vector3i(6, 6, 3)), {}, {});
+    formats::writeVtu(folder_.path("slab.vtu"),
+                      mesh::boxMesh(Vec3(0.1, 0.1, 0.04), Eigen::Vector3i(6, 6, 3)), {}, {});
   }
 
   /// The scene file's path; `extra` are further top-level lines, `organ` further ones of the organ.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/solver/kept_stiffness.h"
+#include "solver/kept_stiffness.h"
 
 #include <gtest/gtest.h>
 

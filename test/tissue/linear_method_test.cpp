@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "../../src/tissue/surface_compliance.h"
 #include "liver_slab.h"
 #include "support/contains.h"
+#include "tissue/surface_compliance.h"
 
 namespace palpate::tissue {
 namespace {

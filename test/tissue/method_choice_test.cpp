@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/tissue/method_choice.h"
+#include "tissue/method_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "../../src/tissue/sparse_assembly.h"
 #include "liver_slab.h"
 #include "support/contains.h"
+#include "tissue/sparse_assembly.h"
 
 namespace palpate::tissue {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "palpate/analysis/case.h"
 #include "palpate/analysis/solve_result.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/mesh/vtu_writer.h"
 
 namespace palpate::analysis {
 
@@ -22,10 +22,10 @@ struct ProbeHistory {
 struct CaseOutcome {
   SolveResult result;
   bool converged = false;
-  mesh::TetMesh mesh;                      ///< The reference shape.
-  std::vector<mesh::VtuArray> point_data;  ///< displacement [m], reaction [N]
-  std::vector<mesh::VtuArray> cell_data;   ///< cauchy_stress xx yy zz xy yz zx [Pa], jacobian
-  ProbeHistory history;                    ///< Empty for a static case.
+  mesh::TetMesh mesh;                         ///< The reference shape.
+  std::vector<formats::VtuArray> point_data;  ///< displacement [m], reaction [N]
+  std::vector<formats::VtuArray> cell_data;   ///< cauchy_stress xx yy zz xy yz zx [Pa], jacobian
+  ProbeHistory history;                       ///< Empty for a static case.
 };
 
 /// Solves a case. Static: loads and displacements grow together over the load steps. Dynamic: from

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/mesh/surface_mesh.h"
+
+namespace palpate::mesh {
+
+/// Near-uniform triangles of about `edge_length` [m] on the closed surface of `surface`
+/// (isotropic remeshing, Botsch and Kobbelt 2004, by CGAL).
+SurfaceMesh remesh(const SurfaceMesh& surface, double edge_length, int iterations);
+
+}  // namespace palpate::mesh

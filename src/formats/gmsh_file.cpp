@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gmsh_file.h"
+
+#include <algorithm>
+
+#include "scalar_type.h"
+
+namespace palpate::formats {
+namespace {
+
+constexpr int kTet4 = 4, kTet10 = 11;
+
+// Nodes of Gmsh's element types 1 ... 31 [Gmsh reference manual, MSH file format].
+constexpr int kNodes[] = {0, 2,  3,  4,  4, 8,  6,  5,  3,  6,  9, 10, 27, 18, 14, 1,
+                          8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5,  6,  20, 35, 56};
+// 64 and 125 nodes: hexahedra of order 3 and 4.
+constexpr int kHexahedron64 = 92, kHexahedron125 = 93;
+constexpr int kOtherVolumes[] = {5, 6, 7, 12, 13, 14, 17, 18, 19, 29, 30, 31, 92, 93};
+
+}  // namespace
+
+int GmshFile::integer(const char* what) {
+  if (!binary) return in.smallInteger(what);
+  return load<std::int32_t>(in.bytes(4, what).data(), swap);
+}
+
+std::int64_t GmshFile::size(const char* what) {
+  if (!binary) return in.integer(what);
+  if (size_of_size == 4) return load<std::uint32_t>(in.bytes(4, what).data(), swap);
+  return load<std::int64_t>(in.bytes(8, what).data(), swap);
+}
+
+double GmshFile::real(const char* what) {
+  if (!binary) return in.number(what);
+  return load<double>(in.bytes(8, what).data(), swap);
+}
+
+std::size_t GmshFile::count(const char* what, std::size_t bytes_in_text,
+                            std::size_t bytes_in_binary) {
+  const std::int64_t n = size(what);
+  in.checkCount(n, what, binary ? bytes_in_binary : bytes_in_text);
+  return static_cast<std::size_t>(n);
+}
+
+void GmshFile::addNode(std::int64_t tag, const Vec3& point) {
+  const auto next = static_cast<std::int64_t>(builder.numPoints());
+  if (!index_.emplace(tag, next).second) {
+    in.fail("node " + std::to_string(tag), "must not come twice");
+  }
+  builder.addPoint(point);
+}
+
+int GmshFile::numNodes(int type) const {
+  if (type >= 1 && type < static_cast<int>(std::size(kNodes))) return kNodes[type];
+  if (type == kHexahedron64) return 64;
+  if (type == kHexahedron125) return 125;
+  in.fail("element type " + std::to_string(type), "must be one of Gmsh's 1 to 31, 92, 93");
+}
+
+void GmshFile::addElement(int type, const NodeTags& tags, int region) {
+  if (std::count(std::begin(kOtherVolumes), std::end(kOtherVolumes), type) > 0) {
+    in.fail("element type " + std::to_string(type),
+            "volume elements must be tetrahedra with 4 nodes (type 4) or 10 nodes (type 11)");
+  }
+  if (type != kTet4 && type != kTet10) return;
+  TetNodes nodes{};
+  const int num_nodes = numNodes(type);
+  for (int i = 0; i < num_nodes; ++i) {
+    const auto found = index_.find(tags[i]);
+    if (found == index_.end()) {
+      in.fail("node " + std::to_string(tags[i]), "an element has a node that is not in the file");
+    }
+    nodes[i] = found->second;
+  }
+  // Gmsh's edges are 01 12 20 03 23 13; VTK's last two are the other way round.
+  if (type == kTet10) std::swap(nodes[8], nodes[9]);
+  builder.addTet(nodes, num_nodes);
+  builder.setRegion(region);
+}
+
+}  // namespace palpate::formats

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "palpate/base/error.h"
+#include "surface_builder.h"
+#include "surface_formats.h"
+#include "vrml.h"
+
+namespace palpate::formats {
+namespace {
+
+constexpr int kMostVisits = 1000000;  // USE within USE could multiply without end
+
+template <std::size_t n>
+bool isOneOf(const std::string& type, const char* const (&list)[n]) {
+  return std::find(list, list + n, type) != list + n;
+}
+
+constexpr const char* kGroups[] = {"Group", "Transform", "Anchor", "Billboard", "Collision"};
+constexpr const char* kOtherSolids[] = {"Box",    "Cone",          "Cylinder",
+                                        "Sphere", "ElevationGrid", "Extrusion"};
+
+class Walker {
+ public:
+  explicit Walker(const std::string& file) : file_(file), builder_(file) {}
+
+  void visit(const VrmlNode& node, const Eigen::Affine3d& X_WP) {
+    if (++visits_ > kMostVisits) fail(node, "there are too many nodes");
+    if (isOneOf(node.type, kGroups)) {
+      const Eigen::Affine3d X_WC = node.type == "Transform" ? X_WP * transform(node) : X_WP;
+      for (const auto& child : node.nodes("children")) visit(*child, X_WC);
+    } else if (node.type == "Switch") {
+      const auto choices = node.nodes("choice");
+      const double which = values(node, "whichChoice", {-1.0})[0];
+      if (which >= 0.0 && which < static_cast<double>(choices.size())) {
+        visit(*choices[static_cast<std::size_t>(which)], X_WP);
+      }
+    } else if (node.type == "LOD") {  // the finest comes first
+      const auto levels = node.nodes("level");
+      if (!levels.empty()) visit(*levels[0], X_WP);
+    } else if (node.type == "Shape") {
+      for (const auto& geometry : node.nodes("geometry")) addGeometry(*geometry, X_WP);
+    } else if (node.type == "Inline") {
+      fail(node, "Inline files are not read; write one file");
+    }
+  }
+
+  mesh::SurfaceMesh finish() { return builder_.finish(); }
+
+ private:
+  [[noreturn]] void fail(const VrmlNode& node, const std::string& allowed) const {
+    throw InputError(file_, node.where, node.type, allowed);
+  }
+
+  /// Field `name`, which must have as many numbers as `fallback`.
+  std::vector<double> values(const VrmlNode& node, const char* name,
+                             const std::vector<double>& fallback) const {
+    std::vector<double> v = node.numbers(name, fallback);
+    if (v.size() != fallback.size()) {
+      fail(node, std::string(name) + " must have " + std::to_string(fallback.size()) + " numbers");
+    }
+    return v;
+  }
+  Vec3 vector(const VrmlNode& node, const char* name, double fallback) const {
+    return Vec3(values(node, name, {fallback, fallback, fallback}).data());
+  }
+  Eigen::Quaterniond rotation(const VrmlNode& node, const char* name) const {
+    const std::vector<double> v = values(node, name, {0.0, 0.0, 1.0, 0.0});
+    const Vec3 axis(v.data());
+    if (v[3] == 0.0) return Eigen::Quaterniond::Identity();
+    if (!(axis.norm() > 0.0)) fail(node, std::string(name) + " must have an axis");
+    return Eigen::Quaterniond(Eigen::AngleAxisd(v[3], axis.normalized()));
+  }
+
+  /// p' = T C R SR S SR^-1 C^-1 p [VRML97, ISO/IEC 14772-1, 6.52].
+  Eigen::Affine3d transform(const VrmlNode& node) const {
+    const Vec3 center = vector(node, "center", 0.0);
+    const Eigen::Quaterniond stretch = rotation(node, "scaleOrientation");
+    Eigen::Affine3d X = Eigen::Affine3d::Identity();
+    X.translate(vector(node, "translation", 0.0) + center);
+    X.rotate(rotation(node, "rotation"));
+    X.rotate(stretch);
+    X.scale(vector(node, "scale", 1.0));
+    X.rotate(stretch.conjugate());
+    X.translate(-center);
+    return X;
+  }
+
+  void addGeometry(const VrmlNode& node, const Eigen::Affine3d& X_WP) {
+    if (isOneOf(node.type, kOtherSolids)) fail(node, "must be an IndexedFaceSet");
+    if (node.type != "IndexedFaceSet") return;  // lines, points, text
+    std::vector<double> xyz;
+    for (const auto& coord : node.nodes("coord")) xyz = coord->numbers("point");
+    if (xyz.size() % 3 != 0) fail(node, "the numbers in 'point' must be a multiple of 3");
+    const auto first = static_cast<std::int64_t>(builder_.numPoints());
+    if (first + static_cast<std::int64_t>(xyz.size()) > kMostNumbers) {
+      fail(node, "there are too many vertices");
+    }
+    for (std::size_t i = 0; i < xyz.size(); i += 3) {
+      builder_.addPoint(X_WP * Vec3(xyz[i], xyz[i + 1], xyz[i + 2]));
+    }
+    // A mirror turns the corners' order round; so does ccw FALSE.
+    const bool ccw = values(node, "ccw", {1.0})[0] != 0.0;
+    addFaces(node, first, ccw == (X_WP.linear().determinant() >= 0.0));
+  }
+
+  void addFaces(const VrmlNode& node, std::int64_t first, bool keep_order) {
+    std::vector<std::int64_t> corners;
+    std::size_t face = 0;
+    const auto close = [&] {
+      ++face;
+      if (!keep_order) std::reverse(corners.begin(), corners.end());
+      builder_.addPolygon(corners, first, static_cast<std::int64_t>(builder_.numPoints()), [&] {
+        return node.where + ", IndexedFaceSet: face " + std::to_string(face);
+      });
+      corners.clear();
+    };
+    for (const double index : node.numbers("coordIndex")) {
+      if (index != std::floor(index)) fail(node, "coordIndex must have whole numbers");
+      if (index == -1.0) {
+        close();
+      } else {
+        const bool fits = index >= 0.0 && index < static_cast<double>(kMostNumbers);
+        corners.push_back(fits ? first + static_cast<std::int64_t>(index) : -1);
+      }
+    }
+    if (!corners.empty()) close();  // the last -1 may be left out
+  }
+
+  static constexpr std::int64_t kMostNumbers = 300000000;
+
+  const std::string file_;
+  SurfaceBuilder builder_;
+  int visits_ = 0;
+};
+
+}  // namespace
+
+mesh::SurfaceMesh readWrl(const std::string& file, std::string_view bytes) {
+  Walker walker(file);
+  for (const auto& node : parseVrml(file, bytes)) walker.visit(*node, Eigen::Affine3d::Identity());
+  return walker.finish();
+}
+
+}  // namespace palpate::formats

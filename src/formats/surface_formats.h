@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "palpate/mesh/surface_mesh.h"
+
+namespace palpate::formats {
+
+/// The reader that the extension of `file` names, on `bytes`; what readSurface() does with a file's
+/// content.
+mesh::SurfaceMesh parseSurface(const std::string& file, std::string_view bytes);
+
+// One reader a format: `bytes` is the content of `file`, whose name is for messages only.
+mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes);
+mesh::SurfaceMesh readOff(const std::string& file, std::string_view bytes);
+mesh::SurfaceMesh readPly(const std::string& file, std::string_view bytes);
+mesh::SurfaceMesh readStl(const std::string& file, std::string_view bytes);
+mesh::SurfaceMesh readWrl(const std::string& file, std::string_view bytes);
+
+}  // namespace palpate::formats

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/formats/vtu_writer.h"
+
+#include <tinyxml2.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "file_bytes.h"
+#include "scalar_type.h"
+
+namespace palpate::formats {
+namespace {
+
+constexpr unsigned char kTet4 = 10, kTet10 = 24;  // VTK cell types
+
+/// Writes the XML part through `xml` and gathers the blocks that stand behind it.
+class Writer {
+ public:
+  tinyxml2::XMLPrinter xml;
+
+  void begin(const char* element) { xml.OpenElement(element); }
+  void end() { xml.CloseElement(); }
+
+  template <class T>
+  void array(const std::string& name, const char* type, Eigen::Index components, const T* values,
+             Eigen::Index count) {
+    xml.OpenElement("DataArray");
+    xml.PushAttribute("type", type);
+    xml.PushAttribute("Name", name.c_str());
+    xml.PushAttribute("NumberOfComponents", std::to_string(components).c_str());
+    xml.PushAttribute("format", "appended");
+    xml.PushAttribute("offset", std::to_string(appended_.size()).c_str());
+    xml.CloseElement();
+    const std::uint64_t size = static_cast<std::uint64_t>(components * count) * sizeof(T);
+    append(&size, sizeof size);
+    append(values, size);
+  }
+
+  void arrays(const char* element, const std::vector<VtuArray>& list,
+              const std::vector<int>& region) {
+    begin(element);
+    for (const VtuArray& a : list) {
+      array(a.name, "Float64", a.values.rows(), a.values.data(), a.values.cols());
+    }
+    if (!region.empty()) {
+      array("region", "Int32", 1, region.data(), static_cast<Eigen::Index>(region.size()));
+    }
+    end();
+  }
+
+  /// The whole file.
+  std::string file() const {
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+           "byte_order=\"" +
+           std::string(hostIsLittleEndian() ? "LittleEndian" : "BigEndian") +
+           "\" header_type=\"UInt64\">\n" + xml.CStr() + "<AppendedData encoding=\"raw\">\n_" +
+           appended_ + "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    if (size > 0) appended_.append(static_cast<const char*>(data), size);
+  }
+
+  std::string appended_;
+};
+
+void check(const std::vector<VtuArray>& arrays, Eigen::Index count, const char* of) {
+  for (const VtuArray& a : arrays) {
+    if (a.name.empty()) throw std::invalid_argument("writeVtu: an array must have a name");
+    if (a.values.cols() == count && a.values.rows() > 0) continue;
+    throw std::invalid_argument("writeVtu: array '" + a.name + "' has " +
+                                std::to_string(a.values.cols()) + " columns; must be the " +
+                                std::to_string(count) + ' ' + of);
+  }
+}
+
+void writeCells(const mesh::TetMesh& mesh, Writer* out) {
+  const Eigen::Index num_nodes = mesh.quadratic() ? 10 : 4;
+  Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic> nodes(num_nodes, mesh.numTets());
+  nodes.topRows(4) = mesh.tets.cast<std::int64_t>();
+  if (mesh.quadratic()) nodes.bottomRows(6) = mesh.midnodes.cast<std::int64_t>();
+  std::vector<std::int64_t> ends(static_cast<std::size_t>(mesh.numTets()));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    ends[i] = static_cast<std::int64_t>(i + 1) * num_nodes;
+  }
+  const std::vector<unsigned char> types(ends.size(), mesh.quadratic() ? kTet10 : kTet4);
+  out->begin("Cells");
+  out->array("connectivity", "Int64", 1, nodes.data(), nodes.size());
+  out->array("offsets", "Int64", 1, ends.data(), mesh.numTets());
+  out->array("types", "UInt8", 1, types.data(), mesh.numTets());
+  out->end();
+}
+
+}  // namespace
+
+void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
+              const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data) {
+  check(point_data, mesh.numPoints(), "points");
+  check(cell_data, mesh.numTets(), "tetrahedra");
+  if (!mesh.region.empty() && static_cast<Eigen::Index>(mesh.region.size()) != mesh.numTets()) {
+    throw std::invalid_argument("writeVtu: region must have one tag a tetrahedron");
+  }
+  Writer out;
+  out.begin("UnstructuredGrid");
+  out.begin("Piece");
+  out.xml.PushAttribute("NumberOfPoints", std::to_string(mesh.numPoints()).c_str());
+  out.xml.PushAttribute("NumberOfCells", std::to_string(mesh.numTets()).c_str());
+  out.begin("Points");
+  out.array("Points", "Float64", 3, mesh.points.data(), mesh.numPoints());
+  out.end();
+  writeCells(mesh, &out);
+  out.arrays("PointData", point_data, {});
+  out.arrays("CellData", cell_data, mesh.region);
+  out.end();
+  out.end();
+  writeFileAtomically(file, out.file());
+}
+
+}  // namespace palpate::formats
