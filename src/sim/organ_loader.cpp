@@ -14,7 +14,7 @@
 #include "palpate/mesh/surface_io.h"
 #include "palpate/mesh/tet_io.h"
 #include "palpate/sim/composition.h"
-#include "palpate/tissue/islands.h"
+#include "palpate/tissue/fem/islands.h"
 
 namespace palpate::sim {
 namespace {

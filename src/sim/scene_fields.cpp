@@ -4,7 +4,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/sim/skips.h"
 #include "palpate/solver/integrator.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::sim {
 

@@ -9,7 +9,7 @@
 #include "palpate/mesh/quality.h"
 #include "palpate/sim/skips.h"
 #include "palpate/sim/tissue_file.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::sim {
 namespace {

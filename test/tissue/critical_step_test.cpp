@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../../src/tissue/critical_step.h"
+#include "../../src/tissue/fem/critical_step.h"
 
 #include <gtest/gtest.h>
 

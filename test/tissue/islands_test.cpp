@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/tissue/islands.h"
+#include "palpate/tissue/fem/islands.h"
 
 #include <gtest/gtest.h>
 

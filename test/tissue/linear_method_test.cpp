@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../../src/tissue/surface_compliance.h"
+#include "../../src/tissue/fem/surface_compliance.h"
 #include "liver_slab.h"
 #include "support/contains.h"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "../../src/tissue/sparse_assembly.h"
+#include "../../src/tissue/fem/sparse_assembly.h"
 #include "liver_slab.h"
 #include "support/contains.h"
 

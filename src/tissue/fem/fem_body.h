@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "../touch/tool_sweep.h"
 #include "palpate/contact/contact_potential.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
-#include "palpate/tissue/fem_tissue.h"
-#include "tool_sweep.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::tissue {
 
