@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "load_advice.h"
-#include "palpate/mesh/quality.h"
 #include "palpate/sim/skips.h"
 #include "palpate/sim/tissue_file.h"
 #include "palpate/tissue/fem/fem_tissue.h"
@@ -59,15 +58,15 @@ SceneFacts sceneFacts(const Simulator& simulator, int cores) {
   facts.cores = cores;
   int largest = 0;
   for (int i = 0; i < simulator.numOrgans(); ++i) {
-    const int nodes = static_cast<int>(simulator.restPositions(i).cols());
+    const int nodes = static_cast<int>(simulator.positions(i).cols());
     facts.nodes += nodes;
-    if (nodes > simulator.restPositions(largest).cols()) largest = i;
+    if (nodes > simulator.positions(largest).cols()) largest = i;
   }
   const OrganConfig& organ = scene.organs[static_cast<std::size_t>(largest)];
   facts.organ = organ.name;
   facts.element = organ.element;
   facts.meshed = !organ.surface.empty();
-  facts.edge_length = mesh::measureQuality(simulator.organMesh(largest)).mean_edge_length;
+  facts.edge_length = mesh::meanEdgeLength(simulator.cells(largest));
   facts.poisson_ratio = largestPoissonRatio(scene);
   facts.contact_stiffness = scene.contact.stiffness;
   facts.sample_spacing = scene.contact.sample_spacing;
