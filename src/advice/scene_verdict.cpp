@@ -6,9 +6,8 @@
 #include <sstream>
 
 #include "advice.h"
-#include "palpate/mesh/quality.h"
 #include "palpate/scene/tissue_file.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::advice {
@@ -60,15 +59,15 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   facts.cores = cores;
   int largest = 0;
   for (int i = 0; i < simulator.numOrgans(); ++i) {
-    const int nodes = static_cast<int>(simulator.restPositions(i).cols());
+    const int nodes = static_cast<int>(simulator.positions(i).cols());
     facts.nodes += nodes;
-    if (nodes > simulator.restPositions(largest).cols()) largest = i;
+    if (nodes > simulator.positions(largest).cols()) largest = i;
   }
   const scene::OrganConfig& organ = scene.organs[static_cast<std::size_t>(largest)];
   facts.organ = organ.name;
   facts.element = organ.element;
   facts.meshed = !organ.surface.empty();
-  facts.edge_length = mesh::measureQuality(simulator.organMesh(largest)).mean_edge_length;
+  facts.edge_length = mesh::meanEdgeLength(simulator.cells(largest));
   facts.poisson_ratio = largestPoissonRatio(scene);
   facts.contact_stiffness = scene.contact.stiffness;
   facts.sample_spacing = scene.contact.sample_spacing;

@@ -34,17 +34,16 @@ double statusMegabytes(const std::string& key) {
 void rewind(const BenchCase& bench, sim::Simulator* simulator) {
   simulator->reset();
   if (bench.start_velocity.isZero()) return;
-  sim::SimulatorState state = simulator->state();
-  for (std::size_t i = 0; i < state.velocities.size(); ++i) {
-    state.velocities[i].colwise() = bench.start_velocity;
-    for (const scene::SupportConfig& support : bench.scene.organs[i].supports) {
-      for (int node :
-           mesh::selectPoints(simulator->restPositions(static_cast<int>(i)), support.select)) {
-        state.velocities[i].col(node).setZero();
-      }
+  for (int i = 0; i < simulator->numOrgans(); ++i) {
+    const Points positions = simulator->positions(i);
+    const Points rest = simulator->cells(i).points;
+    Points velocities = bench.start_velocity.replicate(1, positions.cols());
+    for (const scene::SupportConfig& support :
+         bench.scene.organs[static_cast<std::size_t>(i)].supports) {
+      for (int node : mesh::selectPoints(rest, support.select)) velocities.col(node).setZero();
     }
+    simulator->place(i, positions, velocities);
   }
-  simulator->restore(state);
 }
 
 std::vector<sim::LinkPoses> posesAt(double t, const BenchCase& bench,
@@ -86,10 +85,11 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
   line.finish();
   result.load_seconds = since(begin, 1.0);
   result.loaded_megabytes = statusMegabytes("VmRSS:");
-  result.mesh = simulator.organMesh(0);
+  result.mesh = simulator.cells(0);
   for (int i = 0; i < simulator.numOrgans(); ++i) {
-    result.nodes += static_cast<int>(simulator.organMesh(i).numPoints());
-    result.tets += static_cast<int>(simulator.organMesh(i).numTets());
+    const mesh::CellMesh mesh = simulator.cells(i);
+    result.nodes += static_cast<int>(mesh.numPoints());
+    result.tets += static_cast<int>(mesh.numCells());
   }
   for (const std::string& warning : simulator.warnings()) result.note += warning + "\n";
   for (const std::string& note : simulator.notes()) result.note += note + "\n";
@@ -112,7 +112,7 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
         result.usable &= done.report.usable();
         if (isMultiple(t, timing.frame) || k == cycles) {
           result.frame_times.push_back(t);
-          result.frames.push_back(simulator.positions(0) - simulator.restPositions(0));
+          result.frames.push_back(simulator.positions(0) - result.mesh.points);
         }
       } else {
         result.same_bits &= sameBits(cycleOf(t, done).wrench, result.cycles[k - 1].wrench);

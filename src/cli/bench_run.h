@@ -25,7 +25,7 @@ struct BenchResult {
   std::vector<std::vector<double>> milliseconds;  ///< Of each repeat, one a cycle.
   std::vector<double> frame_times;                ///< [s]
   std::vector<Points> frames;  ///< Displacements of organ 0 at these times, 3 x n [m].
-  mesh::TetMesh mesh;          ///< Organ 0 at rest.
+  mesh::CellMesh mesh;         ///< Organ 0 at rest.
   std::string note;            ///< Of loading.
   bool same_bits = true;       ///< All repeats gave the forces of the first.
   bool usable = true;          ///< No cycle failed.

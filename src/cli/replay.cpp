@@ -32,14 +32,15 @@ struct Options {
   bool profile = false;
 };
 
-// One file an organ: <organ>_<number>.vtu with the deformed surface's displacement.
+// One file an organ: <organ>_<number>.vtu, at rest with the points' displacement.
 void writePictures(const sim::Simulator& simulator, const std::filesystem::path& folder,
                    std::size_t number) {
   for (int i = 0; i < simulator.numOrgans(); ++i) {
     char digits[16];
     std::snprintf(digits, sizeof digits, "_%06zu.vtu", number);
-    const Points displacement = simulator.positions(i) - simulator.restPositions(i);
-    formats::writeVtu((folder / (simulator.organName(i) + digits)).string(), simulator.organMesh(i),
+    const mesh::CellMesh rest = simulator.cells(i);
+    const Points displacement = simulator.positions(i) - rest.points;
+    formats::writeVtu((folder / (simulator.organName(i) + digits)).string(), rest,
                       {{"displacement", displacement}}, {});
   }
 }

@@ -12,7 +12,22 @@
 namespace palpate::formats {
 namespace {
 
-constexpr unsigned char kTet4 = 10, kTet10 = 24;  // VTK cell types
+// VTK's number of the kind of cells with so many points.
+unsigned char cellType(Eigen::Index points) {
+  switch (points) {
+    case 2:
+      return 3;
+    case 3:
+      return 5;
+    case 4:
+      return 10;
+    case 10:
+      return 24;
+    default:
+      throw std::invalid_argument("writeVtu: cells of " + std::to_string(points) +
+                                  " points; must be 2, 3, 4 or 10");
+  }
+}
 
 /// Writes the XML part through `xml` and gathers the blocks that stand behind it.
 class Writer {
@@ -76,37 +91,36 @@ void check(const std::vector<VtuArray>& arrays, Eigen::Index count, const char* 
   }
 }
 
-void writeCells(const mesh::TetMesh& mesh, Writer* out) {
-  const Eigen::Index num_nodes = mesh.quadratic() ? 10 : 4;
-  Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic> nodes(num_nodes, mesh.numTets());
-  nodes.topRows(4) = mesh.tets.cast<std::int64_t>();
-  if (mesh.quadratic()) nodes.bottomRows(6) = mesh.midnodes.cast<std::int64_t>();
-  std::vector<std::int64_t> ends(static_cast<std::size_t>(mesh.numTets()));
+void writeCells(const mesh::CellMesh& mesh, Writer* out) {
+  const Eigen::Index num_nodes = mesh.cells.rows();
+  const Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic> nodes =
+      mesh.cells.cast<std::int64_t>();
+  std::vector<std::int64_t> ends(static_cast<std::size_t>(mesh.numCells()));
   for (std::size_t i = 0; i < ends.size(); ++i) {
     ends[i] = static_cast<std::int64_t>(i + 1) * num_nodes;
   }
-  const std::vector<unsigned char> types(ends.size(), mesh.quadratic() ? kTet10 : kTet4);
+  const std::vector<unsigned char> types(ends.size(), ends.empty() ? 0 : cellType(num_nodes));
   out->begin("Cells");
   out->array("connectivity", "Int64", 1, nodes.data(), nodes.size());
-  out->array("offsets", "Int64", 1, ends.data(), mesh.numTets());
-  out->array("types", "UInt8", 1, types.data(), mesh.numTets());
+  out->array("offsets", "Int64", 1, ends.data(), mesh.numCells());
+  out->array("types", "UInt8", 1, types.data(), mesh.numCells());
   out->end();
 }
 
 }  // namespace
 
-void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
+void writeVtu(const std::string& file, const mesh::CellMesh& mesh,
               const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data) {
   check(point_data, mesh.numPoints(), "points");
-  check(cell_data, mesh.numTets(), "tetrahedra");
-  if (!mesh.region.empty() && static_cast<Eigen::Index>(mesh.region.size()) != mesh.numTets()) {
-    throw std::invalid_argument("writeVtu: region must have one tag a tetrahedron");
+  check(cell_data, mesh.numCells(), "cells");
+  if (!mesh.region.empty() && static_cast<Eigen::Index>(mesh.region.size()) != mesh.numCells()) {
+    throw std::invalid_argument("writeVtu: region must have one tag a cell");
   }
   Writer out;
   out.begin("UnstructuredGrid");
   out.begin("Piece");
   out.xml.PushAttribute("NumberOfPoints", std::to_string(mesh.numPoints()).c_str());
-  out.xml.PushAttribute("NumberOfCells", std::to_string(mesh.numTets()).c_str());
+  out.xml.PushAttribute("NumberOfCells", std::to_string(mesh.numCells()).c_str());
   out.begin("Points");
   out.array("Points", "Float64", 3, mesh.points.data(), mesh.numPoints());
   out.end();
@@ -116,6 +130,11 @@ void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
   out.end();
   out.end();
   writeFileAtomically(file, out.file());
+}
+
+void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
+              const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data) {
+  writeVtu(file, mesh::cellsOf(mesh), point_data, cell_data);
 }
 
 }  // namespace palpate::formats

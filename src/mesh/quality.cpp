@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
+
+#include "palpate/mesh/cell_mesh.h"
 
 namespace palpate::mesh {
 namespace {
@@ -37,21 +38,6 @@ double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
   return sum.norm() / (2.0 * six_volumes);
 }
 
-double meanEdge(const TetMesh& mesh) {
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(6 * mesh.tets.cols());
-  for (Eigen::Index t = 0; t < mesh.tets.cols(); ++t) {
-    for (const auto& e : kEdges) {
-      edges.push_back(std::minmax({mesh.tets(e[0], t), mesh.tets(e[1], t)}));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  double sum = 0.0;
-  for (const auto& [i, j] : edges) sum += (mesh.points.col(i) - mesh.points.col(j)).norm();
-  return sum / static_cast<double>(edges.size());
-}
-
 }  // namespace
 
 TetQuality measureQuality(const TetMesh& mesh, const SurfaceMesh* reference) {
@@ -77,7 +63,7 @@ TetQuality measureQuality(const TetMesh& mesh, const SurfaceMesh* reference) {
   quality.min_dihedral_deg = *std::min_element(least.begin(), least.end());
   std::nth_element(least.begin(), middle, least.end());
   quality.median_dihedral_deg = *middle;
-  quality.mean_edge_length = meanEdge(mesh);
+  quality.mean_edge_length = meanEdgeLength(cellsOf(mesh));
   if (reference != nullptr) {
     const double wanted = enclosedVolume(*reference);
     quality.volume_error = (quality.volume - wanted) / wanted;

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,17 @@ struct ReportFrame {
   double cycle_ms = 0.0;
 };
 
+/// The surface of an organ in a picture. Pictures share triangles that have not become others.
+struct SurfacePicture {
+  Points positions;  ///< World, 3 x n [m].
+  std::shared_ptr<const Eigen::Matrix3Xi> triangles;
+  std::uint64_t revision = 0;  ///< See tissue::Shape.
+};
+
 /// What is seen in rviz.
 struct Picture {
   ros::Time stamp;
-  std::vector<Points> positions;  ///< One an organ; empty before the first picture.
+  std::vector<SurfacePicture> organs;  ///< Empty before the first picture.
   std::vector<sim::ContactPoint> contacts;
   std::vector<Wrench> spatial;  ///< One an instrument; empty while there is nothing to show.
   std::vector<Pose> X_WC;

@@ -169,7 +169,7 @@ void LiveCycle::writePicture(Steady::time_point now) {
   Picture picture;
   picture.stamp = stamp_;
   for (int i = 0; i < simulator_.numOrgans(); ++i) {
-    picture.positions.push_back(simulator_.positions(i));
+    picture.organs.push_back(surfaces_.take(simulator_.shape(i), static_cast<std::size_t>(i)));
   }
   if (result_) {
     picture.contacts = result_->contacts;

@@ -8,6 +8,7 @@
 #include "input.h"
 #include "node_state.h"
 #include "palpate/sim/simulator.h"
+#include "surface_copies.h"
 #include "throttle.h"
 
 namespace palpate::node {
@@ -56,6 +57,7 @@ class LiveCycle {
   std::vector<bool> live_;  // whose input was fresh at the start of the cycle
   std::vector<sim::LinkPoses> poses_;
   std::vector<HapticTarget> targets_;
+  SurfaceCopies surfaces_;
   const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
   CycleFacts facts_;
   Steady::time_point deadline_;  // of the step under way

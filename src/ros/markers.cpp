@@ -46,19 +46,16 @@ Marker marker(const char* ns, std::size_t id, int type) {
 }  // namespace
 
 SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
-    : num_instruments_(static_cast<std::size_t>(simulator.numInstruments())),
+    : num_organs_(static_cast<std::size_t>(simulator.numOrgans())),
+      num_instruments_(static_cast<std::size_t>(simulator.numInstruments())),
       arrow_scale_(arrow_scale) {
-  const std::size_t num_organs = static_cast<std::size_t>(simulator.numOrgans());
-  for (std::size_t i = 0; i < num_organs; ++i) {
-    const int organ = static_cast<int>(i);
-    triangles_.push_back(simulator.surfaceTriangles(organ));
+  for (std::size_t i = 0; i < num_organs_; ++i) {
     Marker m = marker(kOrganMarkers, i, Marker::TRIANGLE_LIST);
     m.scale.x = m.scale.y = m.scale.z = 1.0;
-    m.color = organColour(simulator.organName(organ), i);
-    m.points.resize(static_cast<std::size_t>(triangles_.back().size()));
+    m.color = organColour(simulator.organName(static_cast<int>(i)), i);
     message_.markers.push_back(m);
   }
-  for (std::size_t i = 0; i < num_organs; ++i) {
+  for (std::size_t i = 0; i < num_organs_; ++i) {
     Marker m = marker(kContactMarkers, i, Marker::SPHERE_LIST);
     m.scale.x = m.scale.y = m.scale.z = 0.0035;
     m.color = colour(1.0F, 0.85F, 0.2F);
@@ -77,39 +74,41 @@ SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
 
 const visualization_msgs::MarkerArray& SceneMarkers::update(const Picture& picture) {
   for (Marker& m : message_.markers) m.header.stamp = picture.stamp;
-  for (std::size_t i = 0; i < triangles_.size(); ++i) updateOrgan(picture.positions[i], i);
+  for (std::size_t i = 0; i < num_organs_; ++i) updateOrgan(picture.organs[i], i);
   updateContacts(picture);
   for (std::size_t i = 0; i < num_instruments_; ++i) updateArrow(picture, i);
   return message_;
 }
 
-void SceneMarkers::updateOrgan(const Points& positions, std::size_t organ) {
-  if (!positions.allFinite()) return;  // the last good surface stays
+// Triangles and positions are of one moment, so no index is beyond the points.
+void SceneMarkers::updateOrgan(const SurfacePicture& picture, std::size_t organ) {
+  if (!picture.positions.allFinite()) return;  // the last good surface stays
   Marker& m = message_.markers[organ];
-  m.action = Marker::ADD;
-  const Eigen::Matrix3Xi& triangles = triangles_[organ];
+  const Eigen::Matrix3Xi& triangles = *picture.triangles;
+  m.action = triangles.size() > 0 ? Marker::ADD : Marker::DELETE;
+  m.points.resize(static_cast<std::size_t>(triangles.size()));
   for (Eigen::Index k = 0; k < triangles.size(); ++k) {
-    m.points[static_cast<std::size_t>(k)] = toPoint(positions.col(triangles.data()[k]));
+    m.points[static_cast<std::size_t>(k)] = toPoint(picture.positions.col(triangles.data()[k]));
   }
 }
 
 // An empty list and an arrow of no length are errors to rviz: they are deleted instead.
 void SceneMarkers::updateContacts(const Picture& picture) {
-  const std::size_t first = triangles_.size();
-  for (std::size_t i = 0; i < triangles_.size(); ++i) message_.markers[first + i].points.clear();
+  const std::size_t first = num_organs_;
+  for (std::size_t i = 0; i < num_organs_; ++i) message_.markers[first + i].points.clear();
   for (const sim::ContactPoint& contact : picture.contacts) {
     if (!contact.p_W.allFinite()) continue;
     message_.markers[first + static_cast<std::size_t>(contact.organ)].points.push_back(
         toPoint(contact.p_W));
   }
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+  for (std::size_t i = 0; i < num_organs_; ++i) {
     Marker& m = message_.markers[first + i];
     m.action = m.points.empty() ? Marker::DELETE : Marker::ADD;
   }
 }
 
 void SceneMarkers::updateArrow(const Picture& picture, std::size_t instrument) {
-  Marker& m = message_.markers[2 * triangles_.size() + instrument];
+  Marker& m = message_.markers[2 * num_organs_ + instrument];
   m.action = Marker::DELETE;
   if (instrument >= picture.spatial.size()) return;
   const Vec3 tail = picture.X_WC[instrument].translation();

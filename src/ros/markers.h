@@ -12,8 +12,8 @@
 namespace palpate::node {
 
 /// Builds the MarkerArray of a picture, in world:
-///  - namespace "organs", id = organ: lit TRIANGLE_LIST of one colour, always the same number of
-///    triangles, so that rviz reuses its buffers;
+///  - namespace "organs", id = organ: lit TRIANGLE_LIST of one colour; as many triangles as before
+///    unless the surface has become another one, so that rviz reuses its buffers;
 ///  - namespace "contacts", id = organ: the touching points (SPHERE_LIST);
 ///  - namespace "wrench", id = instrument: the force as an arrow from the control frame.
 /// Keeps the message between calls, so that nothing is allocated twice.
@@ -25,12 +25,11 @@ class SceneMarkers {
   const visualization_msgs::MarkerArray& update(const Picture& picture);
 
  private:
-  void updateOrgan(const Points& positions, std::size_t organ);
+  void updateOrgan(const SurfacePicture& picture, std::size_t organ);
   void updateContacts(const Picture& picture);
   void updateArrow(const Picture& picture, std::size_t instrument);
 
-  std::vector<Eigen::Matrix3Xi> triangles_;
-  std::size_t num_instruments_;
+  std::size_t num_organs_, num_instruments_;
   double arrow_scale_;
   visualization_msgs::MarkerArray message_;  // organs, contacts, arrows
 };

@@ -9,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/contact/signed_distance.h"
+#include "palpate/tissue/model_list.h"
 
 namespace palpate::scene {
 namespace {
@@ -52,20 +53,50 @@ double sampleSpacing(const Scene& scene, const LoadedScene& loaded) {
   return std::isfinite(spacing) ? spacing : 0.0;
 }
 
+// The organs that the model of the `first` organ of the scene owns.
+std::vector<int> organsOfModel(const Scene& scene, std::size_t first) {
+  std::vector<int> organs = {static_cast<int>(first)};
+  if (!tissue::ownsAllOrgans(scene.organs[first].model)) return organs;
+  for (std::size_t i = first + 1; i < scene.organs.size(); ++i) {
+    if (scene.organs[i].model == scene.organs[first].model) organs.push_back(static_cast<int>(i));
+  }
+  return organs;
+}
+
+std::string namesOf(const Scene& scene, const std::vector<int>& organs) {
+  std::string text = organs.size() > 1 ? "organs " : "organ ";
+  for (std::size_t k = 0; k < organs.size(); ++k) {
+    text += (k > 0 ? ", " : "") + scene.organs[static_cast<std::size_t>(organs[k])].name;
+  }
+  return text;
+}
+
+void loadModels(const Scene& scene, const LoadProgress& progress, LoadedScene* loaded) {
+  const double spacing = sampleSpacing(scene, *loaded);
+  loaded->organs.resize(scene.organs.size(), {nullptr, 0});
+  for (std::size_t i = 0; i < scene.organs.size(); ++i) {
+    if (loaded->organs[i].tissue) continue;
+    LoadedModel model{nullptr, organsOfModel(scene, i)};
+    model.tissue =
+        loadModel(scene, model.organs, spacing, loaded->pool.get(), progress, &loaded->warnings);
+    for (std::size_t k = 0; k < model.organs.size(); ++k) {
+      loaded->organs[static_cast<std::size_t>(model.organs[k])] = {model.tissue.get(),
+                                                                   static_cast<int>(k)};
+    }
+    for (const std::string& note : model.tissue->notes()) {
+      loaded->notes.push_back(namesOf(scene, model.organs) + ": " + note);
+    }
+    loaded->models.push_back(std::move(model));
+  }
+}
+
 }  // namespace
 
 LoadedScene loadScene(const Scene& scene, const LoadProgress& progress) {
   LoadedScene loaded;
   if (scene.solver.threads > 1) loaded.pool = std::make_unique<ThreadPool>(scene.solver.threads);
   loadInstruments(scene, &loaded);
-  const double spacing = sampleSpacing(scene, loaded);
-  for (std::size_t i = 0; i < scene.organs.size(); ++i) {
-    loaded.tissues.push_back(
-        loadTissue(scene, i, spacing, loaded.pool.get(), progress, &loaded.warnings));
-    for (const std::string& note : loaded.tissues.back()->notes()) {
-      loaded.notes.push_back("organ " + scene.organs[i].name + ": " + note);
-    }
-  }
+  loadModels(scene, progress, &loaded);
   return loaded;
 }
 

@@ -7,14 +7,14 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
-#include "palpate/fem/elasticity.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
 #include "palpate/scene/composition.h"
-#include "palpate/tissue/islands.h"
+#include "palpate/scene/tissue_file.h"
+#include "palpate/tissue/model_list.h"
 
 namespace palpate::scene {
 namespace {
@@ -27,19 +27,52 @@ std::string resolve(const std::string& uri, const std::string& scene_file, const
   }
 }
 
-mesh::TetMesh meshSurface(const OrganConfig& organ, const std::string& file,
-                          const std::string& scene_file, const LoadProgress& progress,
-                          std::vector<std::string>* warnings) {
+mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& file,
+                                   const std::string& scene_file,
+                                   std::vector<std::string>* warnings) {
   mesh::SurfaceMesh surface = formats::readSurface(file);
   surface.points *= organ.scale;
   mesh::checkSize(surface.points, scene_file, "organ " + organ.name + ".scale");
   mesh::SurfaceReport report;
   surface = mesh::repairSurface(surface, file, &report);
   for (const std::string& repair : report.repairs) warnings->push_back(file + ": " + repair);
+  return surface;
+}
+
+mesh::TetMesh meshSurface(const OrganConfig& organ, const std::string& file,
+                          const std::string& scene_file, const LoadProgress& progress,
+                          std::vector<std::string>* warnings) {
+  const mesh::SurfaceMesh surface = readOrganSurface(organ, file, scene_file, warnings);
   mesh::MeshingOptions options;
   options.edge_length = organ.edge_length;
   options.file = file;
   return mesh::meshVolumeCached(surface, options, mesh::defaultCacheDirectory(), progress);
+}
+
+// Without the points that no triangle uses; the others keep their order.
+mesh::SurfaceMesh onlyUsedPoints(mesh::SurfaceMesh surface) {
+  std::vector<int> number(static_cast<std::size_t>(surface.points.cols()), -1);
+  for (const int i : surface.triangles.reshaped()) number[static_cast<std::size_t>(i)] = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] < 0) continue;
+    surface.points.col(count) = surface.points.col(static_cast<Eigen::Index>(i)).eval();
+    number[i] = count++;
+  }
+  surface.points.conservativeResize(3, count);
+  surface.triangles =
+      surface.triangles.unaryExpr([&](int i) { return number[static_cast<std::size_t>(i)]; })
+          .eval();
+  return surface;
+}
+
+mesh::TetMesh readTetrahedra(const OrganConfig& organ, const std::string& scene_file) {
+  const std::string key = "organ " + organ.name;
+  const std::string file = resolve(organ.tetrahedra, scene_file, key + ".tetrahedra");
+  mesh::TetMesh mesh = formats::readTetMesh(file);
+  mesh.points *= organ.scale;
+  mesh::checkSize(mesh.points, scene_file, key + ".scale");
+  return mesh;
 }
 
 fem::FreeMask supportMask(const OrganConfig& organ, const Points& X, const std::string& scene_file,
@@ -62,42 +95,11 @@ fem::FreeMask supportMask(const OrganConfig& organ, const Points& X, const std::
   return free;
 }
 
-}  // namespace
-
-mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_file,
-                            const LoadProgress& progress, std::vector<std::string>* warnings) {
-  const std::string key = "organ " + organ.name;
-  if (!organ.surface.empty()) {
-    const std::string file = resolve(organ.surface, scene_file, key + ".surface");
-    return meshSurface(organ, file, scene_file, progress, warnings);
-  }
-  const std::string file = resolve(organ.tetrahedra, scene_file, key + ".tetrahedra");
-  mesh::TetMesh mesh = formats::readTetMesh(file);
-  mesh.points *= organ.scale;
-  mesh::checkSize(mesh.points, scene_file, key + ".scale");
-  return mesh;
-}
-
-std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t index,
-                                                double sample_spacing, ThreadPool* pool,
-                                                const LoadProgress& progress,
-                                                std::vector<std::string>* warnings) {
-  const OrganConfig& organ = scene.organs[index];
-  const std::string key = "organs[" + std::to_string(index) + "]";
-  mesh::TetMesh mesh =
-      fem::meshFor(organ.element, loadOrganMesh(organ, scene.file, progress, warnings));
-  const fem::FreeMask free = supportMask(organ, mesh.points, scene.file, key);
-  const fem::Composition composition =
-      composeBody(organ, mesh, organ.pose.pose().linear(), scene.file, key);
-  mesh.points = (organ.pose.pose() * mesh.points.colwise().homogeneous()).eval();
-
-  tissue::FemSettings settings;
-  settings.element = organ.element;
+tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
+  tissue::ModelSettings settings;
   settings.method = scene.solver.method;
   settings.step = scene.solver.step;
   settings.integrator = scene.solver.integrator;
-  settings.mass_damping = organ.damping.mass;
-  settings.stiffness_damping = organ.damping.stiffness;
   settings.gravity = scene.gravity;
   settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
   settings.sample_spacing = sample_spacing;
@@ -107,10 +109,80 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.linear_tolerance = scene.solver.linear_tolerance;
   settings.max_linear_iterations = scene.solver.max_linear_iterations;
   settings.skip = scene.solver.skip;
+  return settings;
+}
+
+std::string keyOf(int organ) { return "organs[" + std::to_string(organ) + "]"; }
+
+// The functions refer to all that is given here.
+tissue::OrganDescription describeOrgan(const Scene& scene, int index, const LoadProgress& progress,
+                                       std::vector<std::string>* warnings) {
+  const OrganConfig& organ = scene.organs[static_cast<std::size_t>(index)];
+  const std::string key = keyOf(index);
+  tissue::OrganDescription description;
+  description.name = organ.name;
+  description.X_WO = organ.pose.pose();
+  description.element = organ.element;
+  description.damping = organ.damping;
+  description.tetrahedra = [&scene, &organ, &progress, warnings] {
+    return loadOrganMesh(organ, scene.file, progress, warnings);
+  };
+  description.surface = [&scene, &organ, warnings] {
+    return loadOrganSurface(organ, scene.file, warnings);
+  };
+  description.free = [&scene, &organ, key](const Points& X) {
+    return supportMask(organ, X, scene.file, key);
+  };
+  description.composition = [&scene, &organ, key](const mesh::TetMesh& mesh) {
+    return composeBody(organ, mesh, organ.pose.pose().linear(), scene.file, key);
+  };
+  description.solid = [&scene, &organ, key] {
+    return makeSolid(organ.material, scene.file, key + ".material");
+  };
+  return description;
+}
+
+}  // namespace
+
+mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_file,
+                            const LoadProgress& progress, std::vector<std::string>* warnings) {
+  if (!organ.surface.empty()) {
+    const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
+    return meshSurface(organ, file, scene_file, progress, warnings);
+  }
+  return readTetrahedra(organ, scene_file);
+}
+
+mesh::SurfaceMesh loadOrganSurface(const OrganConfig& organ, const std::string& scene_file,
+                                   std::vector<std::string>* warnings) {
+  if (organ.surface.empty()) {
+    const mesh::TetMesh mesh = readTetrahedra(organ, scene_file);
+    return onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});
+  }
+  const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
+  return readOrganSurface(organ, file, scene_file, warnings);
+}
+
+std::unique_ptr<tissue::TissueModel> loadModel(const Scene& scene, const std::vector<int>& organs,
+                                               double sample_spacing, ThreadPool* pool,
+                                               const LoadProgress& progress,
+                                               std::vector<std::string>* warnings) {
+  tissue::ModelDescription description;
+  for (int i : organs) {
+    description.organs.push_back(describeOrgan(scene, i, progress, warnings));
+  }
+  description.settings = settingsOf(scene, sample_spacing);
+  description.pool = pool;
+  description.progress = progress;
+  description.warnings = warnings;
+  const std::string& name = scene.organs[static_cast<std::size_t>(organs.front())].model;
   try {
-    return tissue::makeIslands(mesh, composition, free, settings, pool);
+    return tissue::makeModel(name, description);
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& error) {
-    throw InputError(scene.file, key, "", error.what());
+    throw InputError(scene.file, organs.size() == 1 ? keyOf(organs.front()) : "organs", "",
+                     error.what());
   }
 }
 

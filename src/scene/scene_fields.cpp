@@ -3,7 +3,8 @@
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/solver/integrator.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
+#include "palpate/tissue/model_list.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::scene {
@@ -43,7 +44,9 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
       {"edge_length", "m", "Wanted length of the tetrahedra's edges where a surface is filled."},
       organ.edge_length, keys::Range::closed(1.0e-4, 1.0));
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
-  v.choice({"element", "", "Finite element."}, organ.element, fem::elementNames());
+  v.choice({"model", "", "What computes the organ's deformation."}, organ.model,
+           tissue::modelNames());
+  v.choice({"element", "", "Finite element, of model `fem`."}, organ.element, fem::elementNames());
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);
@@ -91,7 +94,8 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
 }
 
 void describe(keys::FieldVisitor& v, SolverConfig& solver) {
-  v.choice({"method", "", "How a cycle is solved."}, solver.method, tissue::methodNames());
+  v.choice({"method", "", "How a cycle of model `fem` is solved."}, solver.method,
+           tissue::methodNames());
   v.choice({"integrator", "", "Time integration."}, solver.integrator, solver::integratorNames());
   v.number({"step", "s", "Length of a cycle when live, longest cycle in a replay."}, solver.step,
            keys::Range::above(0.0, 0.1));

@@ -23,25 +23,25 @@ bool allFinite(const std::vector<LinkPoses>& poses) {
   return true;
 }
 
-void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
-  report->status = std::max(report->status, organ.status);
-  report->sweep_stages = std::max(report->sweep_stages, organ.sweep_stages);
-  report->time_steps = std::max(report->time_steps, organ.time_steps);
-  report->newton_iterations += organ.newton_iterations;
-  report->cg_iterations += organ.linear_iterations;
-  report->factor_waits += organ.factor_waits;
-  report->residual = std::max(report->residual, organ.residual);
-  report->tolerance = std::max(report->tolerance, organ.tolerance);
-  report->min_jacobian = std::min(report->min_jacobian, organ.min_jacobian);
-  report->kinetic_energy += organ.kinetic_energy;
-  report->elastic_energy += organ.elastic_energy;
+void addModel(const tissue::TissueStep& cycle, StepReport* report) {
+  report->status = std::max(report->status, cycle.status);
+  report->sweep_stages = std::max(report->sweep_stages, cycle.sweep_stages);
+  report->time_steps = std::max(report->time_steps, cycle.time_steps);
+  report->newton_iterations += cycle.newton_iterations;
+  report->cg_iterations += cycle.linear_iterations;
+  report->factor_waits += cycle.factor_waits;
+  report->residual = std::max(report->residual, cycle.residual);
+  report->tolerance = std::max(report->tolerance, cycle.tolerance);
+  report->min_jacobian = std::min(report->min_jacobian, cycle.min_jacobian);
+  report->kinetic_energy += cycle.kinetic_energy;
+  report->elastic_energy += cycle.elastic_energy;
   for (const tissue::Skip& skip : tissue::skips()) {
-    if (skip.count) report->skipped.*skip.count += skip.of(organ);
+    if (skip.count) report->skipped.*skip.count += skip.of(cycle);
   }
-  report->phases += organ.phases;
-  Vec3 on_tissue = organ.support_force + organ.gravity_force + organ.inertia_force;
-  for (const tissue::TissueContact& c : organ.contacts) on_tissue -= c.force_W;
-  if (organ.ok()) report->imbalance += on_tissue.norm();
+  report->phases += cycle.phases;
+  Vec3 on_tissue = cycle.support_force + cycle.gravity_force + cycle.inertia_force;
+  for (const tissue::TissueContact& c : cycle.contacts) on_tissue -= c.force_W;
+  if (cycle.ok()) report->imbalance += on_tissue.norm();
 }
 
 }  // namespace
@@ -100,13 +100,14 @@ struct Simulator::Impl {
     }
   }
 
-  void sumWrenches(const tissue::TissueStep& organ, int organ_index) {
-    for (const tissue::TissueContact& c : organ.contacts) {
+  void sumWrenches(const tissue::TissueStep& cycle, const std::vector<int>& organs) {
+    for (const tissue::TissueContact& c : cycle.contacts) {
       InstrumentResult& tool = result.instruments[c.instrument];
       tool.spatial += Wrench{c.force_W, (c.p_W - tool.X_WC.translation()).cross(c.force_W)};
       tool.max_penetration = std::max(tool.max_penetration, c.penetration);
       ++tool.contacts;
-      result.contacts.push_back({c.instrument, organ_index, c.p_W, c.force_W});
+      const int organ = organs[static_cast<std::size_t>(c.organ)];
+      result.contacts.push_back({c.instrument, organ, c.p_W, c.force_W});
     }
   }
 
@@ -142,10 +143,10 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
 
   s.moveBodies(poses);
   s.placeControlFrames();
-  for (std::size_t i = 0; i < s.loaded.tissues.size(); ++i) {
-    const tissue::TissueStep& organ = s.loaded.tissues[i]->step(s.bodies, dt);
-    addOrgan(organ, &s.result.report);
-    s.sumWrenches(organ, static_cast<int>(i));
+  for (const scene::LoadedModel& model : s.loaded.models) {
+    const tissue::TissueStep& cycle = model.tissue->step(s.bodies, dt);
+    addModel(cycle, &s.result.report);
+    s.sumWrenches(cycle, model.organs);
   }
   s.time += dt;
   s.finish(dt);
@@ -156,42 +157,54 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
 
 void Simulator::setInterrupt(solver::Interrupt interrupt) {
   impl_->interrupt = std::move(interrupt);
-  for (const auto& tissue : impl_->loaded.tissues) {
-    tissue->setInterrupt(impl_->interrupt ? &impl_->interrupt : nullptr);
+  for (const scene::LoadedModel& model : impl_->loaded.models) {
+    model.tissue->setInterrupt(impl_->interrupt ? &impl_->interrupt : nullptr);
   }
 }
 
 void Simulator::reset() {
-  for (const auto& tissue : impl_->loaded.tissues) tissue->reset();
+  for (const scene::LoadedModel& model : impl_->loaded.models) model.tissue->reset();
   impl_->clear();
+}
+
+void Simulator::place(int i, const Points& positions, const Points& velocities) {
+  const scene::OrganPlace& place = impl_->loaded.organs[static_cast<std::size_t>(i)];
+  const auto fits = [&](const Points& given) {
+    return given.cols() == place.shape().positions.cols() && given.allFinite();
+  };
+  if (!fits(positions) || !fits(velocities)) {
+    throw std::invalid_argument("these are not the points of organ " + organName(i) +
+                                ", or not finite");
+  }
+  place.tissue->place(place.organ, positions, velocities);
 }
 
 SimulatorState Simulator::state() const {
   SimulatorState state;
   state.time = impl_->time;
-  for (const auto& tissue : impl_->loaded.tissues) {
-    state.positions.push_back(tissue->positions());
-    state.velocities.push_back(tissue->velocities());
+  for (const scene::OrganPlace& place : impl_->loaded.organs) {
+    state.positions.push_back(place.shape().positions);
+    state.velocities.push_back(place.shape().velocities);
   }
   return state;
 }
 
 void Simulator::restore(const SimulatorState& state) {
-  const auto& tissues = impl_->loaded.tissues;
+  const std::vector<scene::OrganPlace>& organs = impl_->loaded.organs;
   const auto fits = [](const Points& given, const Points& own) {
     return given.cols() == own.cols() && given.allFinite();
   };
-  bool ok = std::isfinite(state.time) && state.positions.size() == tissues.size() &&
-            state.velocities.size() == tissues.size();
-  for (std::size_t i = 0; ok && i < tissues.size(); ++i) {
-    ok = fits(state.positions[i], tissues[i]->positions()) &&
-         fits(state.velocities[i], tissues[i]->positions());
+  bool ok = std::isfinite(state.time) && state.positions.size() == organs.size() &&
+            state.velocities.size() == organs.size();
+  for (std::size_t i = 0; ok && i < organs.size(); ++i) {
+    ok = fits(state.positions[i], organs[i].shape().positions) &&
+         fits(state.velocities[i], organs[i].shape().positions);
   }
   if (!ok) throw std::invalid_argument("the state is not one of this scene, or not finite");
   impl_->clear();
   impl_->time = state.time;
-  for (std::size_t i = 0; i < tissues.size(); ++i) {
-    tissues[i]->restore(state.positions[i], state.velocities[i]);
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    organs[i].tissue->place(organs[i].organ, state.positions[i], state.velocities[i]);
   }
 }
 
@@ -210,17 +223,15 @@ int Simulator::numInstruments() const { return static_cast<int>(impl_->loaded.in
 const instrument::Instrument& Simulator::instrument(int i) const {
   return impl_->loaded.instruments[i];
 }
-int Simulator::numOrgans() const { return static_cast<int>(impl_->loaded.tissues.size()); }
+int Simulator::numOrgans() const { return static_cast<int>(impl_->loaded.organs.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
-const Points& Simulator::restPositions(int i) const {
-  return impl_->loaded.tissues[i]->restMesh().points;
-}
-const Points& Simulator::positions(int i) const { return impl_->loaded.tissues[i]->positions(); }
-const mesh::TetMesh& Simulator::organMesh(int i) const {
-  return impl_->loaded.tissues[i]->restMesh();
-}
-const Eigen::Matrix3Xi& Simulator::surfaceTriangles(int i) const {
-  return impl_->loaded.tissues[i]->surfaceTriangles();
+tissue::Shape Simulator::shape(int i) const { return impl_->loaded.organs[i].shape(); }
+const Points& Simulator::positions(int i) const { return shape(i).positions; }
+mesh::CellMesh Simulator::cells(int i) const {
+  const scene::OrganPlace& place = impl_->loaded.organs[i];
+  mesh::CellMesh cells = place.tissue->cells(place.organ);
+  if (cells.numCells() == 0) cells.cells = place.shape().triangles;
+  return cells;
 }
 
 }  // namespace palpate::sim

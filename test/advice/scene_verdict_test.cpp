@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 #include "slab_scene.h"
 #include "support/input_error.h"
 

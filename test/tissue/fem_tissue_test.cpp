@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ using test::Slab;
 TEST(FemTissue, StartsInEquilibriumUnderGravityAndSleeps) {
   const auto tissue = Slab().make();
   const Points begin = tissue->positions();
-  EXPECT_LT((begin - tissue->restMesh().points).row(2).minCoeff(), -1e-5);  // it sags
+  EXPECT_LT((begin - tissue->cells(0).points).row(2).minCoeff(), -1e-5);  // it sags
   bool slept = false;
   for (int k = 0; k < 5; ++k) {
     const TissueStep& step = tissue->step({}, kStep);
@@ -159,7 +159,7 @@ TEST(FemTissue, KeepsItsLastGoodStateWhenASolveFails) {
   const Points good = tissue->positions();
   Points bad = tissue->velocities();
   bad(0, 100) = std::numeric_limits<double>::infinity();
-  tissue->restore(good, bad);
+  tissue->place(0, good, bad);
   const TissueStep& failed = tissue->step({}, kStep);
   EXPECT_FALSE(failed.ok());
   EXPECT_EQ(tissue->positions(), good);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/tissue/islands.h"
+#include "palpate/tissue/fem/islands.h"
 
 #include <gtest/gtest.h>
 
@@ -72,8 +72,8 @@ Vec3 onTool(const TissueStep& step) {
 TEST(Islands, AreTheOnePieceWithinTolerance) {
   TwoSlabs slabs;
   const auto islands = slabs.make(true), one = slabs.make(false);
-  EXPECT_EQ(islands->surfaceTriangles(), one->surfaceTriangles());
-  EXPECT_EQ(islands->restMesh().points, one->restMesh().points);
+  EXPECT_EQ(islands->shape(0).triangles, one->shape(0).triangles);
+  EXPECT_EQ(islands->cells(0).points, one->cells(0).points);
   double peak = 0.0, difference = 0.0, apart = 0.0;
   for (int k = 0; k < 150; ++k) {
     const TissueStep& a = islands->step({ballAt(kStep * k)}, kStep);
@@ -129,7 +129,7 @@ TEST(Islands, ResetAndRestoreRepeatEveryBit) {
   EXPECT_EQ(a->positions(), b->positions());
   const Points x = a->positions(), v = a->velocities();
   a->reset();
-  a->restore(x, v);
+  a->place(0, x, v);
   EXPECT_EQ(a->positions(), x);
   EXPECT_EQ(a->velocities(), v);
 }

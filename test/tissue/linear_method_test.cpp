@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/surface_compliance.h"
+#include "tissue/fem/surface_compliance.h"
 
 namespace palpate::tissue {
 namespace {
@@ -109,7 +109,7 @@ TEST(LinearPrecomputed, ForgetsItsPast) {
 
   const Points x = slow->positions(), v = slow->velocities();
   slow->reset();
-  slow->restore(x, v);
+  slow->place(0, x, v);
   const TissueStep& after = slow->step({{&ball, 0, at(0.042), at(0.042)}}, kStep);
   EXPECT_EQ(after.newton_iterations, 0);
   EXPECT_LT((slow->positions() - x).cwiseAbs().maxCoeff(), 1e-9);

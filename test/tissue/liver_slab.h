@@ -6,7 +6,7 @@
 #include <string>
 
 #include "palpate/fem/elasticity.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::test {
 

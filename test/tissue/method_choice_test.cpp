@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tissue/method_choice.h"
+#include "tissue/fem/method_choice.h"
 
 #include <gtest/gtest.h>
 
 #include "liver_slab.h"
-#include "palpate/tissue/islands.h"
+#include "palpate/tissue/fem/islands.h"
 #include "support/contains.h"
 
 namespace palpate::tissue {

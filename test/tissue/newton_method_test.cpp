@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/sparse_assembly.h"
+#include "tissue/fem/sparse_assembly.h"
 
 namespace palpate::tissue {
 namespace {
@@ -114,7 +114,7 @@ TEST(NewtonBicgstab, SurvivesLeapsRestoreAndReset) {
   const Points x = tissue->positions(), v = tissue->velocities();
   tissue->reset();
   EXPECT_EQ(tissue->positions(), slab.mesh.points);
-  tissue->restore(x, v);
+  tissue->place(0, x, v);
   const Vec3 again = test::onTool(tissue->step({ball.move(0.008, 0.0081)}, kStep));
   EXPECT_NEAR(again.z(), force.z(), 0.1 * force.z());
 }

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::test {
 

@@ -37,7 +37,7 @@ struct Bar {
     auto tissue = slab.make();
     Points v(3, slab.mesh.numPoints());
     for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) = velocity(slab.mesh.points.col(i));
-    tissue->restore(slab.mesh.points, v);
+    tissue->place(0, slab.mesh.points, v);
     return tissue;
   }
 };
@@ -237,7 +237,7 @@ TEST(Tled, GoesOnFromARestoredState) {
   }
   const Points x = halves->positions(), v = halves->velocities();
   halves->reset();
-  halves->restore(x, v);
+  halves->place(0, x, v);
   for (int k = 0; k < 5; ++k) {
     const Vec3 f = test::onTool(whole->step({a.next()}, kStep));
     const Vec3 g = test::onTool(halves->step({b.next()}, kStep));
@@ -327,7 +327,7 @@ TEST(Tled, KeepsItsLastGoodStateWhenACycleFails) {
   const Points good = tissue->positions();
   Points bad = tissue->velocities();
   bad(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
-  tissue->restore(good, bad);
+  tissue->place(0, good, bad);
   EXPECT_FALSE(tissue->step({}, kStep).ok());
   EXPECT_EQ(tissue->positions(), good);
   EXPECT_TRUE(tissue->velocities().isZero());

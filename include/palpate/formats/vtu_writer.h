@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
 
 namespace palpate::formats {
@@ -16,11 +17,14 @@ struct VtuArray {
 };
 
 /// Writes a VTK XML unstructured grid (appended raw doubles) that ParaView opens and readTetMesh()
-/// gives back bit for bit, regions as Int32 cell data "region". The file appears whole or not at
-/// all.
+/// gives back bit for bit if its cells are tetrahedra, regions as Int32 cell data "region". The
+/// file appears whole or not at all.
 ///
-/// @throws std::invalid_argument if an array's columns are not as many as points or cells, or its
-/// name is empty; std::runtime_error if the file cannot be written.
+/// @throws std::invalid_argument for cells of a kind that CellMesh does not name, if an array's
+/// columns are not as many as points or cells, or its name is empty; std::runtime_error if the file
+/// cannot be written.
+void writeVtu(const std::string& file, const mesh::CellMesh& mesh,
+              const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data);
 void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
               const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data);
 

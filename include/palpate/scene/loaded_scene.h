@@ -13,14 +13,29 @@
 
 namespace palpate::scene {
 
+/// A tissue model and the organs that it owns, by their places in the scene.
+struct LoadedModel {
+  std::unique_ptr<tissue::TissueModel> tissue;
+  std::vector<int> organs;
+};
+
+/// Where an organ of the scene is.
+struct OrganPlace {
+  tissue::TissueModel* tissue;
+  int organ;  ///< Of the model's.
+
+  tissue::Shape shape() const { return tissue->shape(organ); }
+};
+
 /// What a scene's files hold.
 struct LoadedScene {
-  std::unique_ptr<ThreadPool> pool;  // first: outlives the tissues
+  std::unique_ptr<ThreadPool> pool;  // first: outlives the models
   std::vector<instrument::Instrument> instruments;
-  std::vector<int> control_links;  ///< Link index of each instrument's control frame.
-  std::vector<std::unique_ptr<tissue::TissueModel>> tissues;
+  std::vector<int> control_links;   ///< Link index of each instrument's control frame.
+  std::vector<LoadedModel> models;  ///< In the order of their first organs.
+  std::vector<OrganPlace> organs;   ///< In the scene's order.
   std::vector<std::string> warnings;
-  std::vector<std::string> notes;  ///< What the tissues decided, with the organ's name.
+  std::vector<std::string> notes;  ///< What the models decided, with the organ's name.
 };
 
 /// @throws InputError

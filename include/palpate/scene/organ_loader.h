@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "palpate/base/thread_pool.h"
+#include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/tissue_model.h"
@@ -20,11 +22,16 @@ using LoadProgress = std::function<void(const std::string& what, double fraction
 mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_file,
                             const LoadProgress& progress, std::vector<std::string>* warnings);
 
-/// The organ's tissue in world, at rest, held by its supports. `index` is its place in the scene.
+/// Its closed surface, likewise: read and repaired, or the boundary of its tetrahedra.
 /// @throws InputError
-std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t index,
-                                                double sample_spacing, ThreadPool* pool,
-                                                const LoadProgress& progress,
-                                                std::vector<std::string>* warnings);
+mesh::SurfaceMesh loadOrganSurface(const OrganConfig& organ, const std::string& scene_file,
+                                   std::vector<std::string>* warnings);
+
+/// The tissue model of the organs at these places in the scene, which all name the same one.
+/// @throws InputError
+std::unique_ptr<tissue::TissueModel> loadModel(const Scene& scene, const std::vector<int>& organs,
+                                               double sample_spacing, ThreadPool* pool,
+                                               const LoadProgress& progress,
+                                               std::vector<std::string>* warnings);
 
 }  // namespace palpate::scene

@@ -34,6 +34,7 @@ struct OrganConfig : BodyConfig {
   double scale = 1.0;         ///< File unit to metre.
   double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
   PoseConfig pose;            ///< Organ to world.
+  std::string model = "fem";  ///< One of tissue::modelNames().
   std::string element = "anp";
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;

@@ -9,10 +9,11 @@
 
 #include "palpate/base/types.h"
 #include "palpate/instrument/instrument.h"
-#include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/scene/scene.h"
 #include "palpate/sim/step_report.h"
 #include "palpate/solver/interrupt.h"
+#include "palpate/tissue/tissue_model.h"
 
 namespace palpate::sim {
 
@@ -80,10 +81,13 @@ class Simulator {
 
   int numOrgans() const;
   const std::string& organName(int i) const;
-  const Points& restPositions(int i) const;  ///< World, 3 x n [m].
-  const Points& positions(int i) const;      ///< World, 3 x n [m]; a solved state, always finite.
-  const Eigen::Matrix3Xi& surfaceTriangles(int i) const;  ///< Into positions(i), outward.
-  const mesh::TetMesh& organMesh(int i) const;            ///< At rest, world [m].
+  /// What there is of it now: points and its surface, which may become another one (its revision
+  /// says so). The references hold until the next step().
+  tissue::Shape shape(int i) const;
+  const Points& positions(int i) const;  ///< World, 3 x n [m]; a solved state, always finite.
+  /// Its points at rest in the world, and its cells; where its model has none, the surface's
+  /// triangles. Made anew in each call.
+  mesh::CellMesh cells(int i) const;
 
   /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`. The
   /// first cycle after construction or reset() takes `poses` as where the tools already were.
@@ -97,6 +101,10 @@ class Simulator {
 
   /// Back to the rest state at time 0.
   void reset();
+  /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
+  /// goes on without a past.
+  /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
+  void place(int i, const Points& positions, const Points& velocities);
 
   SimulatorState state() const;
   /// @throws std::invalid_argument if the sizes are not this scene's or a number is not finite.

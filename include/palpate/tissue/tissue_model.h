@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +10,7 @@
 #include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/instrument/geometry.h"
-#include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
 
@@ -28,6 +29,7 @@ struct TissueContact {
   double penetration;  ///< [m]
   Vec3 p_W;            ///< Of the tissue surface [m].
   Vec3 force_W;        ///< On the tool [N].
+  int organ = 0;       ///< Of the model's.
 };
 
 /// What a cycle did. Forces are those on the tissue, summed over its nodes, in world [N].
@@ -67,20 +69,34 @@ struct TissueStep {
   }
 };
 
-/// A soft body that tools press. The simulation sees only this; behind it stands a mechanical
-/// model.
+/// What there is of an organ now. The references hold until its model steps, is reset or placed.
+struct Shape {
+  const Points& positions;            ///< World, 3 x n [m]; always finite.
+  const Points& velocities;           ///< World, 3 x n [m/s].
+  const Eigen::Matrix3Xi& triangles;  ///< Its surface, outward, into positions.
+  /// Grows whenever the triangles or the number of points become others, and never shrinks:
+  /// whoever keeps something about them looks here. Points that no triangle uses are inside.
+  std::uint64_t revision;
+};
+
+/// One or more soft organs that tools press, solved together. The simulation sees only this; behind
+/// it stands a mechanical model. To add one: docs/adding_a_model.md.
 class TissueModel {
  public:
   virtual ~TissueModel() = default;
 
-  virtual const mesh::TetMesh& restMesh() const = 0;  ///< World [m].
-  virtual const Points& positions() const = 0;        ///< World, 3 x n [m]; always finite.
-  virtual const Points& velocities() const = 0;       ///< World, 3 x n [m/s].
-  virtual const Eigen::Matrix3Xi& surfaceTriangles() const = 0;  ///< Outward, into positions().
+  virtual int numOrgans() const { return 1; }
+  virtual Shape shape(int organ) const = 0;
+  /// The points of shape() at rest in the world, and what lies between them, for files of results.
+  /// A model without cells leaves these out. Made anew in each call.
+  virtual mesh::CellMesh cells(int organ) const = 0;
+  const Points& positions(int organ = 0) const { return shape(organ).positions; }
+  const Points& velocities(int organ = 0) const { return shape(organ).velocities; }
 
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
-  /// last good ones, and the contacts are empty.
-  virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
+  /// last good ones, and the contacts are empty. `tools` are the same shapes in the same order in
+  /// every cycle. Figures of several organs are sums, or the worst of them.
+  virtual const TissueStep& step(const std::vector<ToolBody>& tools, double dt) = 0;
 
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }
@@ -91,8 +107,8 @@ class TissueModel {
 
   /// Back to the initial equilibrium, at rest.
   virtual void reset() = 0;
-  /// Sizes as positions(), all finite: the caller's duty.
-  virtual void restore(const Points& positions, const Points& velocities) = 0;
+  /// Goes on from there without a past. Sizes as positions(organ), all finite: the caller's duty.
+  virtual void place(int organ, const Points& positions, const Points& velocities) = 0;
 };
 
 }  // namespace palpate::tissue

@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "palpate/contact/contact_potential.h"
+#include "../touch/touch.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
-#include "palpate/tissue/fem_tissue.h"
-#include "tool_sweep.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::tissue {
 
@@ -36,13 +35,14 @@ struct FemBody {
   Eigen::Matrix3Xi triangles;
   std::unique_ptr<fem::Elasticity> elasticity;
   fem::DeadLoad gravity;
-  contact::ContactPotential contact;
-  ToolSweep sweep;
-  double largest_poisson_ratio;  ///< Of any solid at rest.
-  std::string method_note;       ///< Why its method was chosen; empty: it was named.
-  int inviscid_solids;           ///< Without viscous terms.
-  Vec3 weight;                   ///< Sum of the gravity forces [N].
-  double force_floor;            ///< Of a small strain on one element [N].
+  Touch touch;
+  contact::ContactPotential& contact;  ///< Of `touch`,
+  ToolSweep& sweep;                    ///< likewise.
+  double largest_poisson_ratio;        ///< Of any solid at rest.
+  std::string method_note;             ///< Why its method was chosen; empty: it was named.
+  int inviscid_solids;                 ///< Without viscous terms.
+  Vec3 weight;                         ///< Sum of the gravity forces [N].
+  double force_floor;                  ///< Of a small strain on one element [N].
   const solver::Interrupt* interrupt = nullptr;  ///< See TissueModel::setInterrupt().
 
   Points x, v;  ///< 3 x n, world [m], [m/s].
@@ -53,7 +53,6 @@ struct FemBody {
  private:
   double weight_norm_;  // of the nodal gravity forces [N]
   double least_force_;  // worth being balanced [N]
-  std::vector<contact::Contact> contacts_;
   Points nodal_;
 };
 

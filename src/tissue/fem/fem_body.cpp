@@ -52,14 +52,13 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
           settings.element, mesh,
           settings.skip.viscous_terms ? composition : withViscousTerms(composition), pool)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
-      contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
-              settings.penalty),
-      sweep(&contact, size, settings.skip.far_tools),
+      touch(mesh.points, triangles, settings),
+      contact(touch.contact),
+      sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())) {
-  contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm();
   const double element_area =
@@ -78,17 +77,7 @@ double FemBody::tolerance() const {
   return std::max(settings.tolerance * forces, least_force_);
 }
 
-void FemBody::reportContacts(TissueStep* out) {
-  const PhaseTimer timer(&out->phases, Phase::kContact);
-  contact.collect(x, &contacts_);
-  nodal_.setZero(3, x.cols());
-  for (const contact::Contact& c : contacts_) {
-    out->contacts.push_back({sweep.instrument(c.body), c.penetration, c.p_W, c.force_W});
-    const contact::SurfaceSample& s = contact.samples()[c.sample];
-    for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
-  }
-  contact_force = nodal_.norm();
-}
+void FemBody::reportContacts(TissueStep* out) { contact_force = touch.report(x, out); }
 
 void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
   nodal_ = gradient.array() * (1.0 - free.array());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/tissue/islands.h"
+#include "palpate/tissue/fem/islands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,16 +74,14 @@ class Islands final : public TissueModel {
     for (const Island& island : islands_) take(island);
   }
 
-  const mesh::TetMesh& restMesh() const override { return mesh_; }
-  const Points& positions() const override { return x_; }
-  const Points& velocities() const override { return v_; }
-  const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
+  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  mesh::CellMesh cells(int) const override { return mesh::cellsOf(mesh_); }
 
-  const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
+  const TissueStep& step(const std::vector<ToolBody>& tools, double dt) override {
     out_.clear();
     out_.slept = out_.satisfied = true;
     for (const Island& island : islands_) {
-      const TissueStep& done = island.tissue->step(bodies, dt);
+      const TissueStep& done = island.tissue->step(tools, dt);
       addIsland(done, &out_);
       if (!done.slept) take(island);
     }
@@ -111,11 +109,11 @@ class Islands final : public TissueModel {
     out_.clear();
   }
 
-  void restore(const Points& positions, const Points& velocities) override {
+  void place(int, const Points& positions, const Points& velocities) override {
     x_ = positions;
     v_ = velocities;
     for (const Island& island : islands_) {
-      island.tissue->restore(gather(positions, island.nodes), gather(velocities, island.nodes));
+      island.tissue->place(0, gather(positions, island.nodes), gather(velocities, island.nodes));
     }
     out_.clear();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "palpate/tissue/fem_tissue.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::tissue {
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/mesh/cell_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::mesh {
+
+CellMesh cellsOf(const TetMesh& mesh) {
+  CellMesh all;
+  all.points = mesh.points;
+  all.cells.resize(mesh.quadratic() ? 10 : 4, mesh.numTets());
+  all.cells.topRows(4) = mesh.tets;
+  if (mesh.quadratic()) all.cells.bottomRows(6) = mesh.midnodes;
+  all.region = mesh.region;
+  return all;
+}
+
+double meanEdgeLength(const CellMesh& mesh) {
+  const Eigen::Index corners = std::min<Eigen::Index>(mesh.cells.rows(), 4);
+  std::vector<std::pair<int, int>> edges;
+  for (Eigen::Index cell = 0; cell < mesh.numCells(); ++cell) {
+    for (Eigen::Index a = 0; a < corners; ++a) {
+      for (Eigen::Index b = a + 1; b < corners; ++b) {
+        edges.push_back(std::minmax({mesh.cells(a, cell), mesh.cells(b, cell)}));
+      }
+    }
+  }
+  if (edges.empty()) return 0.0;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  double sum = 0.0;
+  for (const auto& [i, j] : edges) sum += (mesh.points.col(i) - mesh.points.col(j)).norm();
+  return sum / static_cast<double>(edges.size());
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rest.h"
+
+namespace palpate::tissue {
+
+bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) const {
+  return allowed_ && out.newton_iterations == 0 && !touch.possible() &&
+         (x - x_begin_).cwiseAbs().maxCoeff() <= motion_;
+}
+
+void Rest::report(TissueStep* out) const {
+  const int far = out->far_bodies;
+  const int distant = out->distant_samples;
+  const PhaseTimes phases = out->phases;
+  *out = last_;
+  out->far_bodies = far;
+  out->distant_samples = distant;
+  out->inactive_samples = out->inviscid_solids = out->kept_stiffnesses = 0;
+  out->phases = phases;
+  out->slept = true;
+  out->satisfied = false;
+  out->newton_iterations = out->linear_iterations = out->factor_waits = 0;
+  out->inertia_force.setZero();
+  out->sweep_stages = 1;
+}
+
+}  // namespace palpate::tissue

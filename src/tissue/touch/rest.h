@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/tissue/tissue_model.h"
+#include "touch.h"
+
+namespace palpate::tissue {
+
+/// When an organ has come to rest, and what is reported of it while it sleeps. A cycle goes
+///
+///   touch.begin(...); if (rest.sleeps(touch)) return rest.report(&out);
+///   rest.begin(x); ... solve ...
+///   if (rest.isStill(x, touch, out) && what is unbalanced is within tolerance) rest.fallAsleep();
+///   ... report forces ...; rest.remember(out);
+class Rest {
+ public:
+  /// Less than this part of its size in a cycle is no motion; a body that creeps may go far in many
+  /// cycles.
+  static constexpr double kMotion = 1e-6, kMotionCreeping = 1e-9;
+
+  /// `motion` [m]: what counts as none. `allowed`: false, it never sleeps.
+  Rest(double motion, bool allowed) : motion_(motion), allowed_(allowed) {}
+
+  /// Whether the cycle that touch has begun changes nothing.
+  bool sleeps(const Touch& touch) const { return asleep_ && !touch.possible(); }
+  /// The whole cycle: as the last one that was solved, without its work.
+  void report(TissueStep* out) const;
+
+  /// A cycle that is solved, from x, 3 x n [m].
+  void begin(const Points& x) {
+    x_begin_ = x;
+    asleep_ = false;
+  }
+  /// Whether the points, now at x, hardly moved, nothing touches them and no iteration was needed.
+  bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
+  /// It is still, and would be if it were stopped here.
+  void fallAsleep() { asleep_ = true; }
+  /// What report() will say, if it came to rest.
+  void remember(const TissueStep& out) { last_ = out; }
+  void wake() { asleep_ = false; }
+
+ private:
+  double motion_;
+  bool allowed_;
+  bool asleep_ = false;
+  Points x_begin_;
+  TissueStep last_;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/contact/contact_potential.h"
+#include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/tissue_model.h"
+#include "tool_sweep.h"
+
+namespace palpate::tissue {
+
+/// The surface of an organ, as tools touch it: its contact potential, the tools' way through a
+/// cycle, and what is reported of both. For models of any kind whose points carry forces. Remembers
+/// nothing from one cycle to the next.
+class Touch {
+ public:
+  /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
+  /// named in contacts.
+  Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
+        int organ = 0);
+  Touch(const Touch&) = delete;  // the sweep refers to the contact
+  Touch& operator=(const Touch&) = delete;
+
+  /// Begins a cycle of `dt` [s] with the points at x going with v, 3 x n: which tools can touch,
+  /// and which points. The tools are placed where they end.
+  void begin(const std::vector<ToolBody>& tools, const Points& x, const Points& v, double dt,
+             TissueStep* out);
+  /// Whether anything may touch in this cycle.
+  bool possible() const { return contact.hasCandidates(); }
+  /// Adds the contacts at x, where the cycle ends. Returns the norm of their nodal forces [N].
+  double report(const Points& x, TissueStep* out);
+  /// After that: the points within reach that did not touch.
+  void countInactive(TissueStep* out) const;
+
+  contact::ContactPotential contact;
+  ToolSweep sweep;
+
+ private:
+  int organ_;
+  bool skip_inactive_;
+  std::vector<contact::Contact> contacts_;
+  Points nodal_;
+};
+
+}  // namespace palpate::tissue
