@@ -2,39 +2,33 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "case_model.h"
 #include "case_probes.h"
 #include "palpate/analysis/case_solver.h"
-#include "palpate/solver/integrator.h"
-#include "palpate/solver/minimizer.h"
+#include "palpate/tissue/fem/fem_dynamics.h"
 
 namespace palpate::analysis {
 
-/// Steps of a dynamic case. One whose solve fails is rejected and taken in shorter steps.
+/// Steps of a dynamic case, taken as an organ of a scene takes them.
 class CaseDynamics {
  public:
-  CaseDynamics(const DynamicAnalysis& analysis, CaseModel* model, const CaseProbes& probes);
+  /// @throws InputError for settings that the method does not take.
+  CaseDynamics(const Case& problem, CaseModel* model, const CaseProbes& probes, ThreadPool* pool);
 
-  /// From rest. x, 3 x n, starts and ends as the body's shape.
-  solver::SolveStatus run(Points* x, SolveResult* result, ProbeHistory* history,
+  /// From rest.
+  solver::SolveStatus run(SolveResult* result, ProbeHistory* history,
                           const std::function<void(double)>& progress);
-  /// What the supports exert on the nodes at x, 3 x n [N].
-  Points supportForce(const Points& x) const;
+  const tissue::FemDynamics& body() const { return *body_; }
 
  private:
-  solver::SolveStatus advance(double t, double h, Points* x, SolveResult* result);
-  solver::SolveStatus tryStep(double t, double h, Points* x, SolveResult* result);
-  void record(double t, const Points& x, ProbeHistory* history) const;
+  void record(double t, ProbeHistory* history) const;
 
   const DynamicAnalysis& analysis_;
   CaseModel& model_;
   const CaseProbes& probes_;
-  solver::Integrator integrator_;
-  solver::Potential potential_;
-  std::unique_ptr<solver::Minimizer> minimizer_;
-  double load_norm_ = 0.0, force_floor_ = 0.0, last_reaction_ = 0.0;  // [N]
+  std::unique_ptr<tissue::FemDynamics> body_;
+  double time_ = 0.0;  // at the begin of the step under way [s]
 };
 
 }  // namespace palpate::analysis

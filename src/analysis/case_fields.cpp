@@ -6,7 +6,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/scene/scene_fields.h"
 #include "palpate/solver/integrator.h"
-#include "palpate/solver/minimizer_list.h"
+#include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::analysis {
 
@@ -15,7 +15,6 @@ using keys::Need;
 using keys::Range;
 using Analysis = std::variant<StaticAnalysis, DynamicAnalysis>;
 
-std::vector<std::string> methodNames() { return solver::minimizerNames(); }
 std::vector<std::string> quantityNames() { return {"reaction"}; }
 
 void describe(keys::FieldVisitor& v, BoxMesh& box) {
@@ -78,7 +77,8 @@ void describe(keys::FieldVisitor& v, StaticAnalysis& analysis) {
 
 void describe(keys::FieldVisitor& v, DynamicAnalysis& analysis) {
   v.choice({"integrator", "", "Time integration."}, analysis.integrator, solver::integratorNames());
-  v.choice({"method", "", "How a step is solved."}, analysis.method, methodNames());
+  v.choice({"method", "", "How a step is solved, as a cycle of a scene."}, analysis.method,
+           tissue::methodNames());
   v.number({"dt", "s", "Time step."}, analysis.dt, keys::Range::above(0.0, 10.0));
   v.number({"duration", "s", "Simulated time.", keys::Need::kRequired}, analysis.duration,
            keys::Range::above(0.0, 1.0e6));
@@ -95,6 +95,8 @@ void describe(keys::FieldVisitor& v, DynamicAnalysis& analysis) {
             analysis.max_newton_iterations, keys::Range::closed(1, 1000));
   v.number({"linear_tolerance", "", "Relative residual where the linear solver ends."},
            analysis.linear_tolerance, keys::Range::closed(1.0e-14, 0.9));
+  v.integer({"max_linear_iterations", "", "Iterations of the linear solver in a Newton iteration."},
+            analysis.max_linear_iterations, keys::Range::closed(1, 100000));
 }
 
 void describe(keys::FieldVisitor& v, Analysis& analysis) {

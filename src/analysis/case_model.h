@@ -19,7 +19,7 @@ class CaseModel {
 
   const mesh::TetMesh& mesh() const { return mesh_; }
   const fem::Composition& composition() const { return composition_; }
-  fem::Elasticity& elasticity() const { return *elasticity_; }
+  const std::shared_ptr<fem::Elasticity>& elasticity() const { return elasticity_; }
   /// Elasticity with tractions, pressures and gravity.
   const solver::Potential& potential() const { return potential_; }
 
@@ -40,7 +40,7 @@ class CaseModel {
   mesh::TetMesh mesh_;
   Eigen::MatrixXi surface_;
   fem::Composition composition_;
-  std::unique_ptr<fem::Elasticity> elasticity_;
+  std::shared_ptr<fem::Elasticity> elasticity_;
   std::vector<HeldNodes> held_;
   std::vector<std::unique_ptr<fem::DeadLoad>> dead_loads_;
   std::vector<std::unique_ptr<fem::FollowerPressure>> pressures_;

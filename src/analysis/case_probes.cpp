@@ -35,7 +35,7 @@ std::vector<ProbeResult> CaseProbes::measure(const CaseModel& model, const Point
     result.name = placed.probe.name;
     if (placed.at) {
       result.displacement = mesh::interpolate(model.mesh(), *placed.at, x - model.mesh().points);
-      const fem::PointState state = model.elasticity().states(x, {*placed.at}).front();
+      const fem::PointState state = model.elasticity()->states(x, {*placed.at}).front();
       result.cauchy_stress = material::components(state.cauchy_stress);
       result.von_mises = material::vonMises(state.cauchy_stress);
       result.principal_stretches = material::stretchesOf(state.F);

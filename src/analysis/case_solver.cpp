@@ -41,7 +41,7 @@ std::vector<std::pair<std::string, double>> energyByRegion(const Case& problem,
   for (const scene::RegionConfig& region : problem.regions) {
     if (region.material) names.push_back(region.name);
   }
-  const Eigen::VectorXd energies = model.elasticity().energyBySolid(x);
+  const Eigen::VectorXd energies = model.elasticity()->energyBySolid(x);
   std::vector<std::pair<std::string, double>> by_region;
   for (std::size_t i = 0; i < names.size(); ++i) {
     by_region.emplace_back(names[i], energies[static_cast<Eigen::Index>(i)]);
@@ -60,7 +60,7 @@ void fillFields(const CaseModel& model, const Points& x, const Points& force,
   for (int e = 0; e < mesh.numTets(); ++e) {
     middles.push_back({e, Eigen::Vector4d::Constant(0.25)});
   }
-  const std::vector<fem::PointState> states = model.elasticity().states(x, middles);
+  const std::vector<fem::PointState> states = model.elasticity()->states(x, middles);
   for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
     const fem::PointState& state = states[static_cast<std::size_t>(e)];
     stress.col(e) = material::components(state.cauchy_stress);
@@ -89,16 +89,19 @@ CaseOutcome solveCase(const Case& problem, int threads,
   if (const auto* analysis = std::get_if<StaticAnalysis>(&problem.analysis)) {
     status = solveStatically(*analysis, &model, &x, &outcome.result, progress);
     force = supportForce(model.potential(), x);
+    outcome.result.strain_energy = model.elasticity()->energy(x);
   } else {
-    CaseDynamics dynamics(std::get<DynamicAnalysis>(problem.analysis), &model, probes);
-    status = dynamics.run(&x, &outcome.result, &outcome.history, progress);
-    force = dynamics.supportForce(x);
+    CaseDynamics dynamics(problem, &model, probes, &pool);
+    outcome.notes = dynamics.body().notes();
+    status = dynamics.run(&outcome.result, &outcome.history, progress);
+    x = dynamics.body().positions();
+    force = dynamics.body().supportForces();
+    outcome.result.strain_energy = dynamics.body().elasticEnergy();
   }
   outcome.converged = status == solver::SolveStatus::kConverged;
   outcome.result.status = solver::toString(status);
-  outcome.result.strain_energy = model.elasticity().energy(x);
   if (!problem.regions.empty()) outcome.result.energy_by_region = energyByRegion(problem, model, x);
-  outcome.result.min_jacobian = model.elasticity().minJacobian(x);
+  outcome.result.min_jacobian = model.elasticity()->minJacobian(x);
   outcome.result.probes = probes.measure(model, x, force);
   fillFields(model, x, force, &outcome);
   return outcome;

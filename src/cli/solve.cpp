@@ -42,6 +42,7 @@ int solve(const Options& options) {
       problem, options.threads,
       [&](double fraction) { line.show("solving " + options.case_file, fraction); });
   line.finish();
+  for (const std::string& note : outcome.notes) std::cerr << "note: " << note << "\n";
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   outcome.result.seconds = {{"total", seconds.count()}};
   writeOutcome(outcome, folder);
@@ -63,7 +64,9 @@ void addSolve(CLI::App& app, Action& action) {
       ->add_option("--out", options->out,
                    "Folder for result.json, result.vtu and, of a dynamic case, probes.csv")
       ->required();
-  command->add_option("--threads", options->threads, "Threads of the assembly")
+  command
+      ->add_option("--threads", options->threads,
+                   "Threads that share the work; the results are the same bits for any")
       ->check(CLI::Range(1, 64));
   command->callback([options, &action] { action = [options] { return solve(*options); }; });
 }

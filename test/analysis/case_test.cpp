@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "palpate/tissue/fem/fem_tissue.h"
+
 #include "palpate/material/material.h"
 #include "support/input_error.h"
 #include "support/temp_folder.h"
@@ -109,7 +111,7 @@ TEST_F(CaseFile, DefaultsAreTheScenes) {
   EXPECT_EQ(analysis.max_newton_iterations, scene.max_newton_iterations);
   EXPECT_EQ(analysis.linear_tolerance, scene.linear_tolerance);
   EXPECT_EQ(analysis.integrator, solver::integratorNames().at(0));
-  EXPECT_EQ(analysis.method, methodNames().at(0));
+  EXPECT_EQ(analysis.method, tissue::methodNames().at(0));
 }
 
 TEST_F(CaseFile, Mesh) {

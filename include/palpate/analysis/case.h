@@ -58,7 +58,7 @@ struct StaticAnalysis {
 
 struct DynamicAnalysis {
   std::string integrator = scene::SolverConfig().integrator;
-  std::string method = "implicit_pcg";
+  std::string method = scene::SolverConfig().method;
   double dt = scene::SolverConfig().step;  ///< [s]
   double duration = 0.0;                   ///< [s]
   std::optional<double> ramp_time;  ///< In which what is prescribed grows [s]; else duration.
@@ -66,6 +66,7 @@ struct DynamicAnalysis {
   double tolerance = scene::SolverConfig().tolerance;
   int max_newton_iterations = scene::SolverConfig().max_newton_iterations;
   double linear_tolerance = scene::SolverConfig().linear_tolerance;
+  int max_linear_iterations = scene::SolverConfig().max_linear_iterations;
 };
 
 /// Displacement and stress at a point, or the sum over a region of a quantity.
@@ -88,8 +89,6 @@ struct Case : scene::BodyConfig {
   std::vector<Probe> probes;
 };
 
-/// How a step of a dynamic case may be solved; the first is the default.
-std::vector<std::string> methodNames();
 /// What a probe with a selection may ask for.
 std::vector<std::string> quantityNames();
 

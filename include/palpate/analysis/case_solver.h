@@ -26,6 +26,7 @@ struct CaseOutcome {
   std::vector<formats::VtuArray> point_data;  ///< displacement [m], reaction [N]
   std::vector<formats::VtuArray> cell_data;   ///< cauchy_stress xx yy zz xy yz zx [Pa], jacobian
   ProbeHistory history;                       ///< Empty for a static case.
+  std::vector<std::string> notes;             ///< What was decided: the method for `auto`.
 };
 
 /// Solves a case. Static: loads and displacements grow together over the load steps. Dynamic: from

@@ -41,16 +41,21 @@ fem::Composition withViscousTerms(fem::Composition composition) {
 }  // namespace
 
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
-                 fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool)
+                 fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool,
+                 Drive what_drives, std::shared_ptr<fem::Elasticity> own_elasticity)
     : settings(fem_settings),
       mesh(tet_mesh),
       free(std::move(free_mask)),
       pool(thread_pool),
       size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
       triangles(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
-      elasticity(fem::makeElasticity(
-          settings.element, mesh,
-          settings.skip.viscous_terms ? composition : withViscousTerms(composition), pool)),
+      elasticity(own_elasticity ? std::move(own_elasticity)
+                                : fem::makeElasticity(settings.element, mesh,
+                                                      settings.skip.viscous_terms
+                                                          ? composition
+                                                          : withViscousTerms(composition),
+                                                      pool)),
+      drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       touch(mesh.points, triangles, settings),
       contact(touch.contact),
@@ -60,7 +65,8 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())) {
   weight = gravity.forces().rowwise().sum();
-  weight_norm_ = gravity.forces().norm();
+  weight_norm_ = gravity.forces().norm() + drive.load_norm;
+  support_forces.setZero(3, mesh.numPoints());
   const double element_area =
       std::pow(elasticity->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
   force_floor = 0.1 * composition.softestShearModulus() * element_area;
@@ -70,6 +76,8 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
   const double wave_speed_squared = composition.softestShearModulus() * volume / mass;
   const double time_squared = std::pow(volume, 2.0 / 3.0) / wave_speed_squared;
   least_force_ = settings.position_tolerance * elasticity->masses().norm() / time_squared;
+  // Without such a tolerance, relative to what strains one element a little.
+  if (settings.position_tolerance == 0.0) least_force_ = settings.tolerance * force_floor;
 }
 
 double FemBody::tolerance() const {
@@ -79,10 +87,22 @@ double FemBody::tolerance() const {
 
 void FemBody::reportContacts(TissueStep* out) { contact_force = touch.report(x, out); }
 
+double FemBody::addLoads(const Points& at, Points* g) const {
+  double sum = gravity.addGradient(at, g);
+  for (const fem::EnergyTerm* load : drive.loads) sum += load->addGradient(at, g);
+  return sum;
+}
+
+bool FemBody::heldWay(double s, Points* way) const {
+  if (!drive.held) return false;
+  *way = (drive.held(s) - x).array() * (1.0 - free.array());
+  return !way->isZero(0.0);
+}
+
 void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
-  nodal_ = gradient.array() * (1.0 - free.array());
-  out->support_force = nodal_.rowwise().sum();
-  support_force = nodal_.norm();
+  support_forces = gradient.array() * (1.0 - free.array());
+  out->support_force = support_forces.rowwise().sum();
+  support_force = support_forces.norm();
 }
 
 Points settleUnderGravity(FemBody* body) {

@@ -9,6 +9,7 @@
 #include "../touch/touch.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
+#include "palpate/tissue/fem/drive.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 
 namespace palpate::tissue {
@@ -17,13 +18,19 @@ namespace palpate::tissue {
 /// on.
 struct FemBody {
   FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition, fem::FreeMask free_mask,
-          const FemSettings& fem_settings, ThreadPool* thread_pool);
+          const FemSettings& fem_settings, ThreadPool* thread_pool, Drive what_drives = {},
+          std::shared_ptr<fem::Elasticity> own_elasticity = nullptr);
 
   /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
   /// cycle.
   double tolerance() const;
   /// Collects the contacts at x into `out`, and their nodal norm.
   void reportContacts(TissueStep* out);
+  /// Gravity's and the loads' energy at `at` [J]; g += its gradient, 3 x n [N].
+  double addLoads(const Points& at, Points* g) const;
+  /// The way that the held components have still to go at part s of the cycle, 3 x n [m], zero
+  /// where free. False: they are there.
+  bool heldWay(double s, Points* way) const;
   /// Sums what the supports exert, given the gradient of all energies at x (3 x n [N]).
   void reportSupport(const Points& gradient, TissueStep* out);
 
@@ -33,7 +40,8 @@ struct FemBody {
   ThreadPool* pool;
   double size;  ///< Diagonal of the bounding box at rest [m].
   Eigen::Matrix3Xi triangles;
-  std::unique_ptr<fem::Elasticity> elasticity;
+  std::shared_ptr<fem::Elasticity> elasticity;
+  Drive drive;
   fem::DeadLoad gravity;
   Touch touch;
   contact::ContactPotential& contact;  ///< Of `touch`,
@@ -49,11 +57,11 @@ struct FemBody {
   /// At x, where it is known and does not depend on the step [J].
   std::optional<double> elastic_energy;
   double contact_force = 0.0, support_force = 0.0;  ///< Nodal norms of the last cycle [N].
+  Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
 
  private:
-  double weight_norm_;  // of the nodal gravity forces [N]
+  double weight_norm_;  // of the nodal forces of gravity and loads [N]
   double least_force_;  // worth being balanced [N]
-  Points nodal_;
 };
 
 /// The equilibrium under the body's gravity, 3 x n [m].

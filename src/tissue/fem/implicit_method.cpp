@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "implicit_method.h"
 
+#include <algorithm>
+
 namespace palpate::tissue {
 namespace {
 
-// Shorter time steps that are tried where a cycle fails.
-constexpr int kMaxTimeSteps = 8;
 // Stages before the last one need not be solved as well.
 constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
@@ -22,6 +22,7 @@ ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer>
       potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free},
       minimizer_(std::move(minimizer)) {
   integrator_.addTerms(&potential_);
+  for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
 }
 
 void ImplicitMethod::restart() {
@@ -45,7 +46,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_->factor_waits = minimizer_->waits() - waits;
   begin_ = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
-  for (int steps = 1; steps <= kMaxTimeSteps; steps *= 2) {
+  for (int steps = 1; steps <= body_.settings.max_time_steps; steps *= 2) {
     out_->time_steps = steps;
     out_->sweep_stages = 0;
     int done = 0;
@@ -112,6 +113,8 @@ void ImplicitMethod::solveStages(double begin, double end) {
       ++out_->sweep_stages;
       body_.sweep.place(s);
     }
+    solved.status = moveHeld(s);
+    if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
   }
   out_->status = solved.status;
@@ -120,10 +123,20 @@ void ImplicitMethod::solveStages(double begin, double end) {
       out_->newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
 }
 
+// Held nodes that move take the others along as the tangent says.
+solver::SolveStatus ImplicitMethod::moveHeld(double s) {
+  if (!body_.heldWay(s, &way_)) return solver::SolveStatus::kConverged;
+  const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
+  return minimizer_->predict(potential_, way_, &body_.x);
+}
+
 solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   solver::NewtonSettings settings;
   settings.linear_tolerance = body_.settings.linear_tolerance;
   settings.tolerance = (on_the_way ? kStageTolerance : 1.0) * out_->tolerance;
+  if (body_.settings.position_tolerance == 0.0) {
+    settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(body_.x));
+  }
   settings.interrupt = body_.interrupt;
   settings.max_iterations = on_the_way ? kStageIterations : body_.settings.max_newton_iterations;
   solver::NewtonReport solved;
@@ -140,9 +153,11 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   return solved;
 }
 
-// A state to go on from. One that only ran out of iterations or time is: each lowered the energy.
+// A state to go on from. One that only ran out of iterations or time is, unless it was asked to
+// converge: each iteration lowered the energy.
 bool ImplicitMethod::acceptable() const {
-  return solver::usable(out_->status) && body_.x.allFinite();
+  const bool enough = body_.settings.only_converged ? out_->ok() : solver::usable(out_->status);
+  return enough && body_.x.allFinite();
 }
 
 double ImplicitMethod::unbalancedForce() {

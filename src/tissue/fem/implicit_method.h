@@ -9,9 +9,9 @@
 
 namespace palpate::tissue {
 
-/// Implicit steps: each minimises the incremental potential (inertia, elasticity, gravity, contact)
-/// with a minimiser. A cycle whose solve fails is rejected and tried again in 2, 4 and 8 shorter
-/// steps.
+/// Implicit steps: each minimises the incremental potential (inertia, elasticity, loads, contact)
+/// with a minimiser. A cycle whose solve fails is rejected and tried again in 2, 4, 8 ... shorter
+/// steps. Scenes and cases of `palpate solve` are stepped by it alike.
 class ImplicitMethod final : public StepMethod {
  public:
   ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
@@ -28,6 +28,7 @@ class ImplicitMethod final : public StepMethod {
   void startFromPredictor(double s, double h);
   double valueHere();
   void solveStages(double begin, double end);
+  solver::SolveStatus moveHeld(double s);
   solver::NewtonReport solveStage(bool on_the_way);
   bool acceptable() const;
 

@@ -34,7 +34,14 @@ LinearMethod::LinearMethod(FemBody* body)
       compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles),
       contact_(body, &compliance_),
       force_(Points::Zero(3, body->x.cols())) {
-  compliance_.solve(body_.gravity.forces(), &u0_);
+  loads_ = body_.gravity.forces();
+  if (!body_.drive.loads.empty()) {
+    loads_.setZero();
+    body_.addLoads(body_.mesh.points, &loads_);
+    loads_ = -loads_;
+  }
+  compliance_.solve(loads_, &u_loads_);
+  u0_ = u_loads_;
 }
 
 void LinearMethod::settle(Points* x) { *x = body_.mesh.points + u0_; }
@@ -43,7 +50,7 @@ void LinearMethod::settle(Points* x) { *x = body_.mesh.points + u0_; }
 void LinearMethod::restart() {
   u_ = body_.x - body_.mesh.points;
   compliance_.multiply(u_, &force_);
-  force_ = (force_ - body_.gravity.forces()).cwiseProduct(body_.free);
+  force_ = (force_ - loads_).cwiseProduct(body_.free);
   for (Eigen::Index i = 0; i < force_.cols(); ++i) {
     if (compliance_.find(static_cast<int>(i)) < 0) force_.col(i).setZero();
   }
@@ -65,6 +72,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
       ++out->sweep_stages;
       body_.sweep.place(s);
     }
+    moveHeld(s);
     solved = solveStage(s < 1.0, out);
   }
   out->status = solved.status;
@@ -79,6 +87,15 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   balance();
   out->residual = residual_;
   return true;
+}
+
+// Displacements without contact: those under the loads, and what held nodes that move take along.
+void LinearMethod::moveHeld(double s) {
+  if (!body_.drive.held) return;
+  const Points way = (body_.drive.held(s) - body_.mesh.points).array() * (1.0 - body_.free.array());
+  compliance_.multiply(way, &g_);
+  compliance_.solve(-g_, &u0_);
+  u0_ += u_loads_ + way;
 }
 
 solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) {
@@ -106,7 +123,7 @@ void LinearMethod::balance() {
   u_ = body_.x - body_.mesh.points;
   compliance_.multiply(u_, &g_);
   energy_ = 0.5 * u_.cwiseProduct(g_).sum();
-  body_.gravity.addGradient(body_.x, &g_);
+  g_ -= loads_;
   body_.contact.addGradient(body_.x, &g_);
   residual_ = g_.cwiseProduct(body_.free).norm();
 }

@@ -44,7 +44,7 @@ void NewtonMethod::restart() {
 // g at x; its norm where nothing is held.
 double NewtonMethod::gradient() {
   const double value = body_.elasticity->gradient(body_.x, &g_);
-  body_.gravity.addGradient(body_.x, &g_);
+  body_.addLoads(body_.x, &g_);
   const double norm = g_.cwiseProduct(contact_.free()).norm();
   return std::isfinite(value) ? norm : value;
 }
@@ -80,6 +80,7 @@ bool NewtonMethod::sweep(int parts, TissueStep* out) {
     if (s > 1.0 - 1e-9) s = 1.0;
     ++out->sweep_stages;
     body_.sweep.place(s);
+    part_ = s;
     solveStage(out);
     const bool usable = out->ok() || out->status == solver::SolveStatus::kIterationLimit;
     if (!usable || !body_.x.allFinite()) return false;
@@ -116,6 +117,7 @@ void NewtonMethod::newton(TissueStep* out) {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
       contact_.moves(body_.x, &move_);
+      if (body_.heldWay(part_, &held_way_)) move_ += held_way_;
     }
     if (!std::isfinite(residual_)) {
       out->status = solver::SolveStatus::kNonFinite;

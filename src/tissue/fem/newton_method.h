@@ -43,6 +43,8 @@ class NewtonMethod final : public StepMethod {
   PrescribedContact contact_;
   fem::Stiffness stiffness_;
   Points g_, move_, right_, step_, trial_, x_begin_;
+  Points held_way_;
+  double part_ = 0.0;  // of the cycle, where the tools are
   double residual_ = 0.0;
 };
 

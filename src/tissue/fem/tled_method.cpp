@@ -47,7 +47,7 @@ TledMethod::TledMethod(FemBody* body)
       update_(body) {
   refuseWhatItCannot(body->settings);
   critical_.begin(body->mesh.points);
-  u_ = contact_g_ = inertia_ = Points::Zero(3, masses_.size());
+  u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
 }
 
 void TledMethod::restart() {
@@ -55,10 +55,12 @@ void TledMethod::restart() {
   update_.clear();
   contact_g_.setZero();
   inertia_.setZero();
+  held_velocity_.setZero();
   forces(std::numeric_limits<double>::infinity());
 }
 
 void TledMethod::stop() {
+  held_velocity_.setZero();
   contact_g_.setZero();
   inertia_.setZero();
 }
@@ -67,7 +69,7 @@ void TledMethod::stop() {
 void TledMethod::forces(double h) {
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(h);
   potential_ = body_.elasticity->gradient(body_.x, &g_);
-  potential_ += body_.gravity.addGradient(body_.x, &g_);
+  potential_ += body_.addLoads(body_.x, &g_);
 }
 
 double TledMethod::kineticEnergy() const {
@@ -97,6 +99,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   v_begin_ = body_.v;
   g_begin_ = g_;
   const double potential_begin = potential_;
+  const Points held_begin = held_velocity_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
     if (run(dt, caution_ * steps, out)) return true;
@@ -104,6 +107,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.v = v_begin_;
     g_ = g_begin_;
     potential_ = potential_begin;
+    held_velocity_ = held_begin;
     body_.elasticity->restoreViscousState(viscous.get());
   }
   caution_ = kMaxCaution;
@@ -137,6 +141,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   if (!body_.v.allFinite() || !plausible(kinetic_begin, potential_begin)) return false;
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
+  addHeldInertia(h);
   out->residual = update_.residual();
   out->status = limited_                          ? solver::SolveStatus::kLineSearchFailed
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
@@ -150,6 +155,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   const double damping = 0.5 * body_.settings.mass_damping * h;
   u_ = (u_ - h * inverse_masses_.cwiseProduct(g_)) / (1.0 + damping);
   next_ = h * u_;
+  moveHeld(h, s);
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
     if (!touch(h, s)) return;
@@ -162,6 +168,29 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
 
 // Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
 // tool that itself has just gone on.
+// Held nodes that move go as they are told.
+void TledMethod::moveHeld(double h, double s) {
+  if (!body_.drive.held) return;
+  body_.heldWay(s, &held_way_);
+  held_before_ = held_velocity_;
+  held_velocity_ = held_way_ / h;
+  work_ += std::abs(held_way_.cwiseProduct(g_).sum());
+  work_ += std::abs(
+      ((held_velocity_ - held_before_) * masses_.asDiagonal()).cwiseProduct(held_velocity_).sum());
+  u_ = u_.cwiseProduct(body_.free) + held_velocity_;
+  next_ = next_.cwiseProduct(body_.free) + held_way_;
+}
+
+// The force that accelerates held nodes that move, which their supports exert.
+void TledMethod::addHeldInertia(double h) {
+  if (!body_.drive.held) return;
+  const Points held = 1.0 - body_.free.array();
+  inertia_ = inertia_.cwiseProduct(body_.free) -
+             held.cwiseProduct((held_velocity_ - held_before_) / h +
+                               body_.settings.mass_damping * held_velocity_) *
+                 masses_.asDiagonal();
+}
+
 bool TledMethod::mayJump() const {
   if (!body_.contact.hasCandidates()) return false;
   const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
@@ -202,6 +231,7 @@ double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(bod
 void TledMethod::reportForces(TissueStep* out) {
   out->inertia_force = inertia_.rowwise().sum();
   next_ = g_ + contact_g_;
+  if (body_.drive.held) next_ -= inertia_;  // read on held components only
   body_.reportSupport(next_, out);
   body_.reportContacts(out);
 }

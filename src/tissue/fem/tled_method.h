@@ -40,6 +40,8 @@ class TledMethod final : public StepMethod {
   int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
+  void moveHeld(double h, double s);
+  void addHeldInertia(double h);
   bool touch(double h, double s);
   bool mayJump() const;
   void forces(double h);
@@ -58,6 +60,7 @@ class TledMethod final : public StepMethod {
   Points u_, next_;   // velocities amid steps; positions of the next one
   Points contact_g_;  // of the contact, at the last cycle's end
   Points inertia_;    // inertial and damping forces at the cycle's end
+  Points held_way_, held_velocity_, held_before_;  // of a sub-step and the one before
   Points x_begin_, v_begin_, g_begin_;
   Eigen::VectorXd coefficients_;
   double work_ = 0.0;    // sum of the moduli of the contact's work in this cycle [J]

@@ -21,6 +21,8 @@ struct FemSettings : ModelSettings {
   std::string element = "anp";
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
+  int max_time_steps = 8;          ///< That a cycle is cut into where longer ones fail: 1, 2, 4 ...
+  bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
 };
 
 /// How a cycle may be solved; the first is the default.
