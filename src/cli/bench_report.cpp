@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "palpate/base/atomic_file.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/json.h"
@@ -205,9 +206,7 @@ void writeBench(const std::string& folder, const BenchTitle& title, const BenchR
   writeTimes(folder + "/times.csv", result);
   writeDisplacements(folder + "/displacements.bin", result);
   formats::writeVtu(folder + "/mesh.vtu", result.mesh, {}, {});
-  io::OutputFile summary(folder + "/summary.json");
-  summary.write(summaryJson(title, result));
-  summary.close();
+  writeFileAtomically(folder + "/summary.json", summaryJson(title, result));
 }
 
 }  // namespace palpate::cli

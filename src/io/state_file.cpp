@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/state_file.h"
 
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 
@@ -78,22 +77,9 @@ void writeState(const std::string& file, const std::vector<std::string>& organs,
       throw std::runtime_error(file + ": the state of " + organs[i] + " is not finite");
     }
   }
-  const std::string part = file + ".part";
-  {
-    std::ofstream out(part);
-    writeTo(out, organs, state);
-    out.flush();
-    if (!out) {
-      std::remove(part.c_str());
-      throw std::runtime_error(file + ": cannot be written");
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    std::remove(part.c_str());
-    throw std::runtime_error(file + ": cannot be written: " + error.message());
-  }
+  std::ostringstream out;
+  writeTo(out, organs, state);
+  writeFileAtomically(file, out.str());
 }
 
 sim::SimulatorState readState(const std::string& file, const std::vector<std::string>& organs) {

@@ -20,7 +20,7 @@ struct VtuArray {
 /// all.
 ///
 /// @throws std::invalid_argument if an array's columns are not as many as points or cells, or its
-/// name is empty; std::runtime_error if the file cannot be written.
+/// name is empty; InputError if the file cannot be written.
 void writeVtu(const std::string& file, const mesh::TetMesh& mesh,
               const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data);
 
