@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "palpate/base/percentiles.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
@@ -44,15 +44,11 @@ void writePictures(const sim::Simulator& simulator, const std::filesystem::path&
   }
 }
 
-void printSummary(const io::Replay& replay, std::vector<double> step_ms) {
-  std::sort(step_ms.begin(), step_ms.end());
-  const auto quantile = [&](double q) {
-    return step_ms[static_cast<std::size_t>(q * (step_ms.size() - 1))];
-  };
+void printSummary(const io::Replay& replay, const std::vector<double>& step_ms) {
+  const Percentiles ms = percentiles(step_ms);
   std::printf("peak force %.4g N, contacts at most %d, steps %zu (%d not converged)\n",
               replay.peakForce(), replay.mostContacts(), step_ms.size(), replay.failedSteps());
-  std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", quantile(0.5), quantile(0.99),
-              step_ms.back());
+  std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", ms.p50, ms.p99, ms.max);
 }
 
 void printProfile(const sim::Simulator& simulator, const sim::LoadFigures& figures) {

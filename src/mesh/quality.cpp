@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/percentiles.h"
+
 namespace palpate::mesh {
 namespace {
 
@@ -73,10 +75,8 @@ TetQuality measureQuality(const TetMesh& mesh, const SurfaceMesh* reference) {
     quality.worst_radius_edge_ratio = std::max(quality.worst_radius_edge_ratio, ratio);
     quality.volume += signedVolume(mesh.points, v);
   }
-  const auto middle = least.begin() + static_cast<std::ptrdiff_t>(least.size() / 2);
-  quality.min_dihedral_deg = *std::min_element(least.begin(), least.end());
-  std::nth_element(least.begin(), middle, least.end());
-  quality.median_dihedral_deg = *middle;
+  quality.min_dihedral_deg = quantile(least, 0.0);
+  quality.median_dihedral_deg = quantile(least, 0.5);
   quality.mean_edge_length = meanEdge(mesh);
   if (reference != nullptr) {
     const double wanted = enclosedVolume(*reference);
