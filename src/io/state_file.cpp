@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "csv_cells.h"
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
@@ -34,7 +35,7 @@ void writeTo(std::ostream& out, const std::vector<std::string>& organs,
   out << kEnd << '\n';
 }
 
-bool toNumber(const std::string& text, double* value) {
+bool toNumber(std::string_view text, double* value) {
   const std::optional<double> number = parseNumber(text);
   if (number) *value = *number;
   return number.has_value();
@@ -47,13 +48,14 @@ struct Row {
 };
 
 bool parseRow(const std::string& line, Row* row) {
-  std::istringstream fields(line);
-  std::string field;
-  if (!std::getline(fields, row->organ, ',') || !std::getline(fields, row->node, ',')) return false;
-  for (double& value : row->values) {
-    if (!std::getline(fields, field, ',') || !toNumber(field, &value)) return false;
+  const std::vector<std::string_view> cells = csvCells(line);
+  if (cells.size() != 8) return false;
+  row->organ = cells[0];
+  row->node = cells[1];
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!toNumber(cells[2 + i], &row->values[i])) return false;
   }
-  return !std::getline(fields, field);
+  return true;
 }
 
 Points toPoints(const std::vector<Row>& rows, int first) {
