@@ -73,7 +73,7 @@ bool sameBits(const Wrench& a, const Wrench& b) {
 
 BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
   BenchResult result;
-  ProgressLine line;
+  start::ProgressLine line;
   const auto begin = Clock::now();
   sim::Simulator simulator(
       bench.scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "blas_check.h"
 #include "commands.h"
 #include "files.h"
 #include "palpate/base/percentiles.h"
@@ -19,7 +19,6 @@
 #include "palpate/io/trajectory.h"
 #include "palpate/sim/lockstep.h"
 #include "palpate/sim/scene_load.h"
-#include "palpate/solver/blas_speed.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -59,9 +58,7 @@ void printProfile(const sim::Simulator& simulator, const sim::LoadFigures& figur
 
 // Where the scene's method needs a fast BLAS, or the user asks where the time goes.
 void checkBlas(const sim::Scene& scene, bool profile) {
-  if (!profile && !solver::dependsOnBlas(scene.solver.method)) return;
-  const std::string warning =
-      solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+  const std::string warning = start::blasWarningFor(scene.solver.method, profile);
   if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
 }
 
@@ -70,7 +67,7 @@ int replay(const Options& options) {
   if (options.threads > 0) scene.solver.threads = options.threads;
   const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
   checkBlas(scene, options.profile);
-  ProgressLine line;
+  start::ProgressLine line;
   sim::Simulator simulator(
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
   line.finish();

@@ -36,7 +36,7 @@ int solve(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   const io::Case problem = io::readCase(options.case_file);
   const std::filesystem::path folder = makeFolder(options.out);
-  ProgressLine line;
+  start::ProgressLine line;
   io::CaseOutcome outcome = io::solveCase(problem, options.threads, [&](double fraction) {
     line.show("solving " + options.case_file, fraction);
   });
