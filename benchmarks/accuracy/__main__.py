@@ -1,25 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/accuracy.sh."""
 
-import argparse
 import concurrent.futures
 import os
 import pathlib
 import shutil
 import sys
 import time
-import traceback
 
-SKIPPED = 77  # what ctest takes for a skipped test
-try:
+import command_line
+
+with command_line.needs("accuracy", ours=["accuracy"]):
     from . import recorded, report
     from .cases import CASES
     from .solve import ROOT, Failed, build_folder
-except ModuleNotFoundError as missing:
-    if missing.name.startswith("accuracy"):
-        raise
-    print(f"no Python module {missing.name}; run scripts/install_dependencies.sh accuracy")
-    sys.exit(SKIPPED)
 
 
 class Context:
@@ -41,15 +35,10 @@ def _run_case(name, context):
     """Sections of one case by title, and what went wrong or None."""
     context.case = name
     begin = time.time()
-    sections, failure = {}, None
-    try:
-        sections = {name: CASES[name].run(context)} if name in CASES else recorded.run(name, context)
-    except Failed as error:
-        failure = str(error)
-    except Exception:  # a broken case is reported like one that fails
-        failure = traceback.format_exc(limit=-3)
-    context.progress(f"{'FAILED: ' + failure if failure else 'done'} ({time.time() - begin:.0f} s)")
-    return sections, failure
+    sections, failure = command_line.attempt(
+        lambda: {name: CASES[name].run(context)} if name in CASES else recorded.run(name, context), Failed)
+    context.progress(command_line.outcome(failure, time.time() - begin))
+    return sections or {}, failure
 
 
 def _run(names, context):
@@ -72,30 +61,19 @@ def _run(names, context):
 
 def main():
     known = [*CASES, *recorded.names()]
-    parser = argparse.ArgumentParser(prog="scripts/accuracy.sh", description=__doc__)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help="default: all of " + " ".join(known))
-    parser.add_argument("--quick", action="store_true", help="small versions of the quick cases")
-    parser.add_argument("--list", action="store_true", help="print the names and do nothing")
-    arguments = parser.parse_args()
-    if arguments.list:
-        print("\n".join(known))
-        return 0
-    unknown = [c for c in arguments.cases if c not in known]
-    if unknown:
-        parser.error(f"no case {' '.join(unknown)}; known: {' '.join(known)}")
-
-    whole = not arguments.cases and not arguments.quick
+    arguments = command_line.parse("scripts/accuracy.sh", __doc__, "case", known, {})
+    whole = not arguments.names and not arguments.quick
     work = build_folder() / "accuracy"
     docs = ROOT / "docs" if whole else work
     if whole:
         shutil.rmtree(work, ignore_errors=True)
-    names = arguments.cases or [n for n in known if not arguments.quick
+    names = arguments.names or [n for n in known if not arguments.quick
                                 or getattr(CASES.get(n), "QUICK", False)]
     lacking = [tool for n in names for tool in getattr(CASES.get(n), "NEEDS", ()) if not tool.available()]
     if lacking:
         print(f"not installed: {' '.join(t.PACKAGE for t in lacking)}; run "
               "scripts/install_dependencies.sh accuracy")
-        return SKIPPED
+        return command_line.SKIPPED
     context = Context(docs / "images" / "accuracy", work, arguments.quick)
     sections, failures = _run(names, context)
     docs.mkdir(parents=True, exist_ok=True)

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `palpate replay`: the real cycle, with contact, of a ball that goes down and stays."""
 
-import csv
 import json
 import subprocess
 
 import numpy as np
 
-from .solve import Failed, program
+from .solve import Failed, program, read_table
 
 # A ball on one joint, z, which lifts it.
 URDF = """<?xml version="1.0"?>
@@ -50,8 +49,7 @@ def press(folder, mesh, element, material, support, radius, heights, contact, so
     (folder / "log.txt").write_text(run.stdout)
     if run.returncode != 0:
         raise Failed(f"palpate replay {folder}/scene.yaml: {run.stdout.strip()[-600:]}")
-    with open(folder / "forces.csv", encoding="utf-8", newline="") as file:
-        report = list(csv.DictReader(file))
+    report = read_table(folder / "forces.csv")
     bad = [r for r in report if r["status"] != "converged"]
     if len(report) < len(rows) or bad:
         raise Failed(f"{folder}/forces.csv: {len(report)} of {len(rows)} rows, {len(bad)} not converged")

@@ -18,6 +18,12 @@ class Failed(Exception):
     """A program did not do what a case needs."""
 
 
+def read_table(file):
+    """The rows of a CSV file, each by the names in its first."""
+    with open(file, encoding="utf-8", newline="") as text:
+        return list(csv.DictReader(text))
+
+
 def build_folder():
     """PALPATE_BUILD, or build/ of the source tree."""
     return pathlib.Path(os.environ.get("PALPATE_BUILD", ROOT / "build"))
@@ -65,8 +71,7 @@ class Result:
 
     def history(self, column):
         """Times and values of a column of probes.csv."""
-        with open(self.folder / "probes.csv", encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(file))
+        rows = read_table(self.folder / "probes.csv")
         return np.array([float(r["t"]) for r in rows]), np.array([float(r[column]) for r in rows])
 
     @property

@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/percentiles.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/io/json.h"
 #include "palpate/material/constants.h"
@@ -153,12 +154,6 @@ class Beam {
   btSoftBody* body_ = nullptr;
 };
 
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(q * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
 void run(const mesh::TetMesh& mesh, const Settings& settings, const std::string& folder) {
   Beam beam(mesh, settings);
   const double h = settings.number.at("step"), frame = settings.number.at("frame");
@@ -179,9 +174,10 @@ void run(const mesh::TetMesh& mesh, const Settings& settings, const std::string&
   }
   io::JsonMembers fastest, all(",\n  ");
   const double sum = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0);
-  fastest.add("median_ms", quantile(milliseconds, 0.5));
-  fastest.add("p99_ms", quantile(milliseconds, 0.99));
-  fastest.add("max_ms", quantile(milliseconds, 1.0));
+  const Percentiles ms = percentiles(milliseconds);
+  fastest.add("median_ms", ms.p50);
+  fastest.add("p99_ms", ms.p99);
+  fastest.add("max_ms", ms.max);
   fastest.add("ms_per_second", sum / (cycles * h));
   all.add("scene", io::jsonText("beam in Bullet, " + settings.force));
   all.add("tets", static_cast<double>(mesh.numTets()));

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `palpate bench`, keeps what it wrote in a folder a configuration, and reads it."""
 
-import csv
 import dataclasses
 import hashlib
 import json
@@ -12,7 +11,7 @@ from typing import Optional
 
 import numpy as np
 
-from accuracy.solve import ROOT, Failed, program
+from accuracy.solve import ROOT, Failed, program, read_table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,8 +61,7 @@ class Run:
         self.summary = json.loads((folder / "summary.json").read_text())
 
     def table(self, file="forces.csv"):
-        with open(self.folder / file, encoding="utf-8", newline="") as text:
-            return list(csv.DictReader(text))
+        return read_table(self.folder / file)
 
     def forces(self):
         """Times (k) [s] and forces on the tool (k, 3) [N]."""

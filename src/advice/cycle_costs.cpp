@@ -2,17 +2,10 @@
 #include "palpate/advice/cycle_costs.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "palpate/base/percentiles.h"
 
 namespace palpate::advice {
-namespace {
-
-std::size_t rank(double share, std::size_t count) {
-  const double n = std::ceil(share * static_cast<double>(count));
-  return static_cast<std::size_t>(std::max(1.0, n)) - 1;
-}
-
-}  // namespace
 
 void CostRecorder::add(const sim::StepReport& report, double seconds, int parts) {
   if (parts < 1) return;
@@ -43,13 +36,13 @@ CycleCosts CostRecorder::figures() const {
     const Phase phase = static_cast<Phase>(k);
     for (std::size_t i = 0; i < n; ++i) sorted[i] = cycles_[i].phases[phase];
     std::sort(sorted.begin(), sorted.end());
-    f.median[phase] = sorted[rank(0.5, n)];
-    f.p99[phase] = sorted[rank(0.99, n)];
+    f.median[phase] = quantileOfSorted(sorted, 0.5);
+    f.p99[phase] = quantileOfSorted(sorted, 0.99);
   }
   for (std::size_t i = 0; i < n; ++i) sorted[i] = cycles_[i].seconds;
   std::sort(sorted.begin(), sorted.end());
-  f.cycle_median = sorted[rank(0.5, n)];
-  f.cycle_p99 = sorted[rank(0.99, n)];
+  f.cycle_median = quantileOfSorted(sorted, 0.5);
+  f.cycle_p99 = quantileOfSorted(sorted, 0.99);
 
   const double slow = sorted[n - std::max<std::size_t>(1, n / 20)];
   double count = 0.0;

@@ -10,17 +10,27 @@
 
 namespace palpate {
 
-double toDouble(const char* text, char** end) {
+std::optional<double> parseAnyNumber(std::string_view text) {
   static const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
-  return strtod_l(text, end, kClassic);
+  char few[64];  // nearly every number: no memory is asked for
+  std::string many;
+  const char* begin = few;
+  if (text.size() < sizeof few) {
+    few[text.copy(few, sizeof few - 1)] = '\0';
+  } else {
+    many = text;
+    begin = many.c_str();
+  }
+  char* end = nullptr;
+  const double value = strtod_l(begin, &end, kClassic);
+  if (text.empty() || end != begin + text.size()) return {};
+  return value;
 }
 
-std::optional<double> parseNumber(const std::string& text) {
-  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos) return {};
-  char* end = nullptr;
-  const double value = toDouble(text.c_str(), &end);
-  if (end != text.c_str() + text.size() || !std::isfinite(value)) return {};
-  return value;
+std::optional<double> parseNumber(std::string_view text) {
+  if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return {};
+  const std::optional<double> value = parseAnyNumber(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::string formatNumber(double value) {
@@ -33,7 +43,7 @@ std::string formatNumber(double value) {
     stream.precision(digits);
     stream << value;
     text = stream.str();
-    if (toDouble(text.c_str(), nullptr) == value) break;
+    if (parseAnyNumber(text) == value) break;
   }
   return text;
 }

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "palpate/base/atomic_file.h"
+#include "palpate/base/percentiles.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/json.h"
@@ -20,8 +22,8 @@ struct Times {
 
 Times timesOf(const std::vector<double>& ms, double duration) {
   const double sum = std::accumulate(ms.begin(), ms.end(), 0.0);
-  return {quantile(ms, 0.5), quantile(ms, 0.99), *std::max_element(ms.begin(), ms.end()),
-          sum / duration};
+  const Percentiles p = percentiles(ms);
+  return {p.p50, p.p99, p.max, sum / duration};
 }
 
 // Three ways to say it: the fastest repeat as a whole; each figure's median over the repeats; and
@@ -205,9 +207,7 @@ void writeBench(const std::string& folder, const BenchTitle& title, const BenchR
   writeTimes(folder + "/times.csv", result);
   writeDisplacements(folder + "/displacements.bin", result);
   formats::writeVtu(folder + "/mesh.vtu", result.mesh, {}, {});
-  io::OutputFile summary(folder + "/summary.json");
-  summary.write(summaryJson(title, result));
-  summary.close();
+  writeFileAtomically(folder + "/summary.json", summaryJson(title, result));
 }
 
 }  // namespace palpate::cli

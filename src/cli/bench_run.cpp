@@ -70,15 +70,9 @@ bool sameBits(const Wrench& a, const Wrench& b) {
 
 }  // namespace
 
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(q * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
 BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
   BenchResult result;
-  ProgressLine line;
+  start::ProgressLine line;
   const auto begin = Clock::now();
   sim::Simulator simulator(
       bench.scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });

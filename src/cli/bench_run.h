@@ -42,7 +42,4 @@ struct BenchTiming {
 /// Simulator::step() alone. @throws InputError as Simulator.
 BenchResult runBench(const BenchCase& bench, const BenchTiming& timing);
 
-/// The q-quantile (nearest rank) of values that need not be sorted.
-double quantile(std::vector<double> values, double q);
-
 }  // namespace palpate::cli

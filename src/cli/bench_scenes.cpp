@@ -5,11 +5,11 @@
 #include <cmath>
 #include <memory>
 
+#include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/resource.h"
 #include "palpate/formats/vtu_writer.h"
-#include "palpate/io/output_file.h"
 #include "palpate/io/trajectory.h"
 #include "palpate/mesh/tet_mesh.h"
 
@@ -84,9 +84,7 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
 void addBall(const std::string& folder, scene::Scene* scene) {
   std::string urdf = kBall;
   urdf.replace(urdf.find("RADIUS"), 6, formatNumber(kRadius));
-  io::OutputFile file(folder + "/ball.urdf");
-  file.write(urdf);
-  file.close();
+  writeFileAtomically(folder + "/ball.urdf", urdf);
   scene::InstrumentConfig ball;
   ball.name = "ball";
   ball.urdf = "ball.urdf";

@@ -35,7 +35,7 @@ struct Meshed {
 };
 
 Meshed meshSurface(const Options& options) {
-  ProgressLine line;
+  start::ProgressLine line;
   const mesh::MeshingProgress progress = [&](const std::string& stage, double fraction) {
     line.show(stage, fraction);
   };

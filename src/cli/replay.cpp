@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -11,15 +9,16 @@
 #include <thread>
 #include <vector>
 
+#include "blas_check.h"
 #include "commands.h"
 #include "files.h"
 #include "palpate/advice/scene_verdict.h"
+#include "palpate/base/percentiles.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
 #include "palpate/io/trajectory.h"
 #include "palpate/sim/lockstep.h"
-#include "palpate/solver/blas_speed.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
@@ -45,15 +44,11 @@ void writePictures(const sim::Simulator& simulator, const std::filesystem::path&
   }
 }
 
-void printSummary(const io::Replay& replay, std::vector<double> step_ms) {
-  std::sort(step_ms.begin(), step_ms.end());
-  const auto quantile = [&](double q) {
-    return step_ms[static_cast<std::size_t>(q * (step_ms.size() - 1))];
-  };
+void printSummary(const io::Replay& replay, const std::vector<double>& step_ms) {
+  const Percentiles ms = percentiles(step_ms);
   std::printf("peak force %.4g N, contacts at most %d, steps %zu (%d not converged)\n",
               replay.peakForce(), replay.mostContacts(), step_ms.size(), replay.failedSteps());
-  std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", quantile(0.5), quantile(0.99),
-              step_ms.back());
+  std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", ms.p50, ms.p99, ms.max);
 }
 
 void printProfile(const sim::Simulator& simulator, const advice::CycleCosts& figures) {
@@ -65,9 +60,7 @@ void printProfile(const sim::Simulator& simulator, const advice::CycleCosts& fig
 
 // Where the scene's method needs a fast BLAS, or the user asks where the time goes.
 void checkBlas(const scene::Scene& scene, bool profile) {
-  if (!profile && !solver::dependsOnBlas(scene.solver.method)) return;
-  const std::string warning =
-      solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+  const std::string warning = start::blasWarningFor(scene.solver.method, profile);
   if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
 }
 
@@ -76,7 +69,7 @@ int replay(const Options& options) {
   if (options.threads > 0) scene.solver.threads = options.threads;
   const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
   checkBlas(scene, options.profile);
-  ProgressLine line;
+  start::ProgressLine line;
   sim::Simulator simulator(
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
   line.finish();

@@ -37,7 +37,7 @@ int solve(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   const analysis::Case problem = analysis::readCase(options.case_file);
   const std::filesystem::path folder = makeFolder(options.out);
-  ProgressLine line;
+  start::ProgressLine line;
   analysis::CaseOutcome outcome = analysis::solveCase(
       problem, options.threads,
       [&](double fraction) { line.show("solving " + options.case_file, fraction); });

@@ -70,15 +70,6 @@ void SolidElasticity<N>::allocate() {
 }
 
 template <int N>
-Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
-                                     const Eigen::Matrix<double, 3, N>& gradients) const {
-  const auto nodes = shape_.nodes.col(static_cast<Eigen::Index>(e));
-  Mat3 F = x.col(nodes[0]) * gradients.col(0).transpose();
-  for (int a = 1; a < N; ++a) F += x.col(nodes[a]) * gradients.col(a).transpose();
-  return F;
-}
-
-template <int N>
 template <class Visit>
 void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
   for (const Group& group : groups_) {
@@ -214,54 +205,6 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
   });
   scatter_.gatherBlocks(blocks_, pool_, &K->blocks());
   if (pressure_) pressure_->gatherRows(volume_gradients_, pool_, &K->volume());
-}
-
-template <int N>
-double SolidElasticity<N>::minJacobian(const Points& x) {
-  if (packed_) return packed_->minJacobian(x);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t e = 0; e < shape_.points.size(); ++e) {
-    for (const RestPoint<N>& point : shape_.points[e]) {
-      smallest = std::min(smallest, deformation(x, e, point.gradients).determinant());
-    }
-  }
-  return smallest;
-}
-
-template <int N>
-std::vector<PointState> SolidElasticity<N>::states(const Points& x,
-                                                   const std::vector<mesh::Location>& places) {
-  updatePressure(x);
-  std::vector<PointState> states;
-  states.reserve(places.size());
-  for (const mesh::Location& at : places) states.push_back(state(x, at.tet, at.w));
-  return states;
-}
-
-template <int N>
-PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector4d& w) const {
-  Eigen::Matrix<double, 3, N> X;
-  for (int a = 0; a < N; ++a) X.col(a) = mesh_.points.col(shape_.nodes(a, e));
-  double determinant = 0.0;
-  Eigen::Matrix<double, 3, N> gradients = RestShape<N>::gradientsAt(X, w, &determinant);
-  Mat3 Q = Mat3::Identity();
-  if (!composition_.frames.empty()) Q = composition_.frames[e];
-  gradients = Q.transpose() * gradients;
-  const Mat3 F = deformation(x, static_cast<std::size_t>(e), gradients);
-  int nearest = 0;  // integration point, whose viscous memory is taken
-  for (int q = 1; q < kPoints; ++q) {
-    const auto distance = [&](int k) { return (Tetrahedron<N>::point(k) - w).squaredNorm(); };
-    if (distance(q) < distance(nearest)) nearest = q;
-  }
-  const int solid = composition_.solid_of.empty() ? 0 : composition_.solid_of[e];
-  const material::Material& law = composition_.solids[solid].law;
-  const double p = pressure_ ? pressure_->at(static_cast<std::size_t>(e), w) : 0.0;
-  const Mat3* H = viscous() ? &history_.stress(e, nearest) : nullptr;
-  double psi = 0.0;
-  Mat3 P;
-  stresses(law, {1, &F, history_.factor(solid), element_kappa_[solid], &p, H ? &H : nullptr}, &psi,
-           &P);
-  return {F * Q.transpose(), P * F.transpose() / F.determinant()};
 }
 
 template <int N>

@@ -109,4 +109,13 @@ class SolidElasticity final : public Elasticity {
   NodalPressure::Gradients volume_gradients_;
 };
 
+template <int N>
+Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
+                                     const Eigen::Matrix<double, 3, N>& gradients) const {
+  const auto nodes = shape_.nodes.col(static_cast<Eigen::Index>(e));
+  Mat3 F = x.col(nodes[0]) * gradients.col(0).transpose();
+  for (int a = 1; a < N; ++a) F += x.col(nodes[a]) * gradients.col(a).transpose();
+  return F;
+}
+
 }  // namespace palpate::fem

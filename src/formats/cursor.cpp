@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "palpate/base/error.h"
@@ -23,19 +24,6 @@ std::string shown(std::string_view word) {
 }
 
 }  // namespace
-
-bool parseNumber(std::string_view word, double* value, bool* is_number) {
-  char text[128];
-  bool whole = false;
-  if (!word.empty() && word.size() < sizeof text) {
-    text[word.copy(text, sizeof text - 1)] = '\0';
-    char* end = nullptr;
-    *value = toDouble(text, &end);
-    whole = end == text + word.size();
-  }
-  if (is_number) *is_number = whole;
-  return whole && std::isfinite(*value);
-}
 
 Cursor::Cursor(std::string file, std::string_view bytes, Syntax syntax)
     : file_(std::move(file)), bytes_(bytes), syntax_(syntax) {}
@@ -126,11 +114,10 @@ void Cursor::skipPast(std::string_view text) {
 }
 
 double Cursor::toNumber(std::string_view word, const char* what) {
-  double value = 0.0;
-  bool is_number = false;
-  if (parseNumber(word, &value, &is_number)) return value;
+  const std::optional<double> value = parseAnyNumber(word);
+  if (value && std::isfinite(*value)) return *value;
   if (word.empty()) fail("", std::string("ends where a number is expected: ") + what);
-  if (is_number) fail(word, std::string("must be finite: ") + what);
+  if (value) fail(word, std::string("must be finite: ") + what);
   fail(word, std::string("must be a number: ") + what);
 }
 

@@ -73,8 +73,4 @@ class Cursor {
   mutable std::ptrdiff_t line_ = 1;     // the one that counted_to_ is in
 };
 
-/// A word as a finite number in the C locale, whatever the process's is; false if it is none
-/// (`is_number` tells whether it is one at all, infinite or NaN).
-bool parseNumber(std::string_view word, double* value, bool* is_number = nullptr);
-
 }  // namespace palpate::formats

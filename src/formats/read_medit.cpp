@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "cursor.h"
+#include "palpate/base/number.h"
 #include "tet_builder.h"
 #include "tet_formats.h"
 
@@ -38,8 +39,7 @@ void readDimension(Cursor& in) {
 
 /// Passes the numbers of a section that is of no use here.
 void skipNumbers(Cursor& in) {
-  double ignored = 0.0;
-  while (parseNumber(in.peek(), &ignored)) in.word();
+  while (parseNumber(in.peek())) in.word();
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cursor.h"
+#include "palpate/base/number.h"
 #include "scalar_type.h"
 #include "tet_formats.h"
 #include "vtk_cells.h"
@@ -44,9 +46,9 @@ class Reader {
     if (header.substr(0, kHeader.size()) != kHeader) {
       in_.fail(header, "must begin with '" + std::string(kHeader) + "'");
     }
-    double version = 0.0;
     const std::string_view number = header.substr(kHeader.size());
-    if (!parseNumber(number, &version) || version < 1.0 || version > 5.1) {
+    const double version = parseAnyNumber(number).value_or(0.0);
+    if (!(version >= 1.0 && version <= 5.1)) {
       in_.fail(number, "the version must be 1.0 ... 5.1");
     }
     in_.skipLine();  // title
@@ -220,10 +222,8 @@ class Reader {
   /// NaN is fine in data that is of no use here, and found by the builder in points.
   double value() {
     const std::string_view word = in_.word();
-    double number = 0.0;
-    bool is_number = false;
-    parseNumber(word, &number, &is_number);
-    return is_number ? number : in_.toNumber(word, "value of an array");
+    const std::optional<double> number = parseAnyNumber(word);
+    return number ? *number : in_.toNumber(word, "value of an array");
   }
 
   const std::string file_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "file_bytes.h"
+#include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "surface_formats.h"
 

@@ -2,9 +2,12 @@
 #include "vrml.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "cursor.h"
+#include "palpate/base/number.h"
 
 namespace palpate::formats {
 namespace {
@@ -80,10 +83,11 @@ class Parser {
     if (first != "[") {
       addValue(first, depth, &made);
       // A vector without brackets goes on as long as there are numbers.
-      double number = 0.0;
-      while (!made.numbers.empty() && parseNumber(in_.peek(), &number)) {
+      while (!made.numbers.empty()) {
+        const std::optional<double> number = parseNumber(in_.peek());
+        if (!number) break;
         in_.word();
-        made.numbers.push_back(number);
+        made.numbers.push_back(*number);
       }
       return made;
     }
@@ -96,11 +100,10 @@ class Parser {
 
   void addValue(std::string_view word, int depth, VrmlField* field) {
     if (word.empty()) in_.fail("", "truncated: a value must follow");
-    double number = 0.0;
-    bool is_number = false;
-    if (parseNumber(word, &number, &is_number)) {
-      field->numbers.push_back(number);
-    } else if (is_number) {
+    const std::optional<double> number = parseAnyNumber(word);
+    if (number && std::isfinite(*number)) {
+      field->numbers.push_back(*number);
+    } else if (number) {
       in_.fail(word, "must be finite");
     } else if (word == "TRUE" || word == "FALSE") {
       field->numbers.push_back(word == "TRUE" ? 1.0 : 0.0);

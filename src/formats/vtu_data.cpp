@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "byte_stream.h"
 #include "cursor.h"
 #include "palpate/base/error.h"
+#include "palpate/base/number.h"
 
 namespace palpate::formats {
 namespace {
@@ -139,10 +141,10 @@ std::vector<double> VtuData::numbers(const tinyxml2::XMLElement& array, std::siz
     Cursor in(file_, text);
     values.resize(count);
     for (double& value : values) {
-      bool is_number = false;
       const std::string_view word = in.word();
-      parseNumber(word, &value, &is_number);
-      if (is_number) continue;
+      const std::optional<double> number = parseAnyNumber(word);
+      value = number.value_or(0.0);
+      if (number) continue;
       fail(array, std::string(word.substr(0, 40)),
            word.empty() ? "truncated: must have " + std::to_string(count) + " numbers"
                         : "must be a number");

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "file_bytes.h"
+#include "palpate/base/atomic_file.h"
 #include "scalar_type.h"
 
 namespace palpate::formats {

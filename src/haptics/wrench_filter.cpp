@@ -31,7 +31,8 @@ Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
 
 }  // namespace
 
-WrenchFilter::WrenchFilter(const WrenchFilterSettings& settings) : settings_(settings) {
+WrenchFilter::WrenchFilter(const WrenchFilterSettings& settings)
+    : settings_(settings), fade_(settings.ramp, 0.0) {
   check("max_force", settings.max_force, false);
   check("max_torque", settings.max_torque, false);
   check("max_force_rate", settings.max_force_rate, false);
@@ -45,31 +46,28 @@ const Wrench& WrenchFilter::update(const Wrench& target, bool live, double dt) {
   if (!std::isfinite(dt) || dt <= 0.0) return output_;
   dt = std::min(dt, settings_.max_step);
 
-  if (live && target.allFinite()) {
+  live = live && target.allFinite();
+  if (live) {
     const Wrench goal{clamped(target.force, settings_.max_force),
                       clamped(target.torque, settings_.max_torque)};
     // After a full stop the old value says nothing about the new one.
-    const bool fresh = gain_ == 0.0 || settings_.smoothing == 0.0;
+    const bool fresh = fade_.gain() == 0.0 || settings_.smoothing == 0.0;
     const double share = fresh ? 1.0 : 1.0 - std::exp(-dt / settings_.smoothing);
     smooth_.force += share * (goal.force - smooth_.force);
     smooth_.torque += share * (goal.torque - smooth_.torque);
-    gain_ = settings_.ramp > dt ? std::min(1.0, gain_ + dt / settings_.ramp) : 1.0;
-  } else {
-    gain_ = settings_.ramp > dt ? std::max(0.0, gain_ - dt / settings_.ramp) : 0.0;
   }
+  const Wrench faded = fade_.update(smooth_, live, dt);
 
-  output_.force =
-      clamped(approached(output_.force, gain_ * smooth_.force, settings_.max_force_rate * dt),
-              settings_.max_force);
-  output_.torque =
-      clamped(approached(output_.torque, gain_ * smooth_.torque, settings_.max_torque_rate * dt),
-              settings_.max_torque);
+  output_.force = clamped(approached(output_.force, faded.force, settings_.max_force_rate * dt),
+                          settings_.max_force);
+  output_.torque = clamped(approached(output_.torque, faded.torque, settings_.max_torque_rate * dt),
+                           settings_.max_torque);
   return output_;
 }
 
 void WrenchFilter::reset() {
   smooth_ = output_ = Wrench();
-  gain_ = 0.0;
+  fade_ = WrenchFade(settings_.ramp, 0.0);
 }
 
 }  // namespace palpate::haptics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/result_json.h"
 
+#include "palpate/base/atomic_file.h"
 #include "palpate/io/json.h"
-#include "palpate/io/output_file.h"
 
 namespace palpate::io {
 
@@ -39,9 +39,7 @@ std::string resultJson(const analysis::SolveResult& result) {
 }
 
 void writeResultJson(const std::string& file, const analysis::SolveResult& result) {
-  OutputFile output(file);
-  output.write(resultJson(result));
-  output.close();
+  writeFileAtomically(file, resultJson(result));
 }
 
 }  // namespace palpate::io

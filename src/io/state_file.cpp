@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/state_file.h"
 
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "csv_cells.h"
+#include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 
@@ -35,7 +35,7 @@ void writeTo(std::ostream& out, const std::vector<std::string>& organs,
   out << kEnd << '\n';
 }
 
-bool toNumber(const std::string& text, double* value) {
+bool toNumber(std::string_view text, double* value) {
   const std::optional<double> number = parseNumber(text);
   if (number) *value = *number;
   return number.has_value();
@@ -48,13 +48,14 @@ struct Row {
 };
 
 bool parseRow(const std::string& line, Row* row) {
-  std::istringstream fields(line);
-  std::string field;
-  if (!std::getline(fields, row->organ, ',') || !std::getline(fields, row->node, ',')) return false;
-  for (double& value : row->values) {
-    if (!std::getline(fields, field, ',') || !toNumber(field, &value)) return false;
+  const std::vector<std::string_view> cells = csvCells(line);
+  if (cells.size() != 8) return false;
+  row->organ = cells[0];
+  row->node = cells[1];
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!toNumber(cells[2 + i], &row->values[i])) return false;
   }
-  return !std::getline(fields, field);
+  return true;
 }
 
 Points toPoints(const std::vector<Row>& rows, int first) {
@@ -78,22 +79,9 @@ void writeState(const std::string& file, const std::vector<std::string>& organs,
       throw std::runtime_error(file + ": the state of " + organs[i] + " is not finite");
     }
   }
-  const std::string part = file + ".part";
-  {
-    std::ofstream out(part);
-    writeTo(out, organs, state);
-    out.flush();
-    if (!out) {
-      std::remove(part.c_str());
-      throw std::runtime_error(file + ": cannot be written");
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(part, file, error);
-  if (error) {
-    std::remove(part.c_str());
-    throw std::runtime_error(file + ": cannot be written: " + error.message());
-  }
+  std::ostringstream out;
+  writeTo(out, organs, state);
+  writeFileAtomically(file, out.str());
 }
 
 sim::SimulatorState readState(const std::string& file, const std::vector<std::string>& organs) {

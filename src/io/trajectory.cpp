@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "csv_cells.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/text_file.h"
@@ -15,29 +16,12 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> found;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t comma = line.find(',', begin);
-    found.push_back(trimmed(line.substr(begin, comma - begin)));
-    if (comma == std::string::npos) return found;
-    begin = comma + 1;
-  }
-}
-
 /// Goes through a text line by line, takes rows and gathers problems.
 class Reader {
  public:
-  void readLine(const std::string& line) {
+  void readLine(std::string_view line) {
     ++line_number_;
-    const std::string text = trimmed(line);
+    const std::string_view text = trimmed(line);
     if (text.empty() || text[0] == '#' || problems_.size() >= kMaxProblems) return;
     if (header_.empty()) {
       readHeader(text);
@@ -63,14 +47,15 @@ class Reader {
   }
 
  private:
-  void problem(const std::string& where, const std::string& value, const std::string& allowed) {
+  void problem(const std::string& where, std::string_view value, const std::string& allowed) {
     const std::string line = "line " + std::to_string(line_number_);
+    const std::string shown(value.substr(0, 60));
     problems_.push_back({line + (where.empty() ? "" : ", " + where),
-                         value.size() > 60 ? value.substr(0, 60) + "..." : value, allowed});
+                         value.size() > 60 ? shown + "..." : shown, allowed});
   }
 
-  void readHeader(const std::string& text) {
-    header_ = cells(text);
+  void readHeader(std::string_view text) {
+    for (const std::string_view cell : csvCells(text)) header_.emplace_back(cell);
     if (header_[0] != "t") problem("column 1", header_[0], "the first column must be named t");
     for (std::size_t i = 1; i < header_.size(); ++i) {
       if (header_[i].empty()) problem("column " + std::to_string(i + 1), "", "has no name");
@@ -82,8 +67,8 @@ class Reader {
     if (header_.size() < 2) problem("", text, "must name at least one joint after t");
   }
 
-  void readRow(const std::string& text) {
-    const std::vector<std::string> row = cells(text);
+  void readRow(std::string_view text) {
+    const std::vector<std::string_view> row = csvCells(text);
     if (row.size() != header_.size()) {
       problem("", std::to_string(row.size()) + " values",
               "must have " + std::to_string(header_.size()) + " as the first row");
@@ -97,7 +82,7 @@ class Reader {
     }
   }
 
-  void takeTime(double t, const std::string& text) {
+  void takeTime(double t, std::string_view text) {
     if (!times_.empty() && t <= times_.back()) {
       problem("t", text, "must be larger than in the row before");
     }
@@ -119,7 +104,7 @@ Trajectory readTrajectory(const std::string& file) {
   while (begin < text.size()) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const bool cr = end > begin && text[end - 1] == '\r';
-    reader.readLine(text.substr(begin, end - begin - (cr ? 1 : 0)));
+    reader.readLine(std::string_view(text).substr(begin, end - begin - (cr ? 1 : 0)));
     begin = end + 1;
   }
   return reader.finish(file);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/mesh/mesh_cache.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +11,9 @@
 #include <iterator>
 #include <optional>
 #include <system_error>
+
+#include "palpate/base/atomic_file.h"
+#include "palpate/base/error.h"
 
 namespace palpate::mesh {
 namespace {
@@ -100,33 +100,27 @@ std::optional<TetMesh> readMesh(const fs::path& path) {
   return mesh;
 }
 
-/// Writes beside the place and renames, so that readers never see half a file. Failure is silent:
-/// the next start meshes again.
+/// Failure is silent: the next start meshes again.
 void writeMesh(const fs::path& path, const TetMesh& mesh) {
-  static std::atomic<unsigned> serial{0};  // two threads of one process write different files
-  const fs::path temporary =
-      path.string() + "." + std::to_string(::getpid()) + "." + std::to_string(serial++) + ".tmp";
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  bool written = false;
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    Header header{};
-    std::memcpy(header.magic, kMagic, sizeof(kMagic));
-    header.version = kVersion;
-    header.points = static_cast<std::uint64_t>(mesh.numPoints());
-    header.tets = static_cast<std::uint64_t>(mesh.numTets());
-    header.checksum = checksumOf(mesh);
-    file.write(reinterpret_cast<const char*>(&header), sizeof(header));
-    file.write(reinterpret_cast<const char*>(mesh.points.data()),
-               static_cast<std::streamsize>(sizeof(double) * mesh.points.size()));
-    file.write(reinterpret_cast<const char*>(mesh.tets.data()),
-               static_cast<std::streamsize>(sizeof(int) * mesh.tets.size()));
-    file.close();
-    written = !file.fail();
+  Header header{};
+  std::memcpy(header.magic, kMagic, sizeof(kMagic));
+  header.version = kVersion;
+  header.points = static_cast<std::uint64_t>(mesh.numPoints());
+  header.tets = static_cast<std::uint64_t>(mesh.numTets());
+  header.checksum = checksumOf(mesh);
+  std::string bytes;
+  bytes.append(reinterpret_cast<const char*>(&header), sizeof(header));
+  bytes.append(reinterpret_cast<const char*>(mesh.points.data()),
+               sizeof(double) * static_cast<std::size_t>(mesh.points.size()));
+  bytes.append(reinterpret_cast<const char*>(mesh.tets.data()),
+               sizeof(int) * static_cast<std::size_t>(mesh.tets.size()));
+  std::error_code ignored;
+  fs::create_directories(path.parent_path(), ignored);
+  try {
+    writeFileAtomically(path.string(), bytes);
+  } catch (const InputError&) {
+    return;
   }
-  if (written) fs::rename(temporary, path, error);
-  if (!written || error) fs::remove(temporary, error);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "palpate/base/percentiles.h"
 #include "palpate/mesh/cell_mesh.h"
 
 namespace palpate::mesh {
@@ -59,10 +60,8 @@ TetQuality measureQuality(const TetMesh& mesh, const SurfaceMesh* reference) {
     quality.worst_radius_edge_ratio = std::max(quality.worst_radius_edge_ratio, ratio);
     quality.volume += signedVolume(mesh.points, v);
   }
-  const auto middle = least.begin() + static_cast<std::ptrdiff_t>(least.size() / 2);
-  quality.min_dihedral_deg = *std::min_element(least.begin(), least.end());
-  std::nth_element(least.begin(), middle, least.end());
-  quality.median_dihedral_deg = *middle;
+  quality.min_dihedral_deg = quantile(least, 0.0);
+  quality.median_dihedral_deg = quantile(least, 0.5);
   quality.mean_edge_length = meanEdgeLength(cellsOf(mesh));
   if (reference != nullptr) {
     const double wanted = enclosedVolume(*reference);

@@ -25,8 +25,17 @@ struct HapticTarget {
   bool live = false;   ///< The wrench is of a solved state and of fresh input.
   ros::Time stamp;     ///< Of the input that caused it.
   Steady::time_point made;
-  Wrench spatial;  ///< At the control frame's origin, in world.
+  Wrench spatial;  ///< Of the last solved state, at the control frame's origin, in world.
   Mat3 R_WC = Mat3::Identity();
+
+  /// What a step gave instrument `i`, whose input has this stamp and is `fresh` or not.
+  void take(const sim::StepResult& result, std::size_t i, bool fresh, const ros::Time& input) {
+    valid = true;
+    live = fresh && result.report.usable();
+    stamp = input;
+    spatial = result.instruments[i].solved;
+    R_WC = result.instruments[i].X_WC.linear();
+  }
 };
 
 /// One cycle's report with what the node knows beside it.

@@ -10,8 +10,9 @@ namespace {
 
 double finite(double value) { return std::isfinite(value) ? value : -1.0; }
 
-geometry_msgs::Vector3 toVector(const Vec3& v) {
-  geometry_msgs::Vector3 m;
+template <class Message>
+Message fromVector(const Vec3& v) {
+  Message m;
   m.x = v.x();
   m.y = v.y();
   m.z = v.z();
@@ -20,13 +21,7 @@ geometry_msgs::Vector3 toVector(const Vec3& v) {
 
 }  // namespace
 
-geometry_msgs::Point toPoint(const Vec3& p) {
-  geometry_msgs::Point m;
-  m.x = p.x();
-  m.y = p.y();
-  m.z = p.z();
-  return m;
-}
+geometry_msgs::Point toPoint(const Vec3& p) { return fromVector<geometry_msgs::Point>(p); }
 
 geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
                                    const std::string& frame) {
@@ -34,8 +29,8 @@ geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
   m.header.stamp = stamp;
   m.header.frame_id = frame;
   if (wrench.allFinite()) {
-    m.wrench.force = toVector(wrench.force);
-    m.wrench.torque = toVector(wrench.torque);
+    m.wrench.force = fromVector<geometry_msgs::Vector3>(wrench.force);
+    m.wrench.torque = fromVector<geometry_msgs::Vector3>(wrench.torque);
   }
   return m;
 }
@@ -87,7 +82,7 @@ geometry_msgs::TransformStamped toMsg(const Pose& X_AB, const std::string& frame
   m.header.stamp = stamp;
   m.header.frame_id = frame_A;
   m.child_frame_id = frame_B;
-  m.transform.translation = toVector(X_AB.translation());
+  m.transform.translation = fromVector<geometry_msgs::Vector3>(X_AB.translation());
   const Eigen::Quaterniond q = Eigen::Quaterniond(X_AB.linear()).normalized();
   m.transform.rotation.w = q.w();
   m.transform.rotation.x = q.x();

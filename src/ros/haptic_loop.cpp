@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "conversions.h"
+#include "palpate/haptics/body_wrench.h"
 #include "topics.h"
 
 namespace palpate::node {
-namespace {
 
 haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
   haptics::WrenchFilterSettings s;
@@ -24,6 +24,8 @@ haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
   s.smoothing = 0.5 / scene.rates.simulation;
   return s;
 }
+
+namespace {
 
 /// Real-time priority for this thread, if the system lets us.
 bool becomeRealtime() {
@@ -87,9 +89,8 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
     hand.spatial.publish(toMsg(spatial, target.stamp, kWorldFrame));
   }
   if (hand.body.getNumSubscribers() > 0) {
-    const Mat3 R_CW = target.R_WC.transpose();
     hand.body.publish(
-        toMsg({R_CW * spatial.force, R_CW * spatial.torque}, target.stamp, hand.body_frame));
+        toMsg(haptics::bodyWrench(spatial, target.R_WC), target.stamp, hand.body_frame));
   }
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;

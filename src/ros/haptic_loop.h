@@ -22,6 +22,9 @@ struct HapticStatistics {
   std::atomic<double> peak_force{0};  ///< Largest |F| sent since the start [N].
 };
 
+/// What stands between the simulation and the hand in this scene.
+haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene);
+
 /// The force thread: at rates.haptic, the newest wrench of each instrument through its filter to
 /// spatial/measured_cf and body/measured_cf. The stamp is that of the input that caused it.
 /// Silent until the first cycle of the simulation.

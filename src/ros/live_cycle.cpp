@@ -133,14 +133,8 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     HapticTarget& target = targets_[i];
     target.made = now;
-    target.live = facts_.stepped && facts_.solved && live_[i];
-    if (facts_.stepped) {
-      const sim::InstrumentResult& result = result_->instruments[i];
-      target.valid = true;
-      target.stamp = samples_[i].stamp;
-      target.spatial = result.spatial;
-      target.R_WC = result.X_WC.linear();
-    }
+    target.live = false;
+    if (facts_.stepped) target.take(*result_, i, live_[i], samples_[i].stamp);
     channels_.haptic[i].write(target);
   }
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "live_cycle.h"
-#include "percentiles.h"
+#include "palpate/base/percentiles.h"
 
 namespace palpate::node {
 
@@ -31,7 +31,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
     s.rate_reached = static_cast<double>(window_ticks_) / elapsed;
     s.sim_speed = static_cast<double>(window_steps_) * scene.solver.step / elapsed;
   }
-  const Percentiles p = percentiles(&cycle_times_);
+  const Percentiles p = percentiles(cycle_times_);
   s.cycle_p50 = p.p50;
   s.cycle_p99 = p.p99;
   s.cycle_max = p.max;

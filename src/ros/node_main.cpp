@@ -5,17 +5,16 @@
 #include <ros/spinner.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 
+#include "blas_check.h"
 #include "diagnostics.h"
 #include "environment.h"
 #include "haptic_loop.h"
 #include "input_factory.h"
 #include "palpate/base/error.h"
 #include "palpate/io/state_file.h"
-#include "palpate/solver/blas_speed.h"
 #include "params.h"
 #include "publishing_loop.h"
 #include "services.h"
@@ -64,9 +63,7 @@ void sayHello(const sim::Simulator& simulator) {
 
 /// Says so if the scene's method needs a BLAS that is faster than this one.
 std::string checkBlas(const scene::Scene& scene) {
-  if (!solver::dependsOnBlas(scene.solver.method)) return "";
-  const std::string warning =
-      solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+  const std::string warning = start::blasWarningFor(scene.solver.method);
   if (!warning.empty()) ROS_WARN_STREAM(warning);
   return warning;
 }

@@ -24,15 +24,15 @@ std::string rosHome() {
 NodeParams readParams(const ros::NodeHandle& handle) {
   NodeParams p;
   const std::string where = "parameters of " + handle.getNamespace();
-  if (!handle.getParam("scene", p.scene) || p.scene.empty()) {
-    throw InputError(where, "scene", p.scene,
+  if (!handle.getParam(kSceneParam, p.scene) || p.scene.empty()) {
+    throw InputError(where, kSceneParam, p.scene,
                      "must be a scene file or the name of a shipped scene (liver_palpation)");
   }
-  p.state_directory = handle.param("state_directory", rosHome() + "/palpate");
-  p.initial_state = handle.param("initial_state", std::string());
-  p.arrow_scale = handle.param("arrow_scale", p.arrow_scale);
+  p.state_directory = handle.param(kStateDirectoryParam, rosHome() + "/palpate");
+  p.initial_state = handle.param(kInitialStateParam, std::string());
+  p.arrow_scale = handle.param(kArrowScaleParam, p.arrow_scale);
   if (!std::isfinite(p.arrow_scale) || p.arrow_scale <= 0.0) {
-    throw InputError(where, "arrow_scale", std::to_string(p.arrow_scale),
+    throw InputError(where, kArrowScaleParam, std::to_string(p.arrow_scale),
                      "must be finite and > 0 [m/N]");
   }
   return p;
@@ -53,12 +53,12 @@ std::string sceneFile(const std::string& name) {
 scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
   scene::Scene scene = scene::readScene(file);
   ParamFields fields(handle);
-  fields.apply("contact", scene.contact);
-  fields.apply("solver", scene.solver);
-  fields.apply("rates", scene.rates);
-  fields.apply("haptics", scene.haptics);
+  fields.apply(kSceneSections[0], scene.contact);
+  fields.apply(kSceneSections[1], scene.solver);
+  fields.apply(kSceneSections[2], scene.rates);
+  fields.apply(kSceneSections[3], scene.haptics);
   for (scene::InstrumentConfig& instrument : scene.instruments) {
-    fields.apply("instruments/" + instrument.name, instrument);
+    fields.apply(std::string(kInstrumentsSection) + "/" + instrument.name, instrument);
   }
   fields.check();
   return scene;

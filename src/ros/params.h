@@ -9,6 +9,17 @@
 
 namespace palpate::node {
 
+inline constexpr char kSceneParam[] = "scene";
+inline constexpr char kInitialStateParam[] = "initial_state";
+inline constexpr char kStateDirectoryParam[] = "state_directory";
+inline constexpr char kArrowScaleParam[] = "arrow_scale";
+inline constexpr const char* kNodeParams[] = {kSceneParam, kInitialStateParam, kStateDirectoryParam,
+                                              kArrowScaleParam};
+
+/// Sections of the scene whose keys are parameters as well, and the list of which each item is.
+inline constexpr const char* kSceneSections[] = {"contact", "solver", "rates", "haptics"};
+inline constexpr char kInstrumentsSection[] = "instruments";
+
 /// Private parameters of the node that are not keys of the scene.
 struct NodeParams {
   std::string scene;            ///< ~scene: a file, or the name of a shipped scene.

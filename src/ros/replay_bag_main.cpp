@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_replay_bag: a recorded motion through the simulation, every input, as fast as it goes.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/sim/lockstep.h"
 #include "params.h"
+#include "progress_line.h"
 #include "replay_outputs.h"
 #include "replay_summary.h"
 #include "throttle.h"
@@ -26,23 +26,6 @@ struct Options {
   std::string in, scene, out, csv, trajectory;
 };
 
-/// A line on stderr that counts up in place.
-class ProgressLine {
- public:
-  void show(const std::string& what, double fraction) {
-    if (!due_.due()) return;
-    std::fprintf(stderr, "\r%-40.40s %3.0f %%", what.c_str(), 100.0 * fraction);
-    shown_ = true;
-  }
-  ~ProgressLine() {
-    if (shown_) std::fputc('\n', stderr);
-  }
-
- private:
-  Throttle due_{0.5};
-  bool shown_ = false;
-};
-
 void replay(const Options& options) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.in, options.out, ignored)) {
@@ -51,7 +34,7 @@ void replay(const Options& options) {
   const scene::Scene scene = scene::readScene(sceneFile(options.scene));
   std::unique_ptr<sim::Simulator> simulator;
   {
-    ProgressLine line;
+    start::ProgressLine line;
     simulator = std::make_unique<sim::Simulator>(
         scene, [&](const std::string& what, double f) { line.show(what, f); });
   }
@@ -74,7 +57,7 @@ void replay(const Options& options) {
   double last = 0.0;
   const Steady::time_point begin = Steady::now();
   {
-    ProgressLine line;
+    start::ProgressLine line;
     inputs.walk([&](const rosbag::MessageInstance& message,
                     const ros::Time& stamp) { bag.copy(message, stamp); },
                 [&](const BagCycle& cycle) {

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay_outputs.h"
 
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
-
 #include "conversions.h"
 #include "palpate/base/error.h"
 #include "palpate/io/replay_table.h"
 #include "topics.h"
 
 namespace palpate::node {
-PartFile::~PartFile() {
-  if (!finished_) std::remove(part().c_str());
-}
-
-void PartFile::finish() {
-  std::error_code error;
-  std::filesystem::rename(part(), file_, error);
-  if (error) throw InputError(file_, "", "", "cannot be written: " + error.message());
-  finished_ = true;
-}
 
 ReplayBag::ReplayBag(const std::string& file, const scene::Scene& scene)
     : file_(file), scene_(scene) {
@@ -43,7 +29,7 @@ void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
     bag_.write("/" + instrumentTopic(config.name, kSpatialWrench), stamp,
                toMsg(r.spatial, stamp, kWorldFrame));
     bag_.write("/" + instrumentTopic(config.name, kBodyWrench), stamp,
-               toMsg(r.body, stamp, config.tf_prefix + config.control_frame));
+               toMsg(r.body(), stamp, config.tf_prefix + config.control_frame));
   }
   const NodeState state = result.report.usable() ? NodeState::kRunning : NodeState::kFault;
   sim::StepReport report = result.report;
@@ -53,7 +39,7 @@ void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
 
 void ReplayBag::finish() {
   bag_.close();
-  file_.finish();
+  file_.commit();
 }
 
 TrajectoryCsv::TrajectoryCsv(const std::string& file, const sim::Simulator& simulator)
@@ -91,7 +77,7 @@ void TrajectoryCsv::write(double t, const std::vector<Eigen::VectorXd>& joints) 
 
 void TrajectoryCsv::finish() {
   csv_->close();
-  part_.finish();
+  part_.commit();
 }
 
 ResultCsv::ResultCsv(const std::string& file, const scene::Scene& scene)
@@ -103,7 +89,7 @@ void ResultCsv::write(double t, const sim::StepResult& result, double step_ms) {
 
 void ResultCsv::finish() {
   csv_.close();
-  part_.finish();
+  part_.commit();
 }
 
 }  // namespace palpate::node

@@ -8,24 +8,11 @@
 #include <vector>
 
 #include "bag_inputs.h"
+#include "palpate/base/atomic_file.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::node {
-
-/// A file that appears under its name only when it is whole.
-class PartFile {
- public:
-  explicit PartFile(std::string file) : file_(std::move(file)) {}
-  ~PartFile();
-  std::string part() const { return file_ + ".part"; }
-  /// @throws InputError if it cannot be given its name.
-  void finish();
-
- private:
-  std::string file_;
-  bool finished_ = false;
-};
 
 /// The output bag: wrenches in both frames and reports with the stamp of the cycle, and a copy of
 /// the input messages. Record times are stamps and all wall times are 0, so that the same input
@@ -39,7 +26,7 @@ class ReplayBag {
   void finish();
 
  private:
-  PartFile file_;
+  AtomicFile file_;
   const scene::Scene& scene_;
   rosbag::Bag bag_;
 };
@@ -56,7 +43,7 @@ class TrajectoryCsv {
 
  private:
   std::string file_;
-  PartFile part_;
+  AtomicFile part_;
   std::unique_ptr<io::CsvWriter> csv_;
   bool begun_ = false;
   double last_ = 0.0;
@@ -71,7 +58,7 @@ class ResultCsv {
   void finish();
 
  private:
-  PartFile part_;
+  AtomicFile part_;
   io::CsvWriter csv_;
 };
 

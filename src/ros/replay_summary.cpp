@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 
-#include "percentiles.h"
+#include "palpate/base/percentiles.h"
 
 namespace palpate::node {
 
@@ -24,7 +24,7 @@ void ReplaySummary::add(const sim::StepResult& result, double cycle_ms) {
   cycle_ms_.push_back(cycle_ms);
 }
 
-void ReplaySummary::print(std::ostream& out, double simulated, double wall, long dropped) {
+void ReplaySummary::print(std::ostream& out, double simulated, double wall, long dropped) const {
   const auto row = [&](const std::string& name) -> std::ostream& {
     return out << std::left << std::setw(28) << name << std::right;
   };
@@ -33,10 +33,9 @@ void ReplaySummary::print(std::ostream& out, double simulated, double wall, long
     row("peak force of " + names_[i] + " [N]") << peak_force_[i] << '\n';
   }
   row("contacts, most") << contacts_ << '\n';
-  const std::size_t cycles = cycle_ms_.size();
-  const Percentiles p = percentiles(&cycle_ms_);
+  const Percentiles p = percentiles(cycle_ms_);
   row("cycle p50/p99/max [ms]") << p.p50 << " / " << p.p99 << " / " << p.max << '\n';
-  row("cycles") << cycles << '\n';
+  row("cycles") << cycle_ms_.size() << '\n';
   row("cycles not solved") << unsolved_ << '\n';
   row("work skipped") << skipped_ << '\n';
   row("messages dropped") << dropped << '\n';

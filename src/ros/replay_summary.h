@@ -15,7 +15,7 @@ class ReplaySummary {
   explicit ReplaySummary(const scene::Scene& scene);
 
   void add(const sim::StepResult& result, double cycle_ms);
-  void print(std::ostream& out, double simulated, double wall, long dropped);
+  void print(std::ostream& out, double simulated, double wall, long dropped) const;
 
  private:
   std::vector<std::string> names_;

@@ -9,6 +9,7 @@
 #include "fibre_frames.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
+#include "palpate/base/vector_text.h"
 #include "palpate/mesh/selection.h"
 #include "palpate/scene/tissue_file.h"
 
@@ -18,10 +19,6 @@ namespace {
 constexpr std::size_t kMostValues = 10;  // of cell data, in a message
 
 std::string metres(double x) { return formatNumber(x) + " m"; }
-
-std::string textOf(const Vec3& v) {
-  return "[" + formatNumber(v.x()) + ", " + formatNumber(v.y()) + ", " + formatNumber(v.z()) + "]";
-}
 
 // What there is instead, for a region that selects nothing.
 struct WhatThereIs {
@@ -50,11 +47,11 @@ struct WhatThereIs {
   template <class Shape>
   std::string operator()(const Shape&) const {
     const Points centroids = mesh::tetCentroids(mesh);
-    return "the body reaches from " + textOf(mesh.points.rowwise().minCoeff()) + " to " +
-           textOf(mesh.points.rowwise().maxCoeff()) +
+    return "the body reaches from " + vectorText(mesh.points.rowwise().minCoeff()) + " to " +
+           vectorText(mesh.points.rowwise().maxCoeff()) +
            " m in its own frame, the centroids of its tetrahedra from " +
-           textOf(centroids.rowwise().minCoeff()) + " to " +
-           textOf(centroids.rowwise().maxCoeff()) + " m";
+           vectorText(centroids.rowwise().minCoeff()) + " to " +
+           vectorText(centroids.rowwise().maxCoeff()) + " m";
   }
 };
 

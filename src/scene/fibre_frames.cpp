@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/base/number.h"
+#include "palpate/base/vector_text.h"
 
 namespace palpate::scene {
 namespace {
 
 constexpr double kParallel = 1.0e-6;  // sine of the angle
-
-std::string textOf(const Vec3& v) {
-  return "[" + formatNumber(v.x()) + ", " + formatNumber(v.y()) + ", " + formatNumber(v.z()) + "]";
-}
 
 Vec3 axisLeastAlong(const Vec3& f) {
   int axis = 0;
@@ -46,7 +42,7 @@ const Eigen::MatrixXd* FibreFrames::find(const mesh::TetMesh& mesh, const std::s
 
 void FibreFrames::fail(const std::string& key, Eigen::Index tet, const Vec3& value,
                        const std::string& allowed) const {
-  throw InputError(file_, key_ + "." + key, textOf(value),
+  throw InputError(file_, key_ + "." + key, vectorText(value),
                    "of tetrahedron " + std::to_string(tet + 1) + " (counted from 1) " + allowed);
 }
 
@@ -62,7 +58,7 @@ Mat3 FibreFrames::frame(Eigen::Index tet) const {
     const char* const sheet_key = sheet_field_ ? "sheet_field" : "sheet";
     if (!s.allFinite() || !(s.norm() > 0.0)) fail(sheet_key, tet, s, "must be finite and not zero");
     if (!(frame.col(0).cross(s.normalized()).norm() > kParallel)) {
-      fail(sheet_key, tet, s, "must not lie along the fibre " + textOf(f));
+      fail(sheet_key, tet, s, "must not lie along the fibre " + vectorText(f));
     }
   }
   frame.col(1) = (s - s.dot(frame.col(0)) * frame.col(0)).normalized();

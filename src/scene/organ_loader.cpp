@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
+#include "palpate/base/vector_text.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/mesh/mesh_cache.h"
@@ -82,13 +83,9 @@ fem::FreeMask supportMask(const OrganConfig& organ, const Points& X, const std::
     const std::vector<int> nodes = mesh::selectPoints(X, organ.supports[s].select);
     if (nodes.empty()) {
       const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
-      const auto text = [](const Vec3& v) {
-        return "[" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " +
-               std::to_string(v.z()) + "]";
-      };
       throw InputError(scene_file, key + ".supports[" + std::to_string(s) + "].select", "",
-                       "must select at least one node; the organ reaches from " + text(low) +
-                           " to " + text(high) + " m in its own frame");
+                       "must select at least one node; the organ reaches from " + vectorText(low) +
+                           " to " + vectorText(high) + " m in its own frame");
     }
     for (int i : nodes) free.col(i).setZero();
   }

@@ -146,7 +146,8 @@ void describe(keys::FieldVisitor& v, RatesConfig& rates) {
            keys::Range::above(0.0, 1000.0));
   v.number({"stale_after", "s", "Input older than this pauses the simulation."}, rates.stale_after,
            keys::Range::above(0.0, 10.0));
-  v.number({"ramp", "s", "Time in which the wrench goes to zero and comes back at a pause."},
+  v.number({"ramp", "s",
+            "Time in which the wrench goes to zero and comes back at a pause or a failed solve."},
            rates.ramp, keys::Range::above(0.0, 10.0));
 }
 

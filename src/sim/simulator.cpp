@@ -6,13 +6,12 @@
 #include <stdexcept>
 
 #include "palpate/contact/signed_distance.h"
+#include "palpate/haptics/wrench_fade.h"
 #include "palpate/scene/loaded_scene.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::sim {
 namespace {
-
-constexpr double kDecayTime = 0.05;  // of the wrench after a failed solve [s]
 
 bool allFinite(const std::vector<LinkPoses>& poses) {
   for (const LinkPoses& links : poses) {
@@ -53,7 +52,7 @@ struct Simulator::Impl {
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
   StepResult result;
-  std::vector<Wrench> last;  // what the hands felt a cycle before
+  std::vector<haptics::WrenchFade> fades;  // one an instrument
   double time = 0.0;
   solver::Interrupt interrupt;
 
@@ -73,6 +72,7 @@ struct Simulator::Impl {
     time = 0.0;
     poses.clear();
     result.clear(loaded.instruments.size());
+    fades.assign(loaded.instruments.size(), haptics::WrenchFade(scene.rates.ramp, 1.0));
   }
 
   bool accepts(const std::vector<LinkPoses>& next, double dt) const {
@@ -111,13 +111,18 @@ struct Simulator::Impl {
     }
   }
 
-  void finish(double dt) {
-    for (std::size_t i = 0; i < result.instruments.size(); ++i) {
+  /// The hand feels solved states only; after a cycle that failed what it felt fades.
+  void fade(double dt) {
+    for (std::size_t i = 0; i < fades.size(); ++i) {
       InstrumentResult& tool = result.instruments[i];
-      // The hand feels solved states only; after a failed one what it felt fades.
-      if (!result.report.usable()) tool.spatial = std::exp(-dt / kDecayTime) * last[i];
-      const Mat3 R_CW = tool.X_WC.linear().transpose();
-      tool.body = {R_CW * tool.spatial.force, R_CW * tool.spatial.torque};
+      tool.spatial = fades[i].update(tool.spatial, result.report.usable(), dt);
+      tool.solved = fades[i].held();
+    }
+  }
+
+  void finish(double dt) {
+    fade(dt);
+    for (const InstrumentResult& tool : result.instruments) {
       result.report.contacts += tool.contacts;
       result.report.max_penetration = std::max(result.report.max_penetration, tool.max_penetration);
     }
@@ -135,10 +140,9 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   Impl& s = *impl_;
   if (!s.accepts(poses, dt)) {
     s.result.report.status = solver::SolveStatus::kNonFinite;
+    if (dt > 0.0 && std::isfinite(dt)) s.fade(dt);
     return s.result;
   }
-  s.last.clear();
-  for (const InstrumentResult& tool : s.result.instruments) s.last.push_back(tool.spatial);
   s.result.clear(poses.size());
 
   s.moveBodies(poses);

@@ -2,9 +2,8 @@
 #include "palpate/solver/lbfgs.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "palpate/solver/newton.h"
+#include "minimizer_parts.h"
 #include "palpate/solver/unit_costs.h"
 #include "stale_factor.h"
 
@@ -120,18 +119,8 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
   double value = gradient();
   int since_renewal = 0;
   for (;;) {
-    report.residual = freeNorm(g_, potential.free);
-    if (!std::isfinite(value) || !std::isfinite(report.residual)) {
-      report.status = SolveStatus::kNonFinite;
-      return report;
-    }
-    if (report.residual <= settings.tolerance) return report;
-    if (report.iterations == kIterationsForOne * settings.max_iterations) {
-      report.status = SolveStatus::kIterationLimit;
-      return report;
-    }
-    if (report.iterations > 0 && settings.interrupted()) {
-      report.status = SolveStatus::kDeadline;
+    if (isOver(value, g_, potential.free, settings, kIterationsForOne * settings.max_iterations,
+               &report)) {
       return report;
     }
     bool fresh = false;
@@ -167,10 +156,7 @@ SolveStatus Lbfgs::predict(const Potential& potential, const Points& move, Point
     status = SolveStatus::kNonFinite;
   }
   if (status != SolveStatus::kConverged) return status;
-  x_trial_ = *x + move + d_;
-  if (!std::isfinite(potential.value(x_trial_))) return SolveStatus::kLineSearchFailed;
-  x->swap(x_trial_);
-  return SolveStatus::kConverged;
+  return moveIfFinite(potential, move, d_, x, &x_trial_);
 }
 
 }  // namespace palpate::solver

@@ -2,11 +2,10 @@
 #include "palpate/solver/newton.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <vector>
 
 #include "kept_stiffness.h"
+#include "minimizer_parts.h"
 
 namespace palpate::solver {
 namespace {
@@ -104,20 +103,8 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     value = potential.gradient(*x, &g_);
   }
   for (;;) {
-    report.residual = freeNorm(g_, potential.free);
-    if (!std::isfinite(value) || !std::isfinite(report.residual)) {
-      report.status = SolveStatus::kNonFinite;
+    if (isOver(value, g_, potential.free, settings, settings.max_iterations, &report))
       return report;
-    }
-    if (report.residual <= settings.tolerance) return report;
-    if (report.iterations == settings.max_iterations) {
-      report.status = SolveStatus::kIterationLimit;
-      return report;
-    }
-    if (report.iterations > 0 && settings.interrupted()) {
-      report.status = SolveStatus::kDeadline;
-      return report;
-    }
     if (kept_ && before > 0.0 && !servedWell(report.residual, before)) elastic_->drop();
     if (before > 0.0) {
       term = forcingTerm(settings.linear_tolerance, report.residual, before, term);
@@ -143,14 +130,6 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
   }
 }
 
-double roundoffForce(const fem::Stiffness& A, const Points& x) {
-  double stiffness = 0.0;
-  std::vector<Mat3> diagonal;
-  A.diagonal(&diagonal);
-  for (const Mat3& block : diagonal) stiffness += block.trace();
-  return 1e-15 * stiffness / (3.0 * A.numNodes()) * x.norm();
-}
-
 double Newton::roundoffForce(const Points& x) const { return solver::roundoffForce(A_, x); }
 
 void Newton::prepare(const Potential& potential, const Points& x) {
@@ -161,26 +140,12 @@ void Newton::prepare(const Potential& potential, const Points& x) {
   linear_->prepare(A_);
 }
 
-bool tangentSystem(const Potential& potential, const Points& x, const Points& move,
-                   fem::Stiffness* A, Points* g, Points* right) {
-  const double value = potential.gradient(x, g);
-  if (!std::isfinite(value) || !g->allFinite()) return false;
-  potential.hessian(x, fem::Tangent::kProjected, A);
-  A->multiply(move, right);
-  *right = -(*g + *right).cwiseProduct(potential.free);
-  A->constrain(potential.free);
-  return true;
-}
-
 SolveStatus Newton::predict(const Potential& potential, const Points& move, Points* x) {
   if (elastic_) elastic_->matrixWasOverwritten();
   if (!tangentSystem(potential, *x, move, &A_, &g_, &right_)) return SolveStatus::kNonFinite;
   const LinearReport solved = linear_->solve(A_, right_, 1e-8, &d_);
   if (solved.status != SolveStatus::kConverged) return solved.status;
-  x_trial_ = *x + move + d_;
-  if (!std::isfinite(potential.value(x_trial_))) return SolveStatus::kLineSearchFailed;
-  x->swap(x_trial_);
-  return SolveStatus::kConverged;
+  return moveIfFinite(potential, move, d_, x, &x_trial_);
 }
 
 }  // namespace palpate::solver

@@ -9,6 +9,7 @@
 #include <limits>
 #include <locale>
 #include <random>
+#include <string>
 
 namespace palpate {
 namespace {
@@ -25,6 +26,28 @@ TEST(ParseNumber, RefusesWhatIsNoFiniteDecimal) {
                            "1.2.3", "e", "-", "--1", "1e", "infinity", "1_000"}) {
     EXPECT_FALSE(parseNumber(text)) << text;
   }
+}
+
+TEST(ParseAnyNumber, ReadsWhatStrtodReads) {
+  EXPECT_EQ(parseAnyNumber("1.5").value(), 1.5);
+  EXPECT_EQ(parseAnyNumber("-inf").value(), -INFINITY);
+  EXPECT_EQ(parseAnyNumber("1e999").value(), INFINITY);
+  EXPECT_EQ(parseAnyNumber("0x10").value(), 16.0);
+  EXPECT_TRUE(std::isnan(parseAnyNumber("nan").value()));
+  for (const char* text : {"", "1 ", "1,5", "1.2.3", "e", "-", "--1", "1e", "1_000"}) {
+    EXPECT_FALSE(parseAnyNumber(text)) << text;
+  }
+}
+
+TEST(ParseAnyNumber, ReadsAPartOfATextAndNumbersOfAnyLength) {
+  const std::string text = "12345";
+  EXPECT_EQ(parseAnyNumber(std::string_view(text).substr(1, 2)).value(), 23.0);
+  for (const std::size_t zeros : {61u, 62u, 63u, 64u, 65u, 300u}) {
+    EXPECT_EQ(parseAnyNumber("." + std::string(zeros, '0') + "5"),
+              parseAnyNumber("5e-" + std::to_string(zeros + 1)));
+    EXPECT_EQ(parseNumber("." + std::string(zeros, '0') + "5x"), std::nullopt);
+  }
+  EXPECT_FALSE(parseAnyNumber(std::string_view("1\0", 2)));
 }
 
 TEST(FormatNumber, IsShort) {

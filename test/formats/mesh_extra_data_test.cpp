@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "formats/temp_dir.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/formats/vtu_writer.h"
+#include "support/temp_folder.h"
 
 namespace palpate::formats {
 namespace {
@@ -36,14 +36,14 @@ TEST_F(ExtraData, TetrahedraOfGmsh1) {
   } const files[] = {{"organs/liver.msh", 181, 596},
                      {"organs/liver2.msh", 507, 1493},
                      {"organs/truthcylinder1.msh", 642, 2524}};
-  const TempDir dir;
+  const test::TempFolder dir;
   for (const auto& f : files) {
     const mesh::TetMesh mesh = readTetMesh(file(f.name));
     EXPECT_EQ(mesh.numPoints(), f.points) << f.name;
     EXPECT_EQ(mesh.numTets(), f.tets) << f.name;
     EXPECT_EQ(static_cast<int>(mesh.region.size()), f.tets) << f.name;
-    writeVtu(dir.file("a.vtu"), mesh, {}, {});
-    const mesh::TetMesh back = readTetMesh(dir.file("a.vtu"));
+    writeVtu(dir.path("a.vtu"), mesh, {}, {});
+    const mesh::TetMesh back = readTetMesh(dir.path("a.vtu"));
     EXPECT_EQ(back.points, mesh.points) << f.name;
     EXPECT_EQ(back.tets, mesh.tets) << f.name;
   }

@@ -6,11 +6,11 @@
 
 #include "formats/surface_formats.h"
 #include "formats/surface_samples.h"
-#include "formats/temp_dir.h"
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/formats/vtu_writer.h"
+#include "support/temp_folder.h"
 
 namespace palpate::formats {
 namespace {
@@ -128,9 +128,9 @@ INSTANTIATE_TEST_SUITE_P(All, DamagedFile, testing::ValuesIn(allSamples()),
                          [](const auto& sample) { return sample.param.name; });
 
 TEST(WrittenVtu, EveryPrefix) {
-  const TempDir dir;
-  writeVtu(dir.file("a.vtu"), mesh::boxMesh(Vec3(1, 1, 1), Eigen::Vector3i(1, 1, 1)), {}, {});
-  const Sample sample{"written", ".vtu", bytesOf(dir.file("a.vtu"))};
+  const test::TempFolder dir;
+  writeVtu(dir.path("a.vtu"), mesh::boxMesh(Vec3(1, 1, 1), Eigen::Vector3i(1, 1, 1)), {}, {});
+  const Sample sample{"written", ".vtu", test::fileBytes(dir.path("a.vtu"))};
   for (std::size_t n = 0; n < sample.bytes.size(); ++n) {
     SCOPED_TRACE(n);
     readDamaged(sample, sample.bytes.substr(0, n));

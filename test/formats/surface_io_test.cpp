@@ -7,13 +7,15 @@
 #include <cmath>
 
 #include "formats/surface_samples.h"
-#include "formats/temp_dir.h"
+#include "support/contains.h"
+#include "support/input_error.h"
+#include "support/temp_folder.h"
 
 namespace palpate::formats {
 namespace {
 
-const TempDir& dir() {
-  static const TempDir temp;
+const test::TempFolder& dir() {
+  static const test::TempFolder temp;
   return temp;
 }
 
@@ -21,7 +23,7 @@ mesh::SurfaceMesh readText(const std::string& name, const std::string& text) {
   return readSurface(dir().write(name, text));
 }
 std::string complaintAbout(const std::string& name, const std::string& text) {
-  return complaint([&] { readText(name, text); });
+  return test::complaint([&] { readText(name, text); });
 }
 
 void expectTetrahedron(const mesh::SurfaceMesh& surface) {
@@ -48,10 +50,10 @@ TEST_P(EverySurfaceFormat, IgnoresTheCaseOfTheExtension) {
 }
 
 TEST_P(EverySurfaceFormat, RefusesMissingAndEmptyFiles) {
-  const std::string missing = dir().file("missing" + GetParam().extension);
-  EXPECT_EQ(complaint([&] { readSurface(missing); }), missing + ": no such file");
+  const std::string missing = dir().path("missing" + GetParam().extension);
+  EXPECT_EQ(test::complaint([&] { readSurface(missing); }), missing + ": no such file");
   const std::string empty = "empty" + GetParam().extension;
-  EXPECT_EQ(complaintAbout(empty, ""), dir().file(empty) + ": the file is empty");
+  EXPECT_EQ(complaintAbout(empty, ""), dir().path(empty) + ": the file is empty");
   EXPECT_NE(complaintAbout(empty, "\n"), "");
 }
 
@@ -66,7 +68,8 @@ TEST_P(EveryTextFormat, ReadsWindowsLineEnds) {
 std::vector<Sample> textSamples() {
   std::vector<Sample> samples;
   for (const Sample& sample : surfaceSamples()) {
-    const bool binary = contains(sample.name, "binary") || contains(sample.name, "endian");
+    const bool binary =
+        test::contains(sample.name, "binary") || test::contains(sample.name, "endian");
     if (!binary) samples.push_back(sample);
   }
   return samples;
@@ -79,14 +82,15 @@ INSTANTIATE_TEST_SUITE_P(All, EverySurfaceFormat, testing::ValuesIn(surfaceSampl
 
 TEST(Surface, UnknownExtensionListsTheKnownOnes) {
   const std::string text = complaintAbout("a.blend", "x");
-  EXPECT_TRUE(contains(text, "extension = .blend")) << text;
-  EXPECT_TRUE(contains(text, ".obj, .off, .ply, .stl, .wrl")) << text;
+  EXPECT_TRUE(test::contains(text, "extension = .blend")) << text;
+  EXPECT_TRUE(test::contains(text, ".obj, .off, .ply, .stl, .wrl")) << text;
   EXPECT_NE(complaintAbout("a", "x"), "");
 }
 
 TEST(Surface, FolderIsRefused) {
-  std::filesystem::create_directories(dir().file("folder.obj"));
-  EXPECT_TRUE(contains(complaint([] { readSurface(dir().file("folder.obj")); }), "regular file"));
+  std::filesystem::create_directories(dir().path("folder.obj"));
+  EXPECT_TRUE(test::contains(test::complaint([] { readSurface(dir().path("folder.obj")); }),
+                             "regular file"));
 }
 
 TEST(Surface, NumbersAreReadInAnyLocale) {
@@ -112,20 +116,20 @@ TEST(Obj, ReadsAllFormsOfFaces) {
 TEST(Obj, NamesTheLinesOfAllBadFaces) {
   const std::string text =
       complaintAbout("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\nf 1 2\nf -4 1 2\n");
-  EXPECT_TRUE(contains(text, "a.obj: line 4 = corner 3: the index is out of range")) << text;
-  EXPECT_TRUE(contains(text, "line 5 = 2 corners: a face must have 3 corners")) << text;
-  EXPECT_TRUE(contains(text, "line 6 = corner 1")) << text;
+  EXPECT_TRUE(test::contains(text, "a.obj: line 4 = corner 3: the index is out of range")) << text;
+  EXPECT_TRUE(test::contains(text, "line 5 = 2 corners: a face must have 3 corners")) << text;
+  EXPECT_TRUE(test::contains(text, "line 6 = corner 1")) << text;
 }
 
 TEST(Obj, RefusesBadNumbers) {
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0 0\nv 0 nan 0\n"),
-                       "line 2 = nan: must be finite: y of a vertex"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0 1e999\n"), "must be finite"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0,5 0\n"), "must be a number"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0\nv 1 1 1\n"), "line 1"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0 0\nf 0 1 1\n"), "must not be 0"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0 0\nf 1 1.5 1\n"), "whole number"));
-  EXPECT_TRUE(contains(complaintAbout("a.obj", "v 0 0 0\n"), "there is no triangle"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0 0\nv 0 nan 0\n"),
+                             "line 2 = nan: must be finite: y of a vertex"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0 1e999\n"), "must be finite"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0,5 0\n"), "must be a number"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0\nv 1 1 1\n"), "line 1"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0 0\nf 0 1 1\n"), "must not be 0"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0 0\nf 1 1.5 1\n"), "whole number"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.obj", "v 0 0 0\n"), "there is no triangle"));
 }
 
 TEST(Surface, PointsThatNoTriangleUsesAreDropped) {
@@ -146,16 +150,17 @@ TEST(Off, IgnoresColoursNormalsAndComments) {
 }
 
 TEST(Off, RefusesWhatIsWrong) {
-  EXPECT_TRUE(contains(complaintAbout("a.off", "4OFF\n1 1 0\n"), "must begin with OFF"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF BINARY\n1 1 0\n"), "binary OFF"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF\n1000000 4 6\n0 0 0\n"), "only"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF\n-1 4 6\n0 0 0\n"), "must not be negative"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-                       "line 6 = corner 3"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
-                       "whole number"));
-  EXPECT_TRUE(contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
-                       "3 corners or more"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "4OFF\n1 1 0\n"), "must begin with OFF"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "OFF BINARY\n1 1 0\n"), "binary OFF"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "OFF\n1000000 4 6\n0 0 0\n"), "only"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.off", "OFF\n-1 4 6\n0 0 0\n"), "must not be negative"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+                             "line 6 = corner 3"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+                             "whole number"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
+                             "3 corners or more"));
 }
 
 TEST(Stl, MergesBitwiseEqualPointsOnly) {
@@ -177,18 +182,19 @@ TEST(Stl, BinaryFileMayBeginWithSolid) {
 TEST(Stl, RefusesWhatIsWrong) {
   std::string nan = stlBinarySample();
   nan.replace(84 + 12, 4, packed<float>({std::nan("")}));
-  EXPECT_TRUE(contains(complaintAbout("a.stl", nan), "must be finite"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.stl", nan), "must be finite"));
   std::string huge = stlBinarySample();
   huge.replace(80, 4, "\xFF\xFF\xFF\xFF");
-  EXPECT_TRUE(contains(complaintAbout("a.stl", huge), "4294967295 facets"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.stl", huge), "4294967295 facets"));
   std::string none = stlBinarySample().substr(0, 84);
   none.replace(80, 4, std::string(4, '\0'));
-  EXPECT_TRUE(contains(complaintAbout("a.stl", none), "there is no triangle"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.stl", none), "there is no triangle"));
   std::string open = stlTextSample();
   open.resize(open.find("endsolid"));
-  EXPECT_TRUE(contains(complaintAbout("a.stl", open), "'endsolid' must follow"));
-  EXPECT_TRUE(contains(complaintAbout("a.stl", "solid\nfacet\nvertex 1 2 x\n"), "line 3 = x"));
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(test::contains(complaintAbout("a.stl", open), "'endsolid' must follow"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.stl", "solid\nfacet\nvertex 1 2 x\n"), "line 3 = x"));
+  EXPECT_TRUE(test::contains(
       complaintAbout("a.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendsolid\n"),
       "2 corners"));
 }
@@ -213,16 +219,16 @@ TEST(Ply, RefusesWhatIsWrong) {
     text.replace(text.find(from), from.size(), to);
     return complaintAbout("a.ply", text);
   };
-  EXPECT_TRUE(contains(with("ply", "plx"), "must be 'ply'"));
-  EXPECT_TRUE(contains(with("ascii", "zip"), "binary_little_endian"));
-  EXPECT_TRUE(contains(with("float y", "float w"), "property 'y'"));
-  EXPECT_TRUE(contains(with("vertex_indices", "corners"), "vertex_indices"));
-  EXPECT_TRUE(contains(with("element vertex 4", "element vertex 99999"), "line 4 = 99999"));
-  EXPECT_TRUE(contains(with("element face", "element fact"), "element 'face'"));
-  EXPECT_TRUE(contains(with("3 1 2 3", "3 1 2 4"), "face 4 = corner 3"));
-  EXPECT_TRUE(contains(with("3 1 2 3", "2 1 2"), "face 4 = 2 corners"));
-  EXPECT_TRUE(contains(with("3 1 2 3", "3 1 2"), "ends where"));
-  EXPECT_TRUE(contains(with("3 1 2 3", "3 1 2 -1"), "out of range"));
+  EXPECT_TRUE(test::contains(with("ply", "plx"), "must be 'ply'"));
+  EXPECT_TRUE(test::contains(with("ascii", "zip"), "binary_little_endian"));
+  EXPECT_TRUE(test::contains(with("float y", "float w"), "property 'y'"));
+  EXPECT_TRUE(test::contains(with("vertex_indices", "corners"), "vertex_indices"));
+  EXPECT_TRUE(test::contains(with("element vertex 4", "element vertex 99999"), "line 4 = 99999"));
+  EXPECT_TRUE(test::contains(with("element face", "element fact"), "element 'face'"));
+  EXPECT_TRUE(test::contains(with("3 1 2 3", "3 1 2 4"), "face 4 = corner 3"));
+  EXPECT_TRUE(test::contains(with("3 1 2 3", "2 1 2"), "face 4 = 2 corners"));
+  EXPECT_TRUE(test::contains(with("3 1 2 3", "3 1 2"), "ends where"));
+  EXPECT_TRUE(test::contains(with("3 1 2 3", "3 1 2 -1"), "out of range"));
 }
 
 TEST(Wrl, AppliesTransformsAndUse) {
@@ -264,29 +270,30 @@ TEST(Wrl, SwitchAndLodShowOneChild) {
 
 TEST(Wrl, RefusesWhatIsWrong) {
   const std::string header = "#VRML V2.0 utf8\n";
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", "#VRML V1.0 ascii\n"), "VRML 1 is not read"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", header + "USE A\n"), "DEF named before"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", header + "PROTO A [] {}\n"), "prototypes"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", header + "Shape { geometry Sphere {} }\n"),
-                       "line 2 = Sphere: must be an IndexedFaceSet"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", header + "Inline { url \"b.wrl\" }\n"), "Inline"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", header + "Group { children ["), "truncated"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", "#VRML V1.0 ascii\n"), "VRML 1 is not read"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", header + "USE A\n"), "DEF named before"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", header + "PROTO A [] {}\n"), "prototypes"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", header + "Shape { geometry Sphere {} }\n"),
+                             "line 2 = Sphere: must be an IndexedFaceSet"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.wrl", header + "Inline { url \"b.wrl\" }\n"), "Inline"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", header + "Group { children ["), "truncated"));
   const auto faces = [&](const std::string& indices) {
     return complaintAbout("a.wrl", header +
                                        "Shape { geometry IndexedFaceSet { coord Coordinate { point "
                                        "[ 0 0 0 1 0 0 0 1 0 ] } coordIndex [ " +
                                        indices + " ] } }");
   };
-  EXPECT_TRUE(contains(faces("0 1 3"), "face 1 = corner 3: the index is out of range"));
-  EXPECT_TRUE(contains(faces("0 1 2 -1 0 1"), "face 2 = 2 corners"));
-  EXPECT_TRUE(contains(faces("0 1 0.5"), "whole numbers"));
-  EXPECT_TRUE(contains(faces("0 1 -2"), "out of range"));
+  EXPECT_TRUE(test::contains(faces("0 1 3"), "face 1 = corner 3: the index is out of range"));
+  EXPECT_TRUE(test::contains(faces("0 1 2 -1 0 1"), "face 2 = 2 corners"));
+  EXPECT_TRUE(test::contains(faces("0 1 0.5"), "whole numbers"));
+  EXPECT_TRUE(test::contains(faces("0 1 -2"), "out of range"));
 }
 
 TEST(Wrl, DeepAndMultiplyingNodesAreRefused) {
   std::string deep = "#VRML V2.0 utf8\n";
   for (int i = 0; i < 100000; ++i) deep += "Group { children ";
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", deep), "too deep"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", deep), "too deep"));
   std::string chain = "#VRML V2.0 utf8\nDEF N0 Group {}\n";
   std::string doubling = chain;
   for (int i = 1; i < 10000; ++i) {
@@ -295,8 +302,8 @@ TEST(Wrl, DeepAndMultiplyingNodesAreRefused) {
     chain += group + " ] }\n";
     if (i < 60) doubling += group + " " + use + " ] }\n";
   }
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", chain), "too deep"));
-  EXPECT_TRUE(contains(complaintAbout("a.wrl", doubling), "too many nodes"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", chain), "too deep"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.wrl", doubling), "too many nodes"));
 }
 
 TEST(WriteSurface, IsReadBackBitForBit) {
@@ -306,27 +313,29 @@ TEST(WriteSurface, IsReadBackBitForBit) {
   surface.triangles.resize(3, 1);
   surface.triangles << 2, 0, 1;
   for (const std::string name : {"b.off", "b.obj", "b.OBJ"}) {
-    const std::string file = dir().file(name);
+    const std::string file = dir().path(name);
     writeSurface(file, surface);
     const mesh::SurfaceMesh back = readSurface(file);
     EXPECT_EQ(back.points, surface.points) << name;
     EXPECT_EQ(back.triangles, surface.triangles) << name;
-    const std::string first = bytesOf(file);
+    const std::string first = test::fileBytes(file);
     writeSurface(file, surface);
-    EXPECT_EQ(bytesOf(file), first);
+    EXPECT_EQ(test::fileBytes(file), first);
   }
-  EXPECT_TRUE(contains(complaint([&] { writeSurface(dir().file("b.stl"), surface); }), ".off"));
-  EXPECT_THROW(writeSurface(dir().file("no/such/folder.off"), surface), std::runtime_error);
+  EXPECT_TRUE(
+      test::contains(test::complaint([&] { writeSurface(dir().path("b.stl"), surface); }), ".off"));
+  EXPECT_THROW(writeSurface(dir().path("no/such/folder.off"), surface), std::runtime_error);
 }
 
 TEST(WriteSurface, LeavesNothingElseBehind) {
-  const TempDir temp;
-  writeSurface(temp.file("a.off"), readText("a.obj", objSample()));
-  std::filesystem::create_directories(temp.file("b.off"));  // cannot be replaced by a file
-  EXPECT_THROW(writeSurface(temp.file("b.off"), readText("a.obj", objSample())),
+  const test::TempFolder temp;
+  writeSurface(temp.path("a.off"), readText("a.obj", objSample()));
+  std::filesystem::create_directories(temp.path("b.off"));  // cannot be replaced by a file
+  EXPECT_THROW(writeSurface(temp.path("b.off"), readText("a.obj", objSample())),
                std::runtime_error);
   int entries = 0;
-  for ([[maybe_unused]] const auto& e : std::filesystem::directory_iterator(temp.path())) ++entries;
+  for ([[maybe_unused]] const auto& e : std::filesystem::directory_iterator(temp.path("")))
+    ++entries;
   EXPECT_EQ(entries, 2);
 }
 

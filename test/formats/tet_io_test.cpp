@@ -3,15 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/temp_dir.h"
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
+#include "support/contains.h"
+#include "support/input_error.h"
+#include "support/temp_folder.h"
 
 namespace palpate::formats {
 namespace {
 
-const TempDir& dir() {
-  static const TempDir temp;
+const test::TempFolder& dir() {
+  static const test::TempFolder temp;
   return temp;
 }
 
@@ -19,10 +21,10 @@ mesh::TetMesh readText(const std::string& name, const std::string& bytes) {
   return readTetMesh(dir().write(name, bytes));
 }
 std::string complaintAbout(const std::string& name, const std::string& bytes) {
-  return complaint([&] { readText(name, bytes); });
+  return test::complaint([&] { readText(name, bytes); });
 }
 std::string with(std::string text, const std::string& from, const std::string& to) {
-  EXPECT_TRUE(contains(text, from)) << from;
+  EXPECT_TRUE(test::contains(text, from)) << from;
   return text.replace(text.find(from), from.size(), to);
 }
 
@@ -39,10 +41,10 @@ TEST_P(EveryTetFormat, ReadsTwoTetrahedra) {
 }
 
 TEST_P(EveryTetFormat, RefusesMissingAndEmptyFiles) {
-  const std::string missing = dir().file("missing" + GetParam().extension);
-  EXPECT_EQ(complaint([&] { readTetMesh(missing); }), missing + ": no such file");
+  const std::string missing = dir().path("missing" + GetParam().extension);
+  EXPECT_EQ(test::complaint([&] { readTetMesh(missing); }), missing + ": no such file");
   const std::string empty = "empty" + GetParam().extension;
-  EXPECT_EQ(complaintAbout(empty, ""), dir().file(empty) + ": the file is empty");
+  EXPECT_EQ(complaintAbout(empty, ""), dir().path(empty) + ": the file is empty");
   EXPECT_NE(complaintAbout(empty, "\n"), "");
 }
 
@@ -51,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(All, EveryTetFormat, testing::ValuesIn(tetSamples()),
 
 TEST(TetFile, UnknownExtensionListsTheKnownOnes) {
   const std::string text = complaintAbout("a.inp", "x");
-  EXPECT_TRUE(contains(text, "extension = .inp")) << text;
-  EXPECT_TRUE(contains(text, ".mesh, .msh, .vtk, .vtu")) << text;
+  EXPECT_TRUE(test::contains(text, "extension = .inp")) << text;
+  EXPECT_TRUE(test::contains(text, ".mesh, .msh, .vtk, .vtu")) << text;
 }
 
 // The unit tetrahedron with its mid-edge nodes, each where its edge says, in VTK's order.
@@ -127,12 +129,12 @@ TEST(TetFile, AllInvertedIsAnotherConvention) {
 TEST(TetFile, OneInvertedAmongOthersIsRefused) {
   const std::string text =
       complaintAbout("a.msh", with(msh1Sample(), "30 40 50 60", "40 30 50 60"));
-  EXPECT_TRUE(contains(text, "inverted tetrahedra = 1 of 2, the first is number 2")) << text;
+  EXPECT_TRUE(test::contains(text, "inverted tetrahedra = 1 of 2, the first is number 2")) << text;
 }
 
 TEST(TetFile, FlatOnesAreRefused) {
   const std::string text = complaintAbout("a.msh", with(msh1Sample(), "60 1 1 1", "60 2 0 -1"));
-  EXPECT_TRUE(contains(text, "without volume = 1 of 2, the first is number 2")) << text;
+  EXPECT_TRUE(test::contains(text, "without volume = 1 of 2, the first is number 2")) << text;
   EXPECT_NE(complaintAbout("a.msh", with(msh1Sample(), "30 40 50 60", "30 40 50 50")), "");
 }
 
@@ -142,8 +144,8 @@ TEST(CheckTets, MeasuresFlatnessByTheEdges) {
   mesh.points *= 1e12;
   EXPECT_NO_THROW(checkTets(mesh, "large"));
   const mesh::TetMesh flat = mesh::boxMesh(Vec3(1, 1, 1e-13), Eigen::Vector3i(1, 1, 1));
-  const std::string text = complaint([&] { checkTets(flat, "flat.vtu"); });
-  EXPECT_TRUE(contains(text, "flat.vtu: tetrahedra without volume = 6 of 6")) << text;
+  const std::string text = test::complaint([&] { checkTets(flat, "flat.vtu"); });
+  EXPECT_TRUE(test::contains(text, "flat.vtu: tetrahedra without volume = 6 of 6")) << text;
   EXPECT_NO_THROW(checkTets(mesh::boxMesh(Vec3(1, 1, 1e-9), Eigen::Vector3i(1, 1, 1)), "thin"));
 }
 
@@ -152,77 +154,85 @@ TEST(CheckTets, CountsBothKinds) {
   mesh.tets.col(2).head<2>().reverseInPlace();
   mesh.tets.col(5).head<2>().reverseInPlace();
   mesh.tets(3, 4) = mesh.tets(0, 4);
-  const std::string text = complaint([&] { checkTets(mesh, "m"); });
-  EXPECT_TRUE(contains(text, "inverted tetrahedra = 2 of 6, the first is number 3")) << text;
-  EXPECT_TRUE(contains(text, "without volume = 1 of 6, the first is number 5")) << text;
+  const std::string text = test::complaint([&] { checkTets(mesh, "m"); });
+  EXPECT_TRUE(test::contains(text, "inverted tetrahedra = 2 of 6, the first is number 3")) << text;
+  EXPECT_TRUE(test::contains(text, "without volume = 1 of 6, the first is number 5")) << text;
 }
 
 TEST(TetFile, MixedOrdersOtherVolumesAndDoublesAreRefused) {
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(test::contains(
       complaintAbout("a.mesh", with(quadraticFile(".mesh"), "End", "Tetrahedra 1\n1 2 3 4 1\nEnd")),
       "1 with 4 nodes, 1 with 10 nodes"));
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", with(meditSample(), "End", "Hexahedra 2\nEnd")),
-                       "Hexahedra: only tetrahedra"));
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.mesh", with(meditSample(), "End", "Hexahedra 2\nEnd")),
+                     "Hexahedra: only tetrahedra"));
+  EXPECT_TRUE(test::contains(
       complaintAbout("a.msh", with(msh2Sample(), "1 2 2 1 1 10 40 30", "1 7 2 1 1 10 20 30 40 50")),
       "element type 7"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "10\n10\n14")),
+                             "cell 1"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "5\n10\n14")),
+                             "cell 3 (counted from 1): volume cells must be tetrahedra"));
   EXPECT_TRUE(
-      contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "10\n10\n14")), "cell 1"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "5\n10\n14")),
-                       "cell 3 (counted from 1): volume cells must be tetrahedra"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh1Sample(), "30 40 50 60", "40 50 10 30")),
-                       "tetrahedra = 1 of 2, the first is number 2: the same corners"));
+      test::contains(complaintAbout("a.msh", with(msh1Sample(), "30 40 50 60", "40 50 10 30")),
+                     "tetrahedra = 1 of 2, the first is number 2: the same corners"));
 }
 
 TEST(TetFile, NoTetrahedronIsRefused) {
-  EXPECT_TRUE(contains(complaintAbout("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"),
-                       "there is no tetrahedron"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "5\n9\n9")),
-                       "there is no tetrahedron"));
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", "MeshVersionFormatted 1 Dimension 3 End"),
-                       "there is no tetrahedron"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"),
+                             "there is no tetrahedron"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtkSample(), "5\n10\n10", "5\n9\n9")),
+                             "there is no tetrahedron"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.mesh", "MeshVersionFormatted 1 Dimension 3 End"),
+                             "there is no tetrahedron"));
 }
 
 TEST(Gmsh, RefusesWhatIsWrong) {
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "2.2 0", "4.0 0")),
-                       "line 2 = 4.0: the version must be 1, 2.x or 4.1"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "30 40 50 60", "30 40 50 61")),
-                       "line 21 = node 61: an element has a node that is not in the file"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "60 1 1 1", "50 1 1 1")),
-                       "node 50: must not come twice"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "60 1 1 1", "60 1 inf 1")),
-                       "must be finite"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "Nodes\n6", "Nodes\n7")),
-                       "= $EndNodes: must be a whole number"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh2Sample(), "Nodes\n6", "Nodes\n66666666")),
-                       "truncated or wrong number of nodes"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh1Sample(), "$ENDELM", "")), "$ENDELM"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh1Sample(), "4 7 1 4", "4 7 1 5")),
-                       "must have 4 nodes"));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", with(msh4Sample(), "3 9 4 1\n", "3 9 4 2\n")),
-                       "more elements than the section announced"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh2Sample(), "2.2 0", "4.0 0")),
+                             "line 2 = 4.0: the version must be 1, 2.x or 4.1"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.msh", with(msh2Sample(), "30 40 50 60", "30 40 50 61")),
+                     "line 21 = node 61: an element has a node that is not in the file"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh2Sample(), "60 1 1 1", "50 1 1 1")),
+                             "node 50: must not come twice"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh2Sample(), "60 1 1 1", "60 1 inf 1")),
+                             "must be finite"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh2Sample(), "Nodes\n6", "Nodes\n7")),
+                             "= $EndNodes: must be a whole number"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.msh", with(msh2Sample(), "Nodes\n6", "Nodes\n66666666")),
+                     "truncated or wrong number of nodes"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.msh", with(msh1Sample(), "$ENDELM", "")), "$ENDELM"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh1Sample(), "4 7 1 4", "4 7 1 5")),
+                             "must have 4 nodes"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.msh", with(msh4Sample(), "3 9 4 1\n", "3 9 4 2\n")),
+                             "more elements than the section announced"));
 }
 
 TEST(Gmsh, NonFiniteBinaryCoordinateIsRefused) {
   std::string bytes = msh2BinarySample(false);
   bytes.replace(bytes.find("$Nodes\n6\n") + 9 + 4, 8, packed<double>({std::nan("")}));
-  EXPECT_TRUE(contains(complaintAbout("a.msh", bytes), "points = 1 of 6, the first is number 1"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.msh", bytes), "points = 1 of 6, the first is number 1"));
 }
 
 TEST(Vtk, RefusesWhatIsWrong) {
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "UNSTRUCTURED_GRID", "POLYDATA")),
-                       "UNSTRUCTURED_GRID"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "4 2 3 4 5", "4 2 3 4 6")),
-                       "a point index is out of range"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "4 2 3 4 5", "5 2 3 4 5")),
-                       "cell 3: the cells must fit"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "1 7 9", "1 7 9.5")), "region"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtk51Sample(), "0 3 7 11", "0 7 3 11")),
-                       "offsets must grow"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtk51Sample(), "0 3 7 11", "0 3 7 12")),
-                       "offsets must grow"));
-  EXPECT_TRUE(contains(complaintAbout("a.vtk", with(vtkSample(), "CELL_TYPES 3\n5\n10\n10\n", "")),
-                       "CELL_TYPES"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.vtk", with(vtkSample(), "UNSTRUCTURED_GRID", "POLYDATA")),
+                     "UNSTRUCTURED_GRID"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtkSample(), "4 2 3 4 5", "4 2 3 4 6")),
+                             "a point index is out of range"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtkSample(), "4 2 3 4 5", "5 2 3 4 5")),
+                             "cell 3: the cells must fit"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.vtk", with(vtkSample(), "1 7 9", "1 7 9.5")), "region"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtk51Sample(), "0 3 7 11", "0 7 3 11")),
+                             "offsets must grow"));
+  EXPECT_TRUE(test::contains(complaintAbout("a.vtk", with(vtk51Sample(), "0 3 7 11", "0 3 7 12")),
+                             "offsets must grow"));
+  EXPECT_TRUE(test::contains(
+      complaintAbout("a.vtk", with(vtkSample(), "CELL_TYPES 3\n5\n10\n10\n", "")), "CELL_TYPES"));
 }
 
 TEST(Vtu, RefusesWhatIsWrong) {
@@ -230,19 +240,21 @@ TEST(Vtu, RefusesWhatIsWrong) {
   const auto complain = [&](const std::string& from, const std::string& to) {
     return complaintAbout("a.vtu", with(good, from, to));
   };
-  EXPECT_TRUE(contains(complain("</Piece>", ""), "truncated, or no XML"));
-  EXPECT_TRUE(contains(complain("UnstructuredGrid\" v", "PolyData\" v"), "UnstructuredGrid"));
-  EXPECT_TRUE(contains(complain("Points=\"6\"", "Points=\"7\""), "truncated"));
-  EXPECT_TRUE(contains(complain("Points=\"6\"", "Points=\"5\""), "must have 15 numbers, not more"));
-  EXPECT_TRUE(contains(complain("Cells=\"3\"", "Cells=\"-3\""), "NumberOfCells"));
-  EXPECT_TRUE(contains(complain("Points=\"6\"", "Points=\"2000000000\""), "truncated"));
-  EXPECT_TRUE(contains(complain("0 3 2 0 2 3 4", "0 3 2 0 2 3 6"), "out of range"));
-  EXPECT_TRUE(contains(complain("0 3 2 0 2 3 4", "0 3 2 0 2 3 -1"), "out of range"));
-  EXPECT_TRUE(contains(complain("3 7 11", "3 7 1e300"), "offset"));
-  EXPECT_TRUE(contains(complain("Name=\"types\"", "Name=\"tips\""), "DataArray 'types'"));
-  EXPECT_TRUE(contains(complain("LittleEndian", "Middle"), "byte_order"));
-  EXPECT_TRUE(contains(complain("byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order"),
-                       "vtkZLibDataCompressor"));
+  EXPECT_TRUE(test::contains(complain("</Piece>", ""), "truncated, or no XML"));
+  EXPECT_TRUE(test::contains(complain("UnstructuredGrid\" v", "PolyData\" v"), "UnstructuredGrid"));
+  EXPECT_TRUE(test::contains(complain("Points=\"6\"", "Points=\"7\""), "truncated"));
+  EXPECT_TRUE(
+      test::contains(complain("Points=\"6\"", "Points=\"5\""), "must have 15 numbers, not more"));
+  EXPECT_TRUE(test::contains(complain("Cells=\"3\"", "Cells=\"-3\""), "NumberOfCells"));
+  EXPECT_TRUE(test::contains(complain("Points=\"6\"", "Points=\"2000000000\""), "truncated"));
+  EXPECT_TRUE(test::contains(complain("0 3 2 0 2 3 4", "0 3 2 0 2 3 6"), "out of range"));
+  EXPECT_TRUE(test::contains(complain("0 3 2 0 2 3 4", "0 3 2 0 2 3 -1"), "out of range"));
+  EXPECT_TRUE(test::contains(complain("3 7 11", "3 7 1e300"), "offset"));
+  EXPECT_TRUE(test::contains(complain("Name=\"types\"", "Name=\"tips\""), "DataArray 'types'"));
+  EXPECT_TRUE(test::contains(complain("LittleEndian", "Middle"), "byte_order"));
+  EXPECT_TRUE(
+      test::contains(complain("byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order"),
+                     "vtkZLibDataCompressor"));
 }
 
 TEST(Vtu, DamagedCompressedBlocksAreRefused) {
@@ -268,8 +280,8 @@ TEST(Vtu, OffsetOutsideOfTheDataIsRefused) {
   const std::string good = vtuSample({VtuForm::kAppendedRaw, false, false, false});
   const std::string types = "Name=\"types\" NumberOfComponents=\"1\" format=\"appended\" offset=\"";
   for (const std::string offset : {"99", "-", "x"}) {
-    EXPECT_TRUE(contains(complaintAbout("a.vtu", with(good, types, types + offset)),
-                         "the offset must be within AppendedData"))
+    EXPECT_TRUE(test::contains(complaintAbout("a.vtu", with(good, types, types + offset)),
+                               "the offset must be within AppendedData"))
         << offset;
   }
 }
@@ -288,14 +300,16 @@ TEST(Vtu, PiecesAreJoined) {
 }
 
 TEST(Medit, RefusesWhatIsWrong) {
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", with(meditSample(), "3 4 5 6 9", "3 4 5 7 9")),
-                       "tetrahedra = 1 of 2, the first is number 2: a node index is out of range"));
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", with(meditSample(), "1 3 4 5 7", "0 3 4 5 7")),
-                       "out of range"));
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", with(meditSample(), "Dimension\n3", "Dimension 2")),
-                       "must be 3"));
-  EXPECT_TRUE(contains(complaintAbout("a.mesh", with(meditSample(), "Formatted 2", "Formatted 9")),
-                       "the version must be"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.mesh", with(meditSample(), "3 4 5 6 9", "3 4 5 7 9")),
+                     "tetrahedra = 1 of 2, the first is number 2: a node index is out of range"));
+  EXPECT_TRUE(test::contains(
+      complaintAbout("a.mesh", with(meditSample(), "1 3 4 5 7", "0 3 4 5 7")), "out of range"));
+  EXPECT_TRUE(test::contains(
+      complaintAbout("a.mesh", with(meditSample(), "Dimension\n3", "Dimension 2")), "must be 3"));
+  EXPECT_TRUE(
+      test::contains(complaintAbout("a.mesh", with(meditSample(), "Formatted 2", "Formatted 9")),
+                     "the version must be"));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "formats/temp_dir.h"
 #include "palpate/formats/tet_io.h"
+#include "support/temp_folder.h"
 
 namespace palpate::formats {
 namespace {
@@ -42,8 +42,8 @@ void expectSame(const mesh::TetMesh& a, const mesh::TetMesh& b) {
 }
 
 TEST(VtuWriter, IsReadBackBitForBit) {
-  const TempDir dir;
-  const std::string file = dir.file("a.vtu");
+  const test::TempFolder dir;
+  const std::string file = dir.path("a.vtu");
   mesh::TetMesh mesh = irrationalBox();
   writeVtu(file, mesh, {}, {});
   expectSame(readTetMesh(file), mesh);
@@ -57,13 +57,14 @@ TEST(VtuWriter, IsReadBackBitForBit) {
 }
 
 TEST(VtuWriter, SameMeshSameBytesAndNothingLeftBehind) {
-  const TempDir dir;
-  writeVtu(dir.file("a.vtu"), irrationalBox(), {}, {});
-  writeVtu(dir.file("b.vtu"), irrationalBox(), {}, {});
-  writeVtu(dir.file("b.vtu"), irrationalBox(), {}, {});
-  EXPECT_EQ(bytesOf(dir.file("a.vtu")), bytesOf(dir.file("b.vtu")));
+  const test::TempFolder dir;
+  writeVtu(dir.path("a.vtu"), irrationalBox(), {}, {});
+  writeVtu(dir.path("b.vtu"), irrationalBox(), {}, {});
+  writeVtu(dir.path("b.vtu"), irrationalBox(), {}, {});
+  EXPECT_EQ(test::fileBytes(dir.path("a.vtu")), test::fileBytes(dir.path("b.vtu")));
   int entries = 0;
-  for ([[maybe_unused]] const auto& e : std::filesystem::directory_iterator(dir.path())) ++entries;
+  for ([[maybe_unused]] const auto& e : std::filesystem::directory_iterator(dir.path("")))
+    ++entries;
   EXPECT_EQ(entries, 2);
 }
 
@@ -88,12 +89,12 @@ std::vector<double> appendedDoubles(const std::string& bytes, const char* parent
 }
 
 TEST(VtuWriter, ArraysAreThereWithTheirNames) {
-  const TempDir dir;
+  const test::TempFolder dir;
   const mesh::TetMesh mesh = irrationalBox();
   const Eigen::MatrixXd u = Eigen::MatrixXd::Random(3, mesh.numPoints());
   const Eigen::MatrixXd s = Eigen::MatrixXd::Random(6, mesh.numTets());
-  writeVtu(dir.file("a.vtu"), mesh, {{"u <m> & \"so\"", u}}, {{"stress", s}});
-  const std::string bytes = bytesOf(dir.file("a.vtu"));
+  writeVtu(dir.path("a.vtu"), mesh, {{"u <m> & \"so\"", u}}, {{"stress", s}});
+  const std::string bytes = test::fileBytes(dir.path("a.vtu"));
   const std::vector<double> u_back = appendedDoubles(bytes, "PointData", "u <m> & \"so\"");
   const std::vector<double> s_back = appendedDoubles(bytes, "CellData", "stress");
   ASSERT_EQ(static_cast<Eigen::Index>(u_back.size()), u.size());
@@ -103,8 +104,8 @@ TEST(VtuWriter, ArraysAreThereWithTheirNames) {
 }
 
 TEST(VtuWriter, RefusesArraysThatDoNotFit) {
-  const TempDir dir;
-  const std::string file = dir.file("a.vtu");
+  const test::TempFolder dir;
+  const std::string file = dir.path("a.vtu");
   mesh::TetMesh mesh = irrationalBox();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Zero(1, 1);
   EXPECT_THROW(writeVtu(file, mesh, {{"u", one}}, {}), std::invalid_argument);
@@ -114,7 +115,7 @@ TEST(VtuWriter, RefusesArraysThatDoNotFit) {
   mesh.region = {1};
   EXPECT_THROW(writeVtu(file, mesh, {}, {}), std::invalid_argument);
   EXPECT_FALSE(std::filesystem::exists(file));
-  EXPECT_THROW(writeVtu(dir.file("no/folder/a.vtu"), irrationalBox(), {}, {}), std::runtime_error);
+  EXPECT_THROW(writeVtu(dir.path("no/folder/a.vtu"), irrationalBox(), {}, {}), std::runtime_error);
 }
 
 }  // namespace

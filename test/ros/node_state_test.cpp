@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "percentiles.h"
-
 namespace palpate::node {
 namespace {
 
@@ -46,20 +44,6 @@ TEST(NodeState, APauseEndsAFault) {
   EXPECT_EQ(machine.update(bad, 1.0), NodeState::kFault);
   EXPECT_EQ(machine.update(facts(true, false, false, false), 1.1), NodeState::kPaused);
   EXPECT_EQ(machine.update(bad, 1.2), NodeState::kRunning);
-}
-
-TEST(Percentiles, NearestRank) {
-  std::vector<double> none;
-  EXPECT_EQ(percentiles(&none).max, 0.0);
-  std::vector<double> one = {3.0};
-  EXPECT_EQ(percentiles(&one).p50, 3.0);
-  EXPECT_EQ(percentiles(&one).p99, 3.0);
-  std::vector<double> hundred;
-  for (int i = 100; i >= 1; --i) hundred.push_back(i);
-  const Percentiles p = percentiles(&hundred);
-  EXPECT_EQ(p.p50, 50.0);
-  EXPECT_EQ(p.p99, 99.0);
-  EXPECT_EQ(p.max, 100.0);
 }
 
 }  // namespace

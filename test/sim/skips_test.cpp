@@ -37,6 +37,21 @@ TEST(Skips, AreOnUnlessTheSceneSaysOtherwise) {
                        "solver.skip.sleepy", "sleeping"));
 }
 
+TEST(Skips, AreTheOnesThatTheArchitecturePageLists) {
+  const auto code = [](const std::string& prefix, const char* name) {
+    return name ? "`" + prefix + name + "`" : std::string("-");
+  };
+  std::string table =
+      "| counter | switch below `solver.skip` | what is left out |\n|---|---|---|\n";
+  for (const tissue::Skip& skip : tissue::skips()) {
+    table += "| " + code("skipped_", skip.counter) + " | " + code("", skip.key) + " | " + skip.doc +
+             " |\n";
+  }
+  const std::string page =
+      test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/docs/architecture.md");
+  EXPECT_NE(page.find(table + "\n"), std::string::npos) << "must have this table:\n" << table;
+}
+
 TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
   const std::string message =
       test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/msg/StepReport.msg");

@@ -22,6 +22,17 @@ std::vector<Problem> problemsOf(Read&& read) {
   return {};
 }
 
+/// What `read` says when it throws InputError; "" if it does not.
+template <class Read>
+std::string complaint(Read&& read) {
+  try {
+    read();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
 /// Whether one of the problems is at `key` and its allowed text contains `part`.
 inline ::testing::AssertionResult hasProblem(const std::vector<Problem>& problems,
                                              const std::string& key, const std::string& part) {

@@ -26,7 +26,7 @@ mesh::SurfaceMesh readSurface(const std::string& file);
 /// Writes .off or .obj with 17 significant digits: the same surface gives the same bytes, and
 /// reading gives back the same coordinates bit for bit. The file appears whole or not at all.
 ///
-/// @throws InputError for another extension, std::runtime_error if the file cannot be written.
+/// @throws InputError for another extension, or if the file cannot be written.
 void writeSurface(const std::string& file, const mesh::SurfaceMesh& surface);
 
 }  // namespace palpate::formats

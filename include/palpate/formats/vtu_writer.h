@@ -21,8 +21,8 @@ struct VtuArray {
 /// file appears whole or not at all.
 ///
 /// @throws std::invalid_argument for cells of a kind that CellMesh does not name, if an array's
-/// columns are not as many as points or cells, or its name is empty; std::runtime_error if the file
-/// cannot be written.
+/// columns are not as many as points or cells, or its name is empty; InputError if the file cannot
+/// be written.
 void writeVtu(const std::string& file, const mesh::CellMesh& mesh,
               const std::vector<VtuArray>& point_data, const std::vector<VtuArray>& cell_data);
 void writeVtu(const std::string& file, const mesh::TetMesh& mesh,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/base/types.h"
+#include "palpate/haptics/wrench_fade.h"
 
 namespace palpate::haptics {
 
@@ -17,12 +18,10 @@ struct WrenchFilterSettings {
 
 /// What stands between the simulation's wrench and the hand, at the rate of the force loop.
 ///
-///   target -> saturate -> low-pass -> times gain -> limit the rate -> output
+///   target -> saturate -> low-pass -> fade (wrench_fade.h) -> limit the rate -> output
 ///
-/// The gain runs linearly between 0 (not live) and 1 (live) in `ramp`. While not live the last
-/// live target is held under the falling gain, so the wrench fades instead of dropping. The limits
-/// hold the direction of force and torque. No clock, no allocation: the caller says how long ago
-/// the last call was.
+/// It comes from nothing: the fade's first gain is 0. The limits hold the direction of force and
+/// torque. No clock, no allocation: the caller says how long ago the last call was.
 class WrenchFilter {
  public:
   /// @throws std::invalid_argument if a limit is not finite and > 0 or a time is negative.
@@ -36,15 +35,15 @@ class WrenchFilter {
   /// The last result.
   const Wrench& output() const { return output_; }
   /// 0 (gone) to 1 (fully there).
-  double gain() const { return gain_; }
+  double gain() const { return fade_.gain(); }
   /// Back to the state after construction: zero at once. For when nobody holds the device.
   void reset();
 
  private:
   WrenchFilterSettings settings_;
   Wrench smooth_;
+  WrenchFade fade_;
   Wrench output_;
-  double gain_ = 0.0;
 };
 
 }  // namespace palpate::haptics

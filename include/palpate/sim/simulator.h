@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/haptics/body_wrench.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/scene/scene.h"
@@ -30,9 +31,14 @@ struct ContactPoint {
 
 /// What the hand and the eyes get from a cycle.
 struct InstrumentResult {
-  Wrench spatial;  ///< Tissue on tool at the control frame's origin, expressed in world.
-  Wrench body;     ///< The same, expressed in the control frame.
+  /// Tissue on tool at the control frame's origin, expressed in world. After a failed solve that of
+  /// the last solved state fades (haptics::WrenchFade, in `rates.ramp` of simulated time).
+  Wrench spatial;
+  Wrench solved;  ///< The same of the last solved state, whole: for who fades it in real time.
   Pose X_WC = Pose::Identity();  ///< The control frame in world.
+
+  /// `spatial` expressed in the control frame.
+  Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
   int contacts = 0;
   double max_penetration = 0.0;  ///< [m]
 };
@@ -91,7 +97,8 @@ class Simulator {
 
   /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`. The
   /// first cycle after construction or reset() takes `poses` as where the tools already were.
-  /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report.
+  /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report; the
+  /// wrench fades as after a failed solve.
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
 
   /// Asked now and then within every step, after its first iterations: true ends the step with the

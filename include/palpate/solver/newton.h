@@ -47,12 +47,4 @@ class Newton final : public Minimizer {
   Points g_, d_, right_, x_trial_;
 };
 
-/// The system A d = right of Minimizer::predict(), A the projected tangent at x, and the gradient g
-/// there. False if that is not finite.
-bool tangentSystem(const Potential& potential, const Points& x, const Points& move,
-                   fem::Stiffness* A, Points* g, Points* right);
-
-/// Norm of the force that rounding alone makes at x with the stiffness A [N].
-double roundoffForce(const fem::Stiffness& A, const Points& x);
-
 }  // namespace palpate::solver

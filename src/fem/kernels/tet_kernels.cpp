@@ -1,54 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tet_batch.h"
 
+#include "add_in_pairs.h"
 #include "block_in_registers.h"
+#include "lane_vectors.h"
 #include "palpate/base/lanes.h"
 #include "tet_laws.h"
+#include "tet_stiffness.h"
 
 namespace palpate::fem::PALPATE_ISA {
 namespace {
-
-typedef double Pair __attribute__((vector_size(16)));
-typedef double PairInMemory __attribute__((vector_size(16), aligned(8), may_alias));
-
-// Two numbers and one, each time the same way: a processor passes a number that was just stored on
-// to the next load only if both are of the same place and width.
-inline void addThree(Pair xy, double z, double* at) {
-  *reinterpret_cast<PairInMemory*>(at) += xy;
-  at[2] += z;
-}
-
-struct Vec {
-  Lanes v[3];
-};
-inline Vec operator+(const Vec& a, const Vec& b) {
-  return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2]}};
-}
-inline Vec negative(const Vec& a) { return {{-a.v[0], -a.v[1], -a.v[2]}}; }
-inline Lanes dot(const Vec& a, const Vec& b) {
-  return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
-}
-inline Vec cross(const Vec& a, const Vec& b) {
-  return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2],
-           a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
-}
-// Columns.
-struct Mat {
-  Vec col[3];
-};
-inline Vec times(const Mat& A, const Vec& x) {
-  Vec y;
-  for (int i = 0; i < 3; ++i) {
-    y.v[i] = A.col[0].v[i] * x.v[0] + A.col[1].v[i] * x.v[1] + A.col[2].v[i] * x.v[2];
-  }
-  return y;
-}
-inline Mat cofactor(const Mat& F) {
-  return {{cross(F.col[1], F.col[2]), cross(F.col[2], F.col[0]), cross(F.col[0], F.col[1])}};
-}
-inline Lanes squaredNorm(const Mat& F) {
-  return dot(F.col[0], F.col[0]) + dot(F.col[1], F.col[1]) + dot(F.col[2], F.col[2]);
-}
 
 inline Vec shapeGradient(const TetBatch& batch, int a, int lane) {
   return {{load(batch.gradient[a][0] + lane), load(batch.gradient[a][1] + lane),
@@ -164,63 +125,6 @@ void gradients(const TetArrays& arrays, const TetRun& run, const double* x, cons
       for (int a = 0; a < 4; ++a) {
         const Pair xy = {force[3 * a][e], force[3 * a + 1][e]};
         addThree(xy, force[3 * a + 2][e], g + batch.node[a][e]);
-      }
-    }
-  }
-}
-
-// Blocks of an element: sum of its matrix's parts, up to its volume,
-//   K_ab = f (g_a . g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T) + c S(F (g_a x g_b))
-// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J.
-template <class Point>
-inline Mat block(const Point& point, Lanes volume, Lanes g_dot_g, const Vec& fa, const Vec& ca,
-                 const Vec& fb, const Vec& cb) {
-  Mat K;
-  for (int j = 0; j < 3; ++j) {
-    const Lanes on_c = volume * (point.cc * cb.v[j] + point.fc * fb.v[j]);
-    const Lanes on_f = volume * (point.fc * cb.v[j]);
-    for (int i = 0; i < 3; ++i) K.col[j].v[i] = ca.v[i] * on_c + fa.v[i] * on_f;
-    K.col[j].v[j] += volume * (point.f * g_dot_g);
-  }
-  return K;
-}
-
-inline void addSpin(Lanes s, const Vec& w, Mat* K) {
-  K->col[1].v[0] += s * w.v[2];
-  K->col[0].v[1] -= s * w.v[2];
-  K->col[0].v[2] += s * w.v[1];
-  K->col[2].v[0] -= s * w.v[1];
-  K->col[2].v[1] += s * w.v[0];
-  K->col[1].v[2] -= s * w.v[0];
-}
-
-// A row of four blocks adds up to nothing: a shift of all nodes changes no force.
-inline Mat minusSum(const Mat& A, const Mat& B, const Mat& C) {
-  Mat K;
-  for (int j = 0; j < 3; ++j) K.col[j] = negative(A.col[j] + B.col[j] + C.col[j]);
-  return K;
-}
-inline Mat transposed(const Mat& A) {
-  Mat B;
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < 3; ++i) B.col[j].v[i] = A.col[i].v[j];
-  }
-  return B;
-}
-inline void storeBlock(const Mat& K, double (*out)[kBatchSize], int lane) {
-  for (int c = 0; c < 9; ++c) store(out[c] + lane, K.col[c / 3].v[c % 3]);
-}
-
-// Into the rows of the nodes' pressures: the gradients of an element's volume with respect to the
-// other three nodes.
-inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBatchSize], int count,
-                    double* rows) {
-  for (int e = 0; e < count; ++e) {
-    for (int a = 0; a < 4; ++a) {
-      const Pair xy = {dilatation[3 * a][e], dilatation[3 * a + 1][e]};
-      const double z = dilatation[3 * a + 2][e];
-      for (int k = 0; k < 4; ++k) {
-        if (k != a) addThree(xy, z, rows + row[3 * k + (a < k ? a : a - 1)][e]);
       }
     }
   }

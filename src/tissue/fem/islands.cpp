@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "palpate/base/vector_text.h"
 #include "palpate/mesh/tet_parts.h"
 
 namespace palpate::tissue {
@@ -133,13 +134,9 @@ class Islands final : public TissueModel {
 
 // "part 2 of 3, from [..] to [..] m: "
 std::string nameOf(std::size_t index, std::size_t count, const Points& points) {
-  const auto text = [](const Vec3& p) {
-    return "[" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
-           std::to_string(p.z()) + "]";
-  };
   return "part " + std::to_string(index + 1) + " of " + std::to_string(count) + ", from " +
-         text(points.rowwise().minCoeff()) + " to " + text(points.rowwise().maxCoeff()) +
-         " m in the world: ";
+         vectorText(points.rowwise().minCoeff()) + " to " +
+         vectorText(points.rowwise().maxCoeff()) + " m in the world: ";
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace palpate::cli {
+namespace palpate::start {
 
 /// Progress on standard error: on a terminal one line that is written over, elsewhere a line a new
 /// task.
@@ -25,4 +25,4 @@ class ProgressLine {
   int percent_ = -1;
 };
 
-}  // namespace palpate::cli
+}  // namespace palpate::start

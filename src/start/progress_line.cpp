@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-namespace palpate::cli {
+namespace palpate::start {
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -28,4 +28,4 @@ void ProgressLine::finish() {
   percent_ = -1;
 }
 
-}  // namespace palpate::cli
+}  // namespace palpate::start

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blas_check.h"
+
+#include <cstdlib>
+
+#include "palpate/solver/blas_speed.h"
+
+namespace palpate::start {
+
+std::string blasWarningFor(const std::string& method, bool always) {
+  if (!always && !solver::dependsOnBlas(method)) return "";
+  return solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
+}
+
+}  // namespace palpate::start
