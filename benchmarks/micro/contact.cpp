@@ -49,7 +49,7 @@ void hessian(benchmark::State& state, int cells) {
   Scene scene(cells);
   fem::Stiffness K = scene.body.elasticity->makeMatrix();
   for (auto _ : state) {
-    scene.contact.addHessian(scene.body.mesh.points, fem::Tangent::kConvexTerms, &K.blocks());
+    scene.contact.addHessian(scene.body.mesh.points, fem::Tangent::kConvexTerms, &K);
   }
 }
 

@@ -108,8 +108,7 @@ double ContactPotential::addGradient(const Points& x, Points* g) const {
   return sum;
 }
 
-void ContactPotential::addHessian(const Points& x, fem::Tangent tangent,
-                                  fem::BlockMatrix* K) const {
+void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
   forEachPenetrating(x, [&](const Candidate& c, const Vec3&, const Vec3& p_G, double p) {
     const SurfaceSample& s = samples_[c.sample];
     const RigidBody& body = bodies_[c.body];
@@ -117,13 +116,7 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent,
     Mat3 H_G = penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose();
     if (tangent == fem::Tangent::kExact) H_G -= penalty_.pressure(p, radius(c)) * d.hessian_G;
     const Mat3 R = body.X_WG.linear();
-    const Mat3 H = s.area * R * H_G * R.transpose();
-    for (int k = 0; k < 3; ++k) {
-      for (int l = 0; l < 3; ++l) {
-        const double w = s.weights[k] * s.weights[l];
-        if (w != 0.0) K->add(s.nodes[k], s.nodes[l], w * H);
-      }
-    }
+    K->addPoint<3>(s.nodes, s.weights, s.area * R * H_G * R.transpose());
   });
 }
 

@@ -23,14 +23,14 @@ class ContactWithEveryShape : public ::testing::TestWithParam<int> {
     potential.findCandidates(mesh.points, {1.0});
   }
 
-  fem::BlockMatrix matrix() const {
+  fem::Stiffness matrix() const {
     std::vector<std::pair<int, int>> pairs;
     for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
       for (int a = 0; a < 4; ++a) {
         for (int b = 0; b < a; ++b) pairs.emplace_back(mesh.tets(a, e), mesh.tets(b, e));
       }
     }
-    return fem::BlockMatrix(static_cast<int>(mesh.numPoints()), pairs);
+    return fem::Stiffness(fem::BlockMatrix(static_cast<int>(mesh.numPoints()), pairs));
   }
 
   test::Random random;
@@ -55,7 +55,7 @@ TEST_P(ContactWithEveryShape, GradientIsThatOfTheValue) {
 }
 
 TEST_P(ContactWithEveryShape, HessianIsThatOfTheGradient) {
-  fem::BlockMatrix K = matrix();
+  fem::Stiffness K = matrix();
   potential.addHessian(mesh.points, fem::Tangent::kExact, &K);
   constexpr double h = 1e-8;
   for (int trial = 0; trial < 5; ++trial) {
@@ -69,7 +69,7 @@ TEST_P(ContactWithEveryShape, HessianIsThatOfTheGradient) {
 }
 
 TEST_P(ContactWithEveryShape, ProjectedHessianIsPositiveSemidefinite) {
-  fem::BlockMatrix K = matrix();
+  fem::Stiffness K = matrix();
   potential.addHessian(mesh.points, fem::Tangent::kProjected, &K);
   for (int trial = 0; trial < 50; ++trial) {
     const Points d = random.points(mesh.numPoints(), 1.0);

@@ -62,7 +62,7 @@ class ContactPotential final : public fem::EnergyTerm {
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
   /// The projected form leaves out the shapes' curvature, the only part that is not semidefinite.
-  void addHessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const override;
+  void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
 
   /// No sample may go deeper into a body than half of what is left to its
   /// middle, so that it stays on the side from
