@@ -99,7 +99,7 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;
   settings.gravity = scene.gravity;
-  settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
+  settings.contact = scene.contact;
   settings.sample_spacing = sample_spacing;
   settings.tolerance = scene.solver.tolerance;
   settings.max_newton_iterations = scene.solver.max_newton_iterations;

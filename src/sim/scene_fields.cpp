@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/sim/scene_fields.h"
 
+#include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/sim/skips.h"
 #include "palpate/solver/integrator.h"
@@ -77,6 +78,8 @@ void describe(FieldVisitor& v, InstrumentConfig& instrument) {
 }
 
 void describe(FieldVisitor& v, ContactConfig& contact) {
+  v.choice({"model", "", "What answers where tissue and tools touch."}, contact.model,
+           contact::responseNames());
   v.number({"stiffness", "Pa/m", "Contact pressure per penetration."}, contact.stiffness,
            Range::above(0.0, 1.0e12));
   v.number({"smoothing", "m",

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "loaded_scene.h"
-#include "palpate/contact/signed_distance.h"
+#include "palpate/contact/obstacle.h"
 #include "palpate/sim/skips.h"
 
 namespace palpate::sim {
@@ -49,7 +49,7 @@ void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
 struct Simulator::Impl {
   Scene scene;
   LoadedScene loaded;
-  std::vector<tissue::ToolBody> bodies;
+  std::vector<contact::Obstacle> bodies;
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
   StepResult result;

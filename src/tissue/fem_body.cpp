@@ -53,7 +53,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
           settings.skip.viscous_terms ? composition : withViscousTerms(composition), pool)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
-              settings.penalty),
+              contact::makeResponse(settings.contact, settings.responses)),
       sweep(&contact, size, settings.skip.far_tools),
       largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
@@ -83,8 +83,10 @@ void FemBody::reportContacts(TissueStep* out) {
   contact.collect(x, &contacts_);
   nodal_.setZero(3, x.cols());
   for (const contact::Contact& c : contacts_) {
-    out->contacts.push_back({sweep.instrument(c.body), c.penetration, c.p_W, c.force_W});
-    const contact::SurfaceSample& s = contact.samples()[c.sample];
+    const contact::Touch& touch = c.touch;
+    out->contacts.push_back(
+        {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W});
+    const contact::SurfaceSample& s = contact.samples()[touch.sample];
     for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
   }
   contact_force = nodal_.norm();

@@ -42,6 +42,7 @@ class FemTissue final : public TissueModel {
     body_.x = positions;
     body_.v = velocities;
     body_.elasticity->relax(positions);
+    body_.contact.forget();
     body_.elastic_energy.reset();
     body_.contact_force = body_.support_force = 0.0;
     method_->restart();
@@ -49,8 +50,8 @@ class FemTissue final : public TissueModel {
     out_.clear();
   }
 
-  const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
-    begin(bodies, dt);
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
+    begin(obstacles, dt);
     if (at_rest_ && !body_.contact.hasCandidates()) {
       reportSleep();
       return out_;
@@ -75,11 +76,11 @@ class FemTissue final : public TissueModel {
   }
 
  private:
-  void begin(const std::vector<ToolBody>& bodies, double dt) {
+  void begin(const std::vector<contact::Obstacle>& obstacles, double dt) {
     out_.clear();
     const PhaseTimer timer(&out_.phases, Phase::kContact);
     const double way = dt * body_.v.colwise().norm().maxCoeff();
-    out_.far_bodies = body_.sweep.begin(bodies, body_.x, way);
+    out_.far_bodies = body_.sweep.begin(obstacles, body_.x, way);
     body_.sweep.place(1.0);
     body_.sweep.search(body_.x);
     out_.distant_samples = body_.contact.numDistant();

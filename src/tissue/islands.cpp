@@ -79,11 +79,11 @@ class Islands final : public TissueModel {
   const Points& velocities() const override { return v_; }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return triangles_; }
 
-  const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) override {
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     out_.clear();
     out_.slept = out_.satisfied = true;
     for (const Island& island : islands_) {
-      const TissueStep& done = island.tissue->step(bodies, dt);
+      const TissueStep& done = island.tissue->step(obstacles, dt);
       addIsland(done, &out_);
       if (!done.slept) take(island);
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "palpate/base/thread_pool.h"
-#include "palpate/contact/penalty.h"
+#include "palpate/contact/response.h"
 #include "palpate/fem/composition.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -23,7 +23,8 @@ struct FemSettings {
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
   Vec3 gravity = Vec3::Zero();     ///< [m/s^2], world
-  contact::Penalty penalty{3.0e8, 1.0e-4};
+  contact::ResponseSettings contact;
+  std::vector<contact::ResponseEntry> responses = contact::responses();  ///< That it may name.
   double sample_spacing = 0.0;         ///< [m], see contact::sampleSurface()
   double tolerance = 1.0e-4;           ///< Of the residual, relative to the forces.
   double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
@@ -43,9 +44,9 @@ std::vector<std::string> methodNames();
 /// `mesh` is in world and as the element needs it (fem::meshFor()), `free` says what the supports
 /// leave (3 x n). `pool` may be null and must outlive the model. Starts from the equilibrium under
 /// gravity.
-/// @throws std::invalid_argument for an unknown element or method, a bad mesh, or a body that
-/// gravity would drag away because the supports do not hold it; std::runtime_error if there is no
-/// equilibrium.
+/// @throws std::invalid_argument for an unknown element, method or response, a bad mesh, or a body
+/// that gravity would drag away because the supports do not hold it; std::runtime_error if there is
+/// no equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,

@@ -8,24 +8,17 @@
 
 #include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
-#include "palpate/instrument/geometry.h"
+#include "palpate/contact/obstacle.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::tissue {
 
-/// A collision shape on its way through one cycle.
-struct ToolBody {
-  const instrument::Geometry* geometry;
-  int instrument;
-  Pose X_WG_begin, X_WG_end;
-};
-
 /// A touching point at the end of a cycle.
 struct TissueContact {
-  int instrument;
-  double penetration;  ///< [m]
+  int instrument;      ///< The obstacle's owner.
+  double penetration;  ///< [m]; negative where it is held at a distance.
   Vec3 p_W;            ///< Of the tissue surface [m].
   Vec3 force_W;        ///< On the tool [N].
 };
@@ -80,7 +73,7 @@ class TissueModel {
 
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
   /// last good ones, and the contacts are empty.
-  virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
+  virtual const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) = 0;
 
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }
