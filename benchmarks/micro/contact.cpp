@@ -14,11 +14,11 @@ struct Scene {
       : body(cells, "tet4", "stable_neo_hookean"),
         triangles(mesh::boundaryTriangles(body.mesh.tets)),
         ball(instrument::Sphere{0.015}),
-        contact(contact::sampleSurface(body.mesh.points, triangles, 0.0075), {7.5e6, 1.0e-4}) {
+        contact(contact::sampleSurface(body.mesh.points, triangles, 0.0075),
+                contact::makeResponse({"penalty", 7.5e6, 1.0e-4})) {
     Pose X = Pose::Identity();
     X.translation() = Vec3(0.05, 0.05, 0.11);
-    bodies = {{&ball, X, 0}};
-    contact.setBodies(bodies);
+    contact.setObstacles({{&ball, 0, X, X}});
     contact.findCandidates(body.mesh.points, {0.005});
   }
 
@@ -26,7 +26,6 @@ struct Scene {
   Eigen::Matrix3Xi triangles;
   instrument::Geometry ball;
   contact::ContactPotential contact;
-  std::vector<contact::RigidBody> bodies;
 };
 
 void search(benchmark::State& state, int cells) {
@@ -49,7 +48,7 @@ void hessian(benchmark::State& state, int cells) {
   Scene scene(cells);
   fem::Stiffness K = scene.body.elasticity->makeMatrix();
   for (auto _ : state) {
-    scene.contact.addHessian(scene.body.mesh.points, fem::Tangent::kConvexTerms, &K.blocks());
+    scene.contact.addHessian(scene.body.mesh.points, fem::Tangent::kConvexTerms, &K);
   }
 }
 

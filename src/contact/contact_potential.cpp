@@ -4,19 +4,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "palpate/contact/signed_distance.h"
+
 namespace palpate::contact {
 namespace {
 
-// How far a point at `distance` [m] may come nearer to a body of inscribed radius r before the next
-// look: up to the surface, and half of what is left from there to the middle.
+// How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
+// next look: up to the surface, and half of what is left from there to the middle.
 double allowedApproach(double distance, double r) {
   return distance >= 0.0 ? distance + 0.5 * r : 0.5 * std::max(distance + r, 0.0);
 }
 
 }  // namespace
 
-ContactPotential::ContactPotential(std::vector<SurfaceSample> samples, Penalty penalty)
-    : samples_(std::move(samples)), penalty_(penalty) {
+ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
+                                   std::unique_ptr<Response> response)
+    : samples_(std::move(samples)), response_(std::move(response)) {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (patches_.empty() || samples_[s].nodes != patches_.back().nodes) {
       patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0});
@@ -25,34 +28,42 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples, Penalty p
   }
 }
 
-void ContactPotential::setBodies(const std::vector<RigidBody>& bodies) {
-  bodies_ = bodies;
-  radius_.clear();
-  for (const RigidBody& body : bodies_) radius_.push_back(inscribedRadius(*body.geometry));
+void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
+  bool same = placed_.size() == obstacles.size();
+  for (std::size_t b = 0; same && b < obstacles.size(); ++b) {
+    same = placed_[b].obstacle().geometry == obstacles[b].geometry;
+  }
+  if (!same) placed_.clear();
+  for (std::size_t b = 0; b < obstacles.size(); ++b) {
+    if (same) {
+      placed_[b].move(obstacles[b]);
+    } else {
+      placed_.emplace_back(obstacles[b]);
+    }
+  }
 }
 
 void ContactPotential::findCandidates(const Points& x, const std::vector<double>& reach) {
   candidates_.clear();
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+  for (std::size_t b = 0; b < placed_.size(); ++b) {
     if (!skip_distant_) {
       for (std::size_t s = 0; s < samples_.size(); ++s) {
         candidates_.push_back({static_cast<int>(s), static_cast<int>(b)});
       }
       continue;
     }
-    const Pose X_GW = bodies_[b].X_WG.inverse();
-    const double ball = boundingRadius(*bodies_[b].geometry) + reach[b];
+    const instrument::Geometry& geometry = *placed_[b].obstacle().geometry;
+    const double ball = boundingRadius(geometry) + reach[b];
     for (const Patch& patch : patches_) {
       // The distance changes by at most the way: skip triangles that are too far as a whole.
       const Vec3 corner = x.col(patch.nodes[0]);
       const double size = std::max((x.col(patch.nodes[1]) - corner).norm(),
                                    (x.col(patch.nodes[2]) - corner).norm());
-      const Vec3 corner_G = X_GW * corner;
+      const Vec3 corner_G = placed_[b].toObstacle(corner);
       if (corner_G.norm() > ball + size) continue;
-      if (signedDistanceValue(*bodies_[b].geometry, corner_G) > reach[b] + size) continue;
+      if (signedDistanceValue(geometry, corner_G) > reach[b] + size) continue;
       for (int s = patch.begin; s < patch.end; ++s) {
-        const Vec3 p_G = X_GW * samples_[s].position(x);
-        if (signedDistanceValue(*bodies_[b].geometry, p_G) > reach[b]) continue;
+        if (placed_[b].gap(samples_[s].position(x)) > reach[b]) continue;
         candidates_.push_back({s, static_cast<int>(b)});
       }
     }
@@ -71,74 +82,67 @@ void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
 }
 
+// visit(touch) for all candidates, or those that may answer, at x. Only as much of the touch is
+// measured as Response::energy() needs, or `with_frame` the others.
 template <class Visit>
-void ContactPotential::forEachPenetrating(const Points& x, const Visit& visit) const {
-  int body = -1;
-  Pose X_GW = Pose::Identity();
+void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
+                               const Visit& visit) const {
+  const double reach = response_->reach();
+  const bool motion = response_->followsMotion();
+  Touch touch;
+  touch.motion_W.setZero();
   for (const Candidate& c : candidates_) {
-    if (c.body != body) {
-      body = c.body;
-      X_GW = bodies_[body].X_WG.inverse();
-    }
-    const Vec3 p_W = samples_[c.sample].position(x);
-    const Vec3 p_G = X_GW * p_W;
-    const double distance = signedDistanceValue(*bodies_[body].geometry, p_G);
-    if (distance < 0.0 || !skip_inactive_) visit(c, p_W, p_G, -distance);
+    const SurfaceSample& s = samples_[c.sample];
+    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    obstacle.measureGap(s.position(x), &touch);
+    if (skip_inactive && !(touch.gap < reach)) continue;
+    touch.sample = c.sample;
+    touch.obstacle = c.obstacle;
+    touch.area = s.area;
+    if (skip_inactive && !response_->active(touch)) continue;
+    if (with_frame || motion) obstacle.measureFrame(&touch);
+    if (motion && x_begin_.cols() > 0) obstacle.measureMotion(s.position(x_begin_), &touch);
+    visit(touch);
   }
 }
 
 double ContactPotential::value(const Points& x) const {
   double sum = 0.0;
-  forEachPenetrating(x, [&](const Candidate& c, const Vec3&, const Vec3&, double p) {
-    sum += samples_[c.sample].area * penalty_.energy(p, radius(c));
-  });
+  forEach(x, skip_inactive_, false, [&](const Touch& touch) { sum += response_->energy(touch); });
   return sum;
 }
 
 double ContactPotential::addGradient(const Points& x, Points* g) const {
   double sum = 0.0;
-  forEachPenetrating(x, [&](const Candidate& c, const Vec3&, const Vec3& p_G, double p) {
-    const SurfaceSample& s = samples_[c.sample];
-    const RigidBody& body = bodies_[c.body];
-    const Vec3 normal = body.X_WG.linear() * signedDistance(*body.geometry, p_G).normal_G;
-    const Vec3 gradient = -s.area * penalty_.pressure(p, radius(c)) * normal;
-    for (int k = 0; k < 3; ++k) g->col(s.nodes[k]) += s.weights[k] * gradient;
-    sum += s.area * penalty_.energy(p, radius(c));
+  forEach(x, skip_inactive_, true, [&](const Touch& touch) {
+    const SurfaceSample& s = samples_[touch.sample];
+    const TouchForce f = response_->force(touch);
+    const Vec3 force = f.normal * touch.normal_W + f.other_W;
+    for (int k = 0; k < 3; ++k) g->col(s.nodes[k]) += s.weights[k] * force;
+    sum += response_->energy(touch);
   });
   return sum;
 }
 
-void ContactPotential::addHessian(const Points& x, fem::Tangent tangent,
-                                  fem::BlockMatrix* K) const {
-  forEachPenetrating(x, [&](const Candidate& c, const Vec3&, const Vec3& p_G, double p) {
-    const SurfaceSample& s = samples_[c.sample];
-    const RigidBody& body = bodies_[c.body];
-    const Distance d = signedDistance(*body.geometry, p_G);
-    Mat3 H_G = penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose();
-    if (tangent == fem::Tangent::kExact) H_G -= penalty_.pressure(p, radius(c)) * d.hessian_G;
-    const Mat3 R = body.X_WG.linear();
-    const Mat3 H = s.area * R * H_G * R.transpose();
-    for (int k = 0; k < 3; ++k) {
-      for (int l = 0; l < 3; ++l) {
-        const double w = s.weights[k] * s.weights[l];
-        if (w != 0.0) K->add(s.nodes[k], s.nodes[l], w * H);
-      }
-    }
+void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
+  forEach(x, skip_inactive_, true, [&](const Touch& touch) {
+    const SurfaceSample& s = samples_[touch.sample];
+    K->addPoint<3>(s.nodes, s.weights, response_->stiffness(touch, tangent));
   });
 }
 
 double ContactPotential::maxStep(const Points& x, const Points& d) const {
   double largest = 1.0;
   for (const Candidate& c : candidates_) {
-    const RigidBody& body = bodies_[c.body];
-    const double r = radius(c);
+    const PlacedObstacle& obstacle = placed_[c.obstacle];
     const Vec3 motion = samples_[c.sample].position(d);
     const double length = motion.norm();
-    const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
-    const double allowed = allowedApproach(signedDistanceValue(*body.geometry, p_G), r);
+    Touch touch;
+    obstacle.measureGap(samples_[c.sample].position(x), &touch);
+    const double allowed = allowedApproach(touch.gap, obstacle.radius());
     if (length * largest <= allowed) continue;
-    const Vec3 normal_G = signedDistance(*body.geometry, p_G).normal_G;
-    const double approach = -(body.X_WG.linear() * normal_G).dot(motion);
+    obstacle.measureFrame(&touch);
+    const double approach = -touch.normal_W.dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
   }
   // A sample that is already in the middle must not bring the solve to a stand.
@@ -146,30 +150,74 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
 }
 
 void ContactPotential::allowedMotions(const Points& x, std::vector<double>* allowed) const {
-  allowed->assign(bodies_.size(), std::numeric_limits<double>::infinity());
+  allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
   for (const Candidate& c : candidates_) {
-    const RigidBody& body = bodies_[c.body];
-    const Vec3 p_G = body.X_WG.inverse() * samples_[c.sample].position(x);
-    const double distance = signedDistanceValue(*body.geometry, p_G);
-    double& least = (*allowed)[c.body];
-    least = std::min(least, allowedApproach(distance, radius(c)));
+    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const double distance = obstacle.gap(samples_[c.sample].position(x));
+    double& least = (*allowed)[c.obstacle];
+    least = std::min(least, allowedApproach(distance, obstacle.radius()));
   }
 }
 
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {
   contacts->clear();
-  forEachPenetrating(x, [&](const Candidate& c, const Vec3& p_W, const Vec3& p_G, double p) {
-    if (p <= 0.0) return;
-    const SurfaceSample& s = samples_[c.sample];
-    const RigidBody& body = bodies_[c.body];
-    const Distance d = signedDistance(*body.geometry, p_G);
-    const Mat3 R = body.X_WG.linear();
-    const double pressure = penalty_.pressure(p, radius(c));
-    const Mat3 H_G =
-        penalty_.slope(p, radius(c)) * d.normal_G * d.normal_G.transpose() - pressure * d.hessian_G;
-    contacts->push_back({c.sample, c.body, p, p_W, -s.area * pressure * (R * d.normal_G),
-                         s.area * R * H_G * R.transpose()});
+  forEach(x, true, true, [&](const Touch& touch) {
+    const TouchForce f = response_->force(touch);
+    // Eigen multiplies the matrix first: in the last bit not what addGradient() gets.
+    const Vec3 normal_force = f.normal * (touch.R_WG * touch.normal_G);
+    contacts->push_back({touch, normal_force + f.other_W});
   });
+}
+
+void ContactPotential::penetrating(const Points& x, std::vector<Touch>* touches) const {
+  touches->clear();
+  for (const Candidate& c : candidates_) {
+    if (!(placed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) continue;
+    touches->push_back(touch(c.sample, c.obstacle, x));
+  }
+}
+
+Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
+  Touch touch;
+  touch.sample = sample;
+  touch.obstacle = obstacle;
+  touch.area = samples_[sample].area;
+  placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
+  placed_[obstacle].measureFrame(&touch);
+  touch.motion_W.setZero();
+  return touch;
+}
+
+void ContactPotential::touches(const Points& x, std::vector<Touch>* touches) const {
+  touches->clear();
+  forEach(x, true, true, [&](const Touch& touch) { touches->push_back(touch); });
+}
+
+void ContactPotential::beginStep(const Points& x) {
+  for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
+  if (response_->followsMotion()) x_begin_ = x;
+  if (!response_->remembers()) return;
+  touches(x, &touches_);
+  response_->beginStep(touches_);
+}
+
+void ContactPotential::endStep(const Points& x) {
+  if (!response_->remembers()) return;
+  touches(x, &touches_);
+  response_->endStep(touches_);
+}
+
+void ContactPotential::forget() {
+  x_begin_.resize(3, 0);
+  response_->forget();
+}
+
+void ContactPotential::save(StateWriter* to) const {
+  if (response_->remembers()) response_->save(to);
+}
+
+void ContactPotential::restore(StateReader* from) {
+  if (response_->remembers()) response_->restore(from);
 }
 
 }  // namespace palpate::contact

@@ -39,12 +39,6 @@ int BlockMatrix::find(int i, int j) const {
   return it != end && *it == j ? static_cast<int>(it - column_.begin()) : -1;
 }
 
-void BlockMatrix::add(int i, int j, const Mat3& M) {
-  const int slot = find(i, j);
-  block(slot) += M;
-  if (i != j) added_.push_back(slot);
-}
-
 void BlockMatrix::setZero() {
   std::fill(values_.begin(), values_.end(), 0.0);
   added_.clear();

@@ -62,8 +62,9 @@ double FollowerPressure::addGradient(const Points& x, Points* g) const {
   return value(x);
 }
 
-void FollowerPressure::addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const {
+void FollowerPressure::addHessian(const Points& x, Tangent tangent, Stiffness* K) const {
   if (tangent != Tangent::kExact) return;  // indefinite; left out where safety is asked for
+  Eigen::MatrixXd H(3 * faces_.rows(), 3 * faces_.rows());
   for (const FacePoint& q : faceRule(faces_.rows())) {
     for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
       const auto f = faces_.col(t);
@@ -75,9 +76,10 @@ void FollowerPressure::addHessian(const Points& x, Tangent tangent, BlockMatrix*
           // Symmetric part of the matrix whose (a, b) block is N_a d(dx/dr x dx/ds)/dx_b.
           const Mat3 ab = q.N[a] * (q.dN_ds[b] * r - q.dN_dr[b] * s_cross);
           const Mat3 ba = q.N[b] * (q.dN_ds[a] * r - q.dN_dr[a] * s_cross);
-          K->add(f[a], f[b], 0.5 * (ab + ba.transpose()));
+          H.block<3, 3>(3 * a, 3 * b) = 0.5 * (ab + ba.transpose());
         }
       }
+      K->add(f, H);
     }
   }
 }

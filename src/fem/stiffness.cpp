@@ -8,8 +8,24 @@ Stiffness::Stiffness(BlockMatrix pattern, VolumeStiffness volume)
   volume_.rows.setZero(3, static_cast<Eigen::Index>(volume_.pattern->node.size()));
 }
 
+void Stiffness::add(const Eigen::Ref<const Eigen::VectorXi>& nodes,
+                    const Eigen::Ref<const Eigen::MatrixXd>& H) {
+  for (Eigen::Index a = 0; a < nodes.size(); ++a) {
+    for (Eigen::Index b = 0; b < nodes.size(); ++b) {
+      add(nodes[a], nodes[b], H.block<3, 3>(3 * a, 3 * b));
+    }
+  }
+}
+
+void Stiffness::setZero() {
+  blocks_.setZero();
+  if (hasVolume()) volume_.rows.setZero();
+  couplings_.clear();
+}
+
 void Stiffness::multiply(const Points& x, Points* y) const {
   blocks_.multiply(x, y);
+  couplings_.addProduct(x, y);
   if (!hasVolume()) return;
   const std::vector<int>& start = volume_.pattern->start;
   const std::vector<int>& node = volume_.pattern->node;
@@ -29,6 +45,7 @@ void Stiffness::multiply(const Points& x, Points* y) const {
 
 void Stiffness::scale(double s) {
   blocks_.scale(s);
+  couplings_.scale(s);
   volume_.factor *= s;
 }
 
@@ -46,7 +63,7 @@ void Stiffness::diagonal(std::vector<Mat3>* blocks) const {
 }
 
 void Stiffness::constrain(const Eigen::Matrix3Xd& free) {
-  blocks_.constrain(free);
+  constrainBlocks(free);
   if (!hasVolume()) return;
   const std::vector<int>& node = volume_.pattern->node;
   for (std::size_t k = 0; k < node.size(); ++k) {

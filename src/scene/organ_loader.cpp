@@ -98,7 +98,7 @@ tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
   settings.step = scene.solver.step;
   settings.integrator = scene.solver.integrator;
   settings.gravity = scene.gravity;
-  settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
+  settings.contact = scene.contact;
   settings.sample_spacing = sample_spacing;
   settings.tolerance = scene.solver.tolerance;
   settings.max_newton_iterations = scene.solver.max_newton_iterations;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/scene/scene_fields.h"
 
+#include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem/fem_tissue.h"
@@ -81,6 +82,8 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
 }
 
 void describe(keys::FieldVisitor& v, ContactConfig& contact) {
+  v.choice({"model", "", "What answers where tissue and tools touch."}, contact.model,
+           contact::responseNames());
   v.number({"stiffness", "Pa/m", "Contact pressure per penetration."}, contact.stiffness,
            keys::Range::above(0.0, 1.0e12));
   v.number({"smoothing", "m",

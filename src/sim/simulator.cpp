@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "palpate/contact/signed_distance.h"
+#include "palpate/contact/obstacle.h"
 #include "palpate/haptics/wrench_fade.h"
 #include "palpate/scene/loaded_scene.h"
 #include "palpate/tissue/skips.h"
@@ -48,7 +48,7 @@ void addModel(const tissue::TissueStep& cycle, StepReport* report) {
 struct Simulator::Impl {
   scene::Scene scene;
   scene::LoadedScene loaded;
-  std::vector<tissue::ToolBody> bodies;
+  std::vector<contact::Obstacle> bodies;
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
   StepResult result;

@@ -11,45 +11,66 @@ CholmodFactor::CholmodFactor() {
 }
 
 CholmodFactor::~CholmodFactor() {
-  cholmod_free_factor(&factor_, &common_);
+  cholmod_free_factor(&uncoupled_.factor, &common_);
+  cholmod_free_factor(&coupled_.factor, &common_);
   cholmod_free_dense(&solution_, &common_);
   cholmod_free_dense(&work_y_, &common_);
   cholmod_free_dense(&work_e_, &common_);
-  matrix_.reset();
+  uncoupled_.matrix.reset();
+  coupled_.matrix.reset();
   cholmod_finish(&common_);
 }
 
-void CholmodFactor::analyze(const fem::Stiffness& A) {
-  if (matrix_) return;
-  matrix_ = makeCholmodMatrix(A, &common_);
-  if (matrix_->numPressures() > 0) {
+void CholmodFactor::analyzeUncoupled(const fem::Stiffness& A) {
+  uncoupled_.matrix = makeCholmodMatrix(A, &common_);
+  if (uncoupled_.matrix->numPressures() > 0) {
     common_.supernodal = CHOLMOD_SIMPLICIAL;
     common_.final_ll = 0;
   }
-  factor_ = cholmod_analyze(matrix_->sparse(), &common_);
-  padded_.setZero(static_cast<Eigen::Index>(matrix_->sparse()->nrow));
+  uncoupled_.factor = cholmod_analyze(uncoupled_.matrix->sparse(), &common_);
+  padded_.setZero(static_cast<Eigen::Index>(uncoupled_.matrix->sparse()->nrow));
+  used_ = &uncoupled_;
+}
+
+void CholmodFactor::analyze(const fem::Stiffness& A) {
+  if (!uncoupled_.matrix) {
+    fem::Stiffness alone = A;
+    alone.forgetAdded();
+    analyzeUncoupled(alone);
+  }
+  used_ = A.couplings().empty() ? &uncoupled_ : &coupled_;
+  if (used_->matrix && used_->matrix->fits(A)) return;
+  cholmod_free_factor(&coupled_.factor, &common_);
+  coupled_.matrix = uncoupled_.matrix->coupled(A);
+  const int methods = common_.nmethods, ordering = common_.method[0].ordering;
+  common_.nmethods = 1;
+  common_.method[0].ordering = CHOLMOD_GIVEN;
+  coupled_.factor = cholmod_analyze_p(
+      coupled_.matrix->sparse(), static_cast<int*>(uncoupled_.factor->Perm), nullptr, 0, &common_);
+  common_.nmethods = methods;
+  common_.method[0].ordering = ordering;
 }
 
 // A quasi-definite system has as many negative pivots as pressures if and only if A is positive
 // definite [Sylvester's law of inertia].
 bool CholmodFactor::positiveDefinite() const {
-  if (common_.status == CHOLMOD_NOT_POSDEF || factor_->minor < factor_->n) return false;
-  if (matrix_->numPressures() == 0) return true;
+  if (common_.status == CHOLMOD_NOT_POSDEF || used_->factor->minor < used_->factor->n) return false;
+  if (used_->matrix->numPressures() == 0) return true;
   int negative = 0;
-  const auto* start = static_cast<const int*>(factor_->p);
-  const auto* value = static_cast<const double*>(factor_->x);
-  for (std::size_t k = 0; k < factor_->n; ++k) negative += value[start[k]] < 0.0 ? 1 : 0;
-  return negative == matrix_->numPressures();
+  const auto* start = static_cast<const int*>(used_->factor->p);
+  const auto* value = static_cast<const double*>(used_->factor->x);
+  for (std::size_t k = 0; k < used_->factor->n; ++k) negative += value[start[k]] < 0.0 ? 1 : 0;
+  return negative == used_->matrix->numPressures();
 }
 
 SolveStatus CholmodFactor::factorize(const fem::Stiffness& A) {
   analyze(A);
-  matrix_->assign(A);
-  cholmod_sparse* sparse = matrix_->sparse();
+  used_->matrix->assign(A);
+  cholmod_sparse* sparse = used_->matrix->sparse();
   const auto* values = static_cast<const double*>(sparse->x);
   const Eigen::Map<const Eigen::VectorXd> all(values, static_cast<Eigen::Index>(sparse->nzmax));
   if (!all.allFinite()) return SolveStatus::kNonFinite;
-  cholmod_factorize(sparse, factor_, &common_);
+  cholmod_factorize(sparse, used_->factor, &common_);
   return positiveDefinite() ? SolveStatus::kConverged : SolveStatus::kNotPositiveDefinite;
 }
 
@@ -62,8 +83,8 @@ SolveStatus CholmodFactor::solve(const Points& b, Points* x) {
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   // Keeps its work space between calls.
-  if (!cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &work_y_, &work_e_,
-                      &common_)) {
+  if (!cholmod_solve2(CHOLMOD_A, used_->factor, &right, nullptr, &solution_, nullptr, &work_y_,
+                      &work_e_, &common_)) {
     return SolveStatus::kNonFinite;
   }
   *x = Eigen::Map<const Points>(static_cast<const double*>(solution_->x), 3, b.cols());

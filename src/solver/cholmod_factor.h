@@ -11,7 +11,10 @@
 namespace palpate::solver {
 
 /// A Cholesky factor of a stiffness, by CHOLMOD with a workspace of its own: two of them may work
-/// in two threads. Symbolic analysis is done once: every matrix must have the pattern of the first.
+/// in two threads. Every matrix must have the pattern of the first, apart from couplings. A matrix
+/// without any is ordered and analysed once; one that couples other nodes than the one before is
+/// analysed again, in the same order. So every factor is exact, says whether its matrix is
+/// definite, and does not depend on what was coupled before.
 class CholmodFactor {
  public:
   CholmodFactor();
@@ -19,7 +22,7 @@ class CholmodFactor {
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 
-  /// Symbolic analysis, if it has not been done.
+  /// Symbolic analysis, if it has not been done for what A couples.
   void analyze(const fem::Stiffness& A);
   /// kNotPositiveDefinite, kNonFinite: there is no factor any more.
   SolveStatus factorize(const fem::Stiffness& A);
@@ -32,11 +35,17 @@ class CholmodFactor {
   double nonzeros() const { return common_.lnz; }
 
  private:
+  struct Analysed {
+    std::unique_ptr<CholmodMatrix> matrix;
+    cholmod_factor* factor = nullptr;
+  };
+
   bool positiveDefinite() const;
+  void analyzeUncoupled(const fem::Stiffness& A);
 
   cholmod_common common_;
-  std::unique_ptr<CholmodMatrix> matrix_;
-  cholmod_factor* factor_ = nullptr;
+  Analysed uncoupled_, coupled_;  // the second where there are couplings, those of the last matrix
+  Analysed* used_ = nullptr;      // one of them, by the last matrix
   cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
   Eigen::VectorXd padded_;
 };

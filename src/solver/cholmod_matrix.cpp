@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cholmod_matrix.h"
 
-#include <utility>
+#include "gathered_blocks.h"
 
 namespace palpate::solver {
 namespace {
@@ -22,22 +22,24 @@ double* copyBlockRows(const fem::BlockMatrix& A, int i, int c, double* value) {
   return value;
 }
 
-// Blocks only; where there are volumes, of the pattern that holds them too.
 class AssembledMatrix final : public CholmodMatrix {
  public:
-  AssembledMatrix(const fem::Stiffness& A, cholmod_common* common) : CholmodMatrix(common) {
-    if (A.hasVolume()) widen(A);
-    const fem::BlockMatrix& pattern = A.hasVolume() ? wide_ : A.blocks();
+  AssembledMatrix(const fem::Stiffness& A, GatheredBlocks blocks, cholmod_common* common)
+      : CholmodMatrix(common), blocks_(std::move(blocks)) {
     std::vector<std::vector<int>> rows(3 * static_cast<std::size_t>(A.numNodes()));
     for (int i = 0; i < A.numNodes(); ++i) {
-      for (int c = 0; c < 3; ++c) appendBlockRows(pattern, i, c, &rows[3 * i + c]);
+      for (int c = 0; c < 3; ++c) appendBlockRows(blocks_.pattern(A), i, c, &rows[3 * i + c]);
     }
     allocate(rows);
   }
 
+  bool fits(const fem::Stiffness& A) const override { return blocks_.fits(A); }
+  std::unique_ptr<CholmodMatrix> coupled(const fem::Stiffness& A) const override {
+    return std::make_unique<AssembledMatrix>(A, GatheredBlocks(blocks_, A), common());
+  }
+
   void assign(const fem::Stiffness& A) override {
-    if (A.hasVolume()) assembleVolumes(A);
-    const fem::BlockMatrix& blocks = A.hasVolume() ? wide_ : A.blocks();
+    const fem::BlockMatrix& blocks = blocks_.gather(A);
     double* value = values();
     for (int i = 0; i < blocks.numNodes(); ++i) {
       for (int c = 0; c < 3; ++c) value = copyBlockRows(blocks, i, c, value);
@@ -45,58 +47,13 @@ class AssembledMatrix final : public CholmodMatrix {
   }
 
  private:
-  void widen(const fem::Stiffness& A) {
-    const fem::VolumeStiffness::Pattern& pattern = *A.volume().pattern;
-    std::vector<std::pair<int, int>> pairs;
-    for (std::size_t p = 0; p + 1 < pattern.start.size(); ++p) {
-      for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
-        for (int l = k + 1; l < pattern.start[p + 1]; ++l) {
-          pairs.emplace_back(pattern.node[k], pattern.node[l]);
-        }
-      }
-    }
-    wide_ = fem::BlockMatrix(A.numNodes(), pairs);
-    for (std::size_t p = 0; p + 1 < pattern.start.size(); ++p) {
-      for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
-        for (int l = k; l < pattern.start[p + 1]; ++l) {
-          slot_.push_back(wide_.find(pattern.node[k], pattern.node[l]));
-        }
-      }
-    }
-  }
-
-  // Into the upper triangle, which is all that is copied.
-  void assembleVolumes(const fem::Stiffness& A) {
-    wide_.setZero();
-    const fem::BlockMatrix& blocks = A.blocks();
-    for (int i = 0; i < blocks.numNodes(); ++i) {
-      int wide_slot = wide_.diagonal(i);
-      for (int slot = blocks.diagonal(i); slot < blocks.rowEnd(i); ++slot) {
-        while (wide_.column(wide_slot) != blocks.column(slot)) ++wide_slot;
-        wide_.block(wide_slot) = blocks.block(slot);
-      }
-    }
-    const fem::VolumeStiffness& volume = A.volume();
-    const std::vector<int>& start = volume.pattern->start;
-    auto slot = slot_.begin();
-    for (Eigen::Index p = 0; p < volume.numRows(); ++p) {
-      const double weight = volume.factor * volume.metric->weights()[p];
-      for (int k = start[p]; k < start[p + 1]; ++k) {
-        const Vec3 b = weight * volume.rows.col(k);
-        for (int l = k; l < start[p + 1]; ++l) {
-          wide_.block(*slot++) += b * volume.rows.col(l).transpose();
-        }
-      }
-    }
-  }
-
-  fem::BlockMatrix wide_;
-  std::vector<int> slot_;  // in wide_, of the pairs of entries of the volumes, one after another
+  GatheredBlocks blocks_;
 };
 
 class MixedMatrix final : public CholmodMatrix {
  public:
-  MixedMatrix(const fem::Stiffness& A, cholmod_common* common) : CholmodMatrix(common) {
+  MixedMatrix(const fem::Stiffness& A, GatheredBlocks blocks, cholmod_common* common)
+      : CholmodMatrix(common), blocks_(std::move(blocks)) {
     const fem::VolumeStiffness& volume = A.volume();
     const fem::VolumeStiffness::Pattern& pattern = *volume.pattern;
     num_pressures_ = static_cast<int>(volume.numRows());
@@ -110,7 +67,7 @@ class MixedMatrix final : public CholmodMatrix {
     std::vector<std::vector<int>> rows(static_cast<std::size_t>(n + num_pressures_));
     for (int i = 0; i < A.numNodes(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        appendBlockRows(A.blocks(), i, c, &rows[3 * i + c]);
+        appendBlockRows(blocks_.pattern(A), i, c, &rows[3 * i + c]);
         for (const Entry& entry : entries_[i]) rows[3 * i + c].push_back(n + entry.pressure);
       }
     }
@@ -121,13 +78,18 @@ class MixedMatrix final : public CholmodMatrix {
   }
 
   int numPressures() const override { return num_pressures_; }
+  bool fits(const fem::Stiffness& A) const override { return blocks_.fits(A); }
+  std::unique_ptr<CholmodMatrix> coupled(const fem::Stiffness& A) const override {
+    return std::make_unique<MixedMatrix>(A, GatheredBlocks(blocks_, A), common());
+  }
 
   void assign(const fem::Stiffness& A) override {
     const fem::VolumeStiffness& volume = A.volume();
+    const fem::BlockMatrix& blocks = blocks_.gather(A);
     double* value = values();
     for (int i = 0; i < A.numNodes(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        value = copyBlockRows(A.blocks(), i, c, value);
+        value = copyBlockRows(blocks, i, c, value);
         for (const Entry& entry : entries_[i]) *value++ = volume.rows(c, entry.index);
       }
     }
@@ -149,6 +111,7 @@ class MixedMatrix final : public CholmodMatrix {
     }
   }
 
+  GatheredBlocks blocks_;
   int num_pressures_ = 0;
   std::vector<std::vector<Entry>> entries_;  // of each node
 };
@@ -173,9 +136,9 @@ void CholmodMatrix::allocate(const std::vector<std::vector<int>>& rows) {
 
 std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, cholmod_common* common) {
   if (A.hasVolume() && !A.volume().metric->isDiagonal()) {
-    return std::make_unique<MixedMatrix>(A, common);
+    return std::make_unique<MixedMatrix>(A, GatheredBlocks(A, false), common);
   }
-  return std::make_unique<AssembledMatrix>(A, common);
+  return std::make_unique<AssembledMatrix>(A, GatheredBlocks(A, A.hasVolume()), common);
 }
 
 }  // namespace palpate::solver

@@ -11,12 +11,16 @@
 namespace palpate::solver {
 
 /// A stiffness as CHOLMOD wants it: the lower triangle, column after column. Built from a first
-/// matrix; later ones have the same pattern.
+/// matrix; later ones have the same pattern and couple the same nodes.
 class CholmodMatrix {
  public:
   virtual ~CholmodMatrix() = default;
 
-  /// Values of A.
+  /// Whether A couples the nodes that the first matrix did.
+  virtual bool fits(const fem::Stiffness& A) const = 0;
+  /// One that fits A, from this one, which was built from a matrix without couplings.
+  virtual std::unique_ptr<CholmodMatrix> coupled(const fem::Stiffness& A) const = 0;
+  /// Values of A, which fits.
   virtual void assign(const fem::Stiffness& A) = 0;
   /// Rows beyond the 3 n of the nodes.
   virtual int numPressures() const { return 0; }
@@ -27,6 +31,7 @@ class CholmodMatrix {
   /// Columns of `rows` each, ascending from the diagonal on.
   void allocate(const std::vector<std::vector<int>>& rows);
   double* values() const { return static_cast<double*>(sparse_->x); }
+  cholmod_common* common() const { return common_; }
 
   struct Free {
     cholmod_common* common;

@@ -70,11 +70,11 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
     copy(A);
     changed_.clear();
   }
-  blocks.forgetAdded();
-  potential.addTermHessians(x, tangent, &blocks);
+  A->forgetAdded();
+  potential.addTermHessians(x, tangent, A);
   changed_.insert(changed_.end(), blocks.added().begin(), blocks.added().end());
   if (in_matrix) {
-    blocks.constrain(potential.free);  // the volumes are constrained already
+    A->constrainBlocks(potential.free);  // the volumes are constrained already
   } else {
     A->constrain(potential.free);
   }

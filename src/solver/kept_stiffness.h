@@ -17,6 +17,7 @@ class KeptStiffness {
   struct Assembled {
     bool kept;  ///< The elastic part was there.
     /// Slots off the diagonal that the call before may have left otherwise; null: any of them.
+    /// Couplings are always those of now.
     const std::vector<int>* changed;
   };
   /// As potential.hessian(), then constrained by potential.free. `A` has the body's pattern and is

@@ -54,7 +54,7 @@ SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes
   potential.addTermHessians(x, fem::Tangent::kProjected, &terms_);
   for (int i = 0; i < terms_.numNodes(); ++i) {
     const auto F = potential.free.col(i).asDiagonal();
-    elastic_diagonal_[i] -= F * terms_.block(terms_.diagonal(i)) * F;
+    elastic_diagonal_[i] -= F * terms_.blocks().block(terms_.blocks().diagonal(i)) * F;
   }
   return status;
 }
@@ -65,7 +65,8 @@ bool Lbfgs::scaleFactor(const Potential& potential, const Points& x) {
   diagonal_.resize(elastic_diagonal_.size());
   for (int i = 0; i < terms_.numNodes(); ++i) {
     const auto F = potential.free.col(i).asDiagonal();
-    diagonal_[i] = elastic_diagonal_[i] + F * terms_.block(terms_.diagonal(i)) * F;
+    diagonal_[i] =
+        elastic_diagonal_[i] + F * terms_.blocks().block(terms_.blocks().diagonal(i)) * F;
   }
   return factor_->scaleTo(diagonal_);
 }

@@ -113,8 +113,16 @@ void PcgMatrix::pack(const fem::BlockMatrix& K, const std::vector<int>& changed)
   for (int slot : changed) take(slot);
 }
 
+void PcgMatrix::takeCouplings(const fem::Couplings& couplings) {
+  couplings_.clear();
+  for (const fem::Couplings::Block& block : couplings.blocks()) {
+    couplings_.push_back({nodes_.offset(block.i, 3), nodes_.offset(block.j, 3), block.values});
+  }
+}
+
 bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
+  takeCouplings(A.couplings());
   if (changed) {
     pack(A.blocks(), *changed);
     return invertDiagonal(A);

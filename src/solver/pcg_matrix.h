@@ -20,8 +20,8 @@ class PcgMatrix {
   PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), chunks_(pool) {}
 
   /// Takes the values of A, and at the first call its pattern. `changed`: slots off the diagonal
-  /// that alone, with those on it, differ from what was taken last; null: all may. False: a
-  /// diagonal block is not positive definite.
+  /// that alone, with those on it and the couplings, differ from what was taken last; null: all
+  /// may. False: a diagonal block is not positive definite.
   bool assign(const fem::Stiffness& A, const std::vector<int>* changed = nullptr);
 
   /// Of the matrix, all of which a product reads.
@@ -43,6 +43,11 @@ class PcgMatrix {
     int first = std::numeric_limits<int>::max(), last = -1;
     bool others = false;  ///< Also some that are not at home.
   };
+  /// A block beside the pattern, between nodes that begin there in the vectors.
+  struct Coupling {
+    std::ptrdiff_t row, column;
+    Mat3 values;
+  };
 
   void takePattern(const fem::Stiffness& A);
   void takeRows(const fem::Stiffness& A);
@@ -52,6 +57,11 @@ class PcgMatrix {
   void packVolumes(const fem::VolumeStiffness& volume);
   bool invertDiagonal(const fem::Stiffness& A);
   PcgVolumes volumes(const float* weights);
+  void takeCouplings(const fem::Couplings& couplings);
+  /// Ap += their part; returns p . that.
+  double addCouplings(const PcgVectors& v) const;
+  /// Ap = K p; returns p . Ap.
+  double applyBlocks(const PcgVectors& v);
   /// Ap = K p + B^T M B p; returns p . Ap.
   double applyWithVolumes(const PcgVectors& v);
   void sweep(const PcgVolumes& B, int first, int last, const PcgVectors& v);
@@ -66,6 +76,7 @@ class PcgMatrix {
   std::vector<int> place_;                 // in rows_, of each slot
   AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
   AlignedVector<float> weights_, c_;
+  std::vector<Coupling> couplings_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
   double factor_ = 1.0;
   std::vector<Reach> reach_;                        // of each chunk

@@ -54,9 +54,25 @@ double PcgMatrix::applyWithVolumes(const PcgVectors& v) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
+// In one thread and in plain loops: there are few, and every build adds them up alike.
+double PcgMatrix::addCouplings(const PcgVectors& v) const {
+  double sum = 0.0;
+  for (const Coupling& c : couplings_) {
+    const double *p_row = v.p + c.row, *p_column = v.p + c.column;
+    const Vec3 Ap = c.values * Vec3(p_column[0], p_column[kSlice], p_column[2 * kSlice]);
+    for (int k = 0; k < 3; ++k) v.Ap[c.row + kSlice * k] += static_cast<float>(Ap[k]);
+    sum += Vec3(p_row[0], p_row[kSlice], p_row[2 * kSlice]).dot(Ap);
+  }
+  return sum;
+}
+
 double PcgMatrix::apply(const PcgVectors& v) {
   chunks_.turn();
-  if (pressures_.count() > 0) return applyWithVolumes(v);
+  const double curvature = pressures_.count() > 0 ? applyWithVolumes(v) : applyBlocks(v);
+  return couplings_.empty() ? curvature : curvature + addCouplings(v);
+}
+
+double PcgMatrix::applyBlocks(const PcgVectors& v) {
   chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
     partial_[chunk] = kernels_.multiply(rows_.rows(), begin, end, v);
   });

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "palpate/contact/signed_distance.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
@@ -19,26 +20,26 @@ const Geometry kShapes[] = {Sphere{0.03}, Capsule{0.02, 0.01}, Box{Vec3(0.02, 0.
 class ContactWithEveryShape : public ::testing::TestWithParam<int> {
  protected:
   ContactWithEveryShape() {
-    potential.setBodies({body});
+    potential.setObstacles({body});
     potential.findCandidates(mesh.points, {1.0});
   }
 
-  fem::BlockMatrix matrix() const {
+  fem::Stiffness matrix() const {
     std::vector<std::pair<int, int>> pairs;
     for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
       for (int a = 0; a < 4; ++a) {
         for (int b = 0; b < a; ++b) pairs.emplace_back(mesh.tets(a, e), mesh.tets(b, e));
       }
     }
-    return fem::BlockMatrix(static_cast<int>(mesh.numPoints()), pairs);
+    return fem::Stiffness(fem::BlockMatrix(static_cast<int>(mesh.numPoints()), pairs));
   }
 
   test::Random random;
   mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.05), Eigen::Vector3i(5, 5, 3));
-  RigidBody body{&kShapes[GetParam()],
-                 poseFromXyzRpy(Vec3(0.051, 0.047, 0.065), Vec3(0.2, 0.1, 0.3)), 0};
+  Pose X_WG = poseFromXyzRpy(Vec3(0.051, 0.047, 0.065), Vec3(0.2, 0.1, 0.3));
+  Obstacle body{&kShapes[GetParam()], 0, X_WG, X_WG};
   ContactPotential potential{sampleSurface(mesh.points, mesh::boundaryTriangles(mesh.tets), 0.01),
-                             {1e6, 2e-3}};
+                             makeResponse({"penalty", 1e6, 2e-3})};
 };
 
 TEST_P(ContactWithEveryShape, GradientIsThatOfTheValue) {
@@ -55,7 +56,7 @@ TEST_P(ContactWithEveryShape, GradientIsThatOfTheValue) {
 }
 
 TEST_P(ContactWithEveryShape, HessianIsThatOfTheGradient) {
-  fem::BlockMatrix K = matrix();
+  fem::Stiffness K = matrix();
   potential.addHessian(mesh.points, fem::Tangent::kExact, &K);
   constexpr double h = 1e-8;
   for (int trial = 0; trial < 5; ++trial) {
@@ -69,7 +70,7 @@ TEST_P(ContactWithEveryShape, HessianIsThatOfTheGradient) {
 }
 
 TEST_P(ContactWithEveryShape, ProjectedHessianIsPositiveSemidefinite) {
-  fem::BlockMatrix K = matrix();
+  fem::Stiffness K = matrix();
   potential.addHessian(mesh.points, fem::Tangent::kProjected, &K);
   for (int trial = 0; trial < 50; ++trial) {
     const Points d = random.points(mesh.numPoints(), 1.0);
@@ -87,8 +88,8 @@ TEST_P(ContactWithEveryShape, ToolFeelsTheOppositeOfTheTissue) {
   Vec3 on_tool = Vec3::Zero(), moment_on_tool = Vec3::Zero(), moment_on_tissue = Vec3::Zero();
   for (const Contact& c : contacts) {
     on_tool += c.force_W;
-    moment_on_tool += c.p_W.cross(c.force_W);
-    EXPECT_GT(c.penetration, 0.0);
+    moment_on_tool += c.touch.p_W.cross(c.force_W);
+    EXPECT_GT(c.touch.penetration(), 0.0);
   }
   for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
     moment_on_tissue -= Vec3(mesh.points.col(i)).cross(Vec3(g.col(i)));
@@ -104,14 +105,14 @@ TEST_P(ContactWithEveryShape, CandidatesWithinReachAreAllThatTouch) {
   potential.findCandidates(mesh.points, {1e-9});
   potential.collect(mesh.points, &near);
   ASSERT_EQ(all.size(), near.size());
-  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].sample, near[i].sample);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].touch.sample, near[i].touch.sample);
   EXPECT_GT(all.size(), 5u);
 }
 
 // Whatever step is proposed, no sample gets to the middle of a body, where its side would be lost.
 TEST_P(ContactWithEveryShape, LongestStepKeepsEverySampleOnItsSide) {
   const double r = inscribedRadius(*body.geometry);
-  const Pose X_GW = body.X_WG.inverse();
+  const Pose X_GW = X_WG.inverse();
   for (int trial = 0; trial < 20; ++trial) {
     Points d = random.points(mesh.numPoints(), 0.1);
     d.row(2).array() += 0.1;  // up into the body
@@ -129,8 +130,8 @@ TEST_P(ContactWithEveryShape, LongestStepKeepsEverySampleOnItsSide) {
 }
 
 TEST_P(ContactWithEveryShape, FarBodiesHaveNoCandidates) {
-  body.X_WG.translation().z() += 1.0;
-  potential.setBodies({body});
+  body.X_WG_end.translation().z() += 1.0;
+  potential.setObstacles({body});
   potential.findCandidates(mesh.points, {0.01});
   EXPECT_FALSE(potential.hasCandidates());
   EXPECT_EQ(potential.value(mesh.points), 0.0);

@@ -65,7 +65,7 @@ TEST(FollowerPressure, HessianOnAClosedSurfaceIsThatOfTheGradient) {
       for (int b = 0; b < a; ++b) pairs.emplace_back(kBox.tets(a, e), kBox.tets(b, e));
     }
   }
-  BlockMatrix K(static_cast<int>(kBox.numPoints()), pairs);
+  Stiffness K(BlockMatrix(static_cast<int>(kBox.numPoints()), pairs));
   test::Random random;
   const Points x = kBox.points + random.points(kBox.numPoints(), 0.01);
   pressure.addHessian(x, Tangent::kExact, &K);
@@ -120,7 +120,7 @@ TEST(FollowerPressure, HessianOnBentQuadraticFacesIsThatOfTheGradient) {
       for (int b = 0; b < a; ++b) pairs.emplace_back(bent.faces(a, t), bent.faces(b, t));
     }
   }
-  BlockMatrix K(static_cast<int>(bent.x.cols()), pairs);
+  Stiffness K(BlockMatrix(static_cast<int>(bent.x.cols()), pairs));
   pressure.addHessian(bent.x, Tangent::kExact, &K);
   const Points d = bent.random.points(bent.x.cols(), 1.0);
   Points Kd, plus = Points::Zero(3, bent.x.cols()), minus = plus;

@@ -18,10 +18,11 @@ struct Spring final : fem::EnergyTerm {
   int node = 0;
   double value(const Points&) const override { return 0.0; }
   double addGradient(const Points&, Points*) const override { return 0.0; }
-  void addHessian(const Points&, fem::Tangent, fem::BlockMatrix* K) const override {
+  void addHessian(const Points&, fem::Tangent, fem::Stiffness* K) const override {
     const Mat3 k = 3.0 * Mat3::Identity() + Mat3::Ones();
-    for (int slot = K->rowBegin(node); slot < K->rowEnd(node); ++slot) {
-      const int j = K->column(slot);
+    const fem::BlockMatrix& pattern = K->blocks();
+    for (int slot = pattern.rowBegin(node); slot < pattern.rowEnd(node); ++slot) {
+      const int j = pattern.column(slot);
       if (j == node) continue;
       K->add(node, node, k);
       K->add(j, j, k);
@@ -54,7 +55,7 @@ struct Body {
     fem::Stiffness A = elasticity->makeMatrix();
     elasticity->hessian(x_elastic, fem::Tangent::kExact, &A);
     A.scale(potential.elastic_scale);
-    potential.addTermHessians(x, fem::Tangent::kExact, &A.blocks());
+    potential.addTermHessians(x, fem::Tangent::kExact, &A);
     A.constrain(potential.free);
     return A;
   }

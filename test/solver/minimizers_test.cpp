@@ -30,10 +30,10 @@ class Floor final : public fem::EnergyTerm {
     for (Eigen::Index i = 0; i < x.cols(); ++i) g->col(i) -= stiffness * depth(x, i) * normal;
     return value(x);
   }
-  void addHessian(const Points& x, fem::Tangent, fem::BlockMatrix* K) const override {
+  void addHessian(const Points& x, fem::Tangent, fem::Stiffness* K) const override {
     for (int i = 0; i < K->numNodes(); ++i) {
       if (depth(x, i) <= 0.0) continue;
-      K->block(K->diagonal(i)) += stiffness * normal * normal.transpose();
+      K->add(i, i, stiffness * normal * normal.transpose());
     }
   }
 

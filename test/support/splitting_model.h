@@ -35,7 +35,7 @@ class SplittingModel final : public tissue::TissueModel {
   mesh::CellMesh cells(int organ) const override {
     return {now_[static_cast<std::size_t>(organ)].x, {}, {}};
   }
-  const tissue::TissueStep& step(const std::vector<tissue::ToolBody>&, double) override {
+  const tissue::TissueStep& step(const std::vector<contact::Obstacle>&, double) override {
     out_.clear();
     for (std::size_t k = 0; k < now_.size(); ++k) {
       split(&now_[k]);

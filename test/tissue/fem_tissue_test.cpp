@@ -227,7 +227,7 @@ double forceAfter(double seconds, TissueModel* tissue) {
   double force = 0.0;
   for (int k = 0; k * kStep < seconds; ++k) {
     const auto height = [](int step) { return 0.052 - 0.001 * std::min(step, 10); };
-    const ToolBody body{&ball, 0, at(height(k)), at(height(k + 1))};
+    const contact::Obstacle body{&ball, 0, at(height(k)), at(height(k + 1))};
     force = onTool(tissue->step({body}, kStep)).z();
   }
   return force;

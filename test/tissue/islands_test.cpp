@@ -54,7 +54,7 @@ struct TwoSlabs {
 };
 
 // A ball over the middle of the right slab, down 10 mm and up.
-ToolBody ballAt(double t) {
+contact::Obstacle ballAt(double t) {
   static const Geometry ball = Sphere{0.01};
   const auto at = [](double s) {
     const double down = std::min(0.02 * s, 0.012) - std::max(0.02 * (s - 0.8), 0.0);

@@ -47,8 +47,8 @@ class Press {
   explicit Press(double depth, double speed, double step = 0.01)
       : depth_(depth), speed_(speed), step_(step) {}
 
-  tissue::ToolBody next() {
-    const tissue::ToolBody body{&shape_, 0, at(t_), at(t_ + step_)};
+  contact::Obstacle next() {
+    const contact::Obstacle body{&shape_, 0, at(t_), at(t_ + step_)};
     t_ += step_;
     return body;
   }

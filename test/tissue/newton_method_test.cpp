@@ -7,6 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
+#include "tissue/fem/prescribed_contact.h"
 #include "tissue/fem/sparse_assembly.h"
 
 namespace palpate::tissue {
@@ -19,7 +20,7 @@ constexpr double kStep = 0.01;
 // A ball of 25 mm, several elements wide where it touches.
 struct LargeBall {
   instrument::Geometry shape = instrument::Sphere{0.025};
-  ToolBody move(double from, double to) const {  // depths
+  contact::Obstacle move(double from, double to) const {  // depths
     return {&shape, 0, at(from), at(to)};
   }
   static Pose at(double depth) {
@@ -140,7 +141,7 @@ TEST(NewtonBicgstab, SameInputsSameBitsWhateverTheThreads) {
   const auto one = slab.make(), two = slab.make(&pool);
   const LargeBall ball;
   for (int k = 0; k < 5; ++k) {
-    const ToolBody body = ball.move(1e-3 * k, 1e-3 * (k + 1));
+    const contact::Obstacle body = ball.move(1e-3 * k, 1e-3 * (k + 1));
     ASSERT_EQ(test::onTool(one->step({body}, kStep)), test::onTool(two->step({body}, kStep)));
     ASSERT_EQ(one->positions(), two->positions());
   }
@@ -177,6 +178,38 @@ TEST(NewtonBicgstab, RefusesWhatItCannotDo) {
   EXPECT_TRUE(test::contains(refusal(moving), "integrator = bdf2"));
   EXPECT_TRUE(test::contains(refusal(Slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "p1p1")),
                              "element p1p1"));
+}
+
+// What is held can be saved, and taken up by another body of the same mesh.
+TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
+  const Slab slab("newton_bicgstab");
+  const fem::Composition liver{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
+  const LargeBall ball;
+  const auto begin = [&](FemBody* body) {
+    body->sweep.begin({ball.move(0.0, 0.003)}, body->x, 0.0);
+    body->sweep.place(1.0);
+    body->sweep.search(body->x);
+  };
+  FemBody one(slab.mesh, liver, slab.free, slab.settings, nullptr),
+      two(slab.mesh, liver, slab.free, slab.settings, nullptr);
+  begin(&one);
+  begin(&two);
+  PrescribedContact contact(&one), other(&two);
+  EXPECT_TRUE(contact.holdWhatPenetrates(one.x));
+  StateWriter saved;
+  contact.save(&saved);
+  StateReader reader(saved.bytes());
+  other.restore(&reader);
+  reader.finish();
+  other.beginStage();
+  EXPECT_EQ(other.free(), contact.free());
+  Points move, expected;
+  other.moves(two.x, &move);
+  contact.moves(one.x, &expected);
+  EXPECT_GT(expected.norm(), 1e-3);
+  EXPECT_EQ(move, expected);
+  StateReader cut(std::string_view(saved.bytes()).substr(0, 12));
+  EXPECT_THROW(other.restore(&cut), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ struct Slab {
 /// A sphere pressed in from above, dragged sideways and lifted, 30 mm/s.
 class Press {
  public:
-  tissue::ToolBody next() {
-    tissue::ToolBody body{&shape_, 0, at(t_), at(t_ + kStep)};
+  contact::Obstacle next() {
+    contact::Obstacle body{&shape_, 0, at(t_), at(t_ + kStep)};
     t_ += kStep;
     return body;
   }

@@ -1,53 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "palpate/contact/penalty.h"
-#include "palpate/contact/signed_distance.h"
+#include "palpate/contact/response.h"
 #include "palpate/contact/surface_samples.h"
 #include "palpate/fem/energy_term.h"
 
 namespace palpate::contact {
 
-/// A collision shape of an instrument at one instant.
-struct RigidBody {
-  const instrument::Geometry* geometry;
-  Pose X_WG;
-  int instrument;  ///< Whose it is.
-};
-
-/// A surface sample that is inside a rigid body.
+/// A touch that is answered.
 struct Contact {
-  int sample;
-  int body;            ///< Index into the bodies given to setBodies().
-  double penetration;  ///< [m], > 0
-  Vec3 p_W;            ///< The sample [m].
-  Vec3 force_W;        ///< What the tissue does to the tool, at p_W [N].
-  Mat3 stiffness_W;    ///< Derivative of the force by p_W: second derivative of the energy [N/m].
+  Touch touch;
+  Vec3 force_W;  ///< What the tissue does to the obstacle, at touch.p_W [N].
 };
 
-/// Penalty energy of a tissue surface against rigid bodies,
-///   sum over samples s and bodies b of area_s psi(-d_b(p_s)),
-/// with the exact derivative, the curvature of the shapes included. A sample inside two bodies
-/// feels both. Only candidates are looked at: samples that were within reach when findCandidates()
-/// ran.
+/// Contact of a tissue surface with obstacles: the energies of all touches of samples s and
+/// obstacles b, of which a Response says what they are. A sample inside two obstacles feels both.
+/// Only candidates are looked at: samples that were within reach when findCandidates() ran.
 class ContactPotential final : public fem::EnergyTerm {
  public:
-  ContactPotential(std::vector<SurfaceSample> samples, Penalty penalty);
+  ContactPotential(std::vector<SurfaceSample> samples, std::unique_ptr<Response> response);
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
+  /// See Response::reach().
+  double reach() const { return response_->reach(); }
 
-  /// Places the bodies. Same number and order as at the last findCandidates(), or call that next.
-  void setBodies(const std::vector<RigidBody>& bodies);
+  /// Places the obstacles where their ways end; a step has begun where they begin. Same number and
+  /// order as at the last findCandidates(), or call that next.
+  void setObstacles(const std::vector<Obstacle>& obstacles);
 
-  /// Takes as candidates of body b all samples that are less than `reach[b]` [m] from it at x.
+  /// Takes as candidates of obstacle b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
   bool hasCandidates() const { return !candidates_.empty(); }
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
-  /// Samples, times bodies, that the last findCandidates() did not take.
+  /// Samples, times obstacles, that the last findCandidates() did not take.
   int numDistant() const {
-    return static_cast<int>(bodies_.size() * samples_.size() - candidates_.size());
+    return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
   }
 
   /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
@@ -61,40 +52,62 @@ class ContactPotential final : public fem::EnergyTerm {
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
-  /// The projected form leaves out the shapes' curvature, the only part that is not semidefinite.
-  void addHessian(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const override;
+  void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
 
-  /// No sample may go deeper into a body than half of what is left to its
+  /// No sample may go deeper into an obstacle than half of what is left to its
   /// middle, so that it stays on the side from
   /// which it came.
   double maxStep(const Points& x, const Points& d) const override;
 
-  /// How far each body may move at once [m] until its nearest candidate at x is as deep
+  /// How far each obstacle may move at once [m] until its nearest candidate at x is as deep
   /// as that.
   void allowedMotions(const Points& x, std::vector<double>* allowed) const;
 
-  /// All candidates inside a body at x, in a fixed order.
+  /// All candidates that answer at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;
+  /// Second derivative of the energy of one of them by its sample's position [N/m], and the
+  /// positive semidefinite part of it.
+  Mat3 stiffness(const Contact& contact) const {
+    return response_->stiffness(contact.touch, fem::Tangent::kExact);
+  }
+  Mat3 convexStiffness(const Contact& contact, const Mat3& exact) const {
+    return response_->convexStiffness(contact.touch, exact, contact.force_W);
+  }
+  /// All candidates inside an obstacle at x, whatever answers them; without their motions.
+  void penetrating(const Points& x, std::vector<Touch>* touches) const;
+  /// A sample and a placed obstacle, without the motion.
+  Touch touch(int sample, int obstacle, const Points& x) const;
+
+  /// A step begins at x, where the placed obstacles' ways begin.
+  void beginStep(const Points& x);
+  /// It has ended at x.
+  void endStep(const Points& x);
+  /// Nothing has touched yet.
+  void forget();
+  /// What is remembered from step to step, and back to it; empty where nothing is.
+  void save(StateWriter* to) const;
+  void restore(StateReader* from);
 
  private:
   struct Candidate {
-    int sample, body;
+    int sample, obstacle;
   };
   struct Patch {  // samples of one triangle, which follow one another
     Eigen::Vector3i nodes;
     int begin, end;
   };
-  double radius(const Candidate& c) const { return radius_[c.body]; }
   template <class Visit>
-  void forEachPenetrating(const Points& x, const Visit& visit) const;
+  void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
+  void touches(const Points& x, std::vector<Touch>* touches) const;
 
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
-  Penalty penalty_;
+  std::unique_ptr<Response> response_;
   bool skip_distant_ = true, skip_inactive_ = true;
-  std::vector<RigidBody> bodies_;
-  std::vector<double> radius_;  // inscribed, of each body [m]
+  std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;
+  Points x_begin_;  // of the step, where the response follows motions
+  std::vector<Touch> touches_;
 };
 
 }  // namespace palpate::contact

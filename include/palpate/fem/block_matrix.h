@@ -37,9 +37,12 @@ class BlockMatrix {
   /// Of block after block, 9 each.
   double* values() { return values_.data(); }
   const double* values() const { return values_.data(); }
-  /// += M on block (i, j), which is in the pattern. Those off the diagonal are remembered.
-  void add(int i, int j, const Mat3& M);
-  /// Slots off the diagonal that add() wrote to since forgetAdded(), some of them more than once.
+  /// += M on block (i, j), which is in `slot`. Those off the diagonal are remembered.
+  void addTo(int slot, int i, int j, const Mat3& M) {
+    block(slot) += M;
+    if (i != j) added_.push_back(slot);
+  }
+  /// Slots off the diagonal that addTo() wrote to since forgetAdded(), some of them more than once.
   const std::vector<int>& added() const { return added_; }
   void forgetAdded() { added_.clear(); }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "palpate/base/types.h"
-#include "palpate/fem/block_matrix.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/fem/stiffness.h"
 
 namespace palpate::fem {
 
@@ -18,8 +18,8 @@ class EnergyTerm {
   /// The energy; g += its gradient [N], which is minus the force on the nodes.
   virtual double addGradient(const Points& x, Points* g) const = 0;
   /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks:
-  /// off the diagonal by BlockMatrix::add().
-  virtual void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const = 0;
+  /// off the diagonal by Stiffness::add() or addPoint(), between any nodes.
+  virtual void addHessian(const Points& x, Tangent tangent, Stiffness* K) const = 0;
   /// Largest part in [0, 1] of the step d from x that this term can be trusted over; a line search
   /// begins there.
   virtual double maxStep(const Points& /*x*/, const Points& /*d*/) const { return 1.0; }

@@ -29,7 +29,7 @@ class DeadLoad final : public EnergyTerm {
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
-  void addHessian(const Points&, Tangent, BlockMatrix*) const override {}
+  void addHessian(const Points&, Tangent, Stiffness*) const override {}
 
  private:
   Points forces_;
@@ -49,7 +49,7 @@ class FollowerPressure final : public EnergyTerm {
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
-  void addHessian(const Points& x, Tangent tangent, BlockMatrix* K) const override;
+  void addHessian(const Points& x, Tangent tangent, Stiffness* K) const override;
   bool conservative() const override { return false; }
 
  private:

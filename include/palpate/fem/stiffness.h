@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "palpate/fem/block_matrix.h"
+#include "palpate/fem/couplings.h"
 #include "palpate/fem/pressure_metric.h"
 
 namespace palpate::fem {
@@ -26,7 +27,8 @@ struct VolumeStiffness {
 };
 
 /// Symmetric stiffness matrix of a body: 3 x 3 blocks and, for elements with nodal pressures,
-/// a VolumeStiffness. The pattern never changes.
+/// a VolumeStiffness, whose patterns never change; beside them, what ties nodes together that no
+/// element connects.
 class Stiffness {
  public:
   Stiffness() = default;
@@ -40,6 +42,35 @@ class Stiffness {
   bool hasVolume() const { return volume_.pattern != nullptr; }
   VolumeStiffness& volume() { return volume_; }
   const VolumeStiffness& volume() const { return volume_; }
+  const Couplings& couplings() const { return couplings_; }
+
+  /// += M on block (i, j), which becomes one of the couplings where the pattern has none; add its
+  /// transpose to (j, i), too.
+  void add(int i, int j, const Mat3& M) {
+    const int slot = blocks_.find(i, j);
+    if (slot < 0) return couplings_.add(i, j, M);
+    blocks_.addTo(slot, i, j, M);
+  }
+  /// += H, dense, symmetric, 3 k x 3 k, over `nodes`, k of them.
+  void add(const Eigen::Ref<const Eigen::VectorXi>& nodes,
+           const Eigen::Ref<const Eigen::MatrixXd>& H);
+  /// += H of the point sum_a weights[a] x[nodes[a]]: weights[a] weights[b] H between each two.
+  template <int k>
+  void addPoint(const Eigen::Matrix<int, k, 1>& nodes, const Eigen::Matrix<double, k, 1>& weights,
+                const Mat3& H) {
+    for (Eigen::Index a = 0; a < nodes.size(); ++a) {
+      for (Eigen::Index b = 0; b < nodes.size(); ++b) {
+        const double w = weights[a] * weights[b];
+        if (w != 0.0) add(nodes[a], nodes[b], w * H);
+      }
+    }
+  }
+  /// The blocks hold what they do without any add(): forgets couplings and where was added to.
+  void forgetAdded() {
+    blocks_.forgetAdded();
+    couplings_.clear();
+  }
+  void setZero();
 
   /// y = K x, both 3 x n.
   void multiply(const Points& x, Points* y) const;
@@ -49,10 +80,16 @@ class Stiffness {
   void diagonal(std::vector<Mat3>* blocks) const;
   /// As BlockMatrix::constrain().
   void constrain(const Eigen::Matrix3Xd& free);
+  /// The same of all but the volumes.
+  void constrainBlocks(const Eigen::Matrix3Xd& free) {
+    blocks_.constrain(free);
+    couplings_.constrain(free);
+  }
 
  private:
   BlockMatrix blocks_;
   VolumeStiffness volume_;
+  Couplings couplings_;
 };
 
 }  // namespace palpate::fem

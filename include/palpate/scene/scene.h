@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/contact/response_settings.h"
 #include "palpate/mesh/selection.h"
 #include "palpate/scene/body_config.h"
 #include "palpate/solver/integrator.h"
@@ -51,9 +52,7 @@ struct InstrumentConfig {
   bool cylinder_as_capsule = true;
 };
 
-struct ContactConfig {
-  double stiffness = 3.0e8;     ///< Penalty pressure per penetration [Pa/m].
-  double smoothing = 1.0e-4;    ///< Width of the blend between no contact and linear [m].
+struct ContactConfig : contact::ResponseSettings {
   double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
                                 ///< the inscribed radius of the thinnest tool shape.
 };

@@ -9,8 +9,9 @@ namespace palpate::solver {
 
 class CholmodFactor;
 
-/// Sparse Cholesky by CHOLMOD (supernodal where it pays). The symbolic analysis is done at the
-/// first solve and kept: every matrix must have the pattern of the first one.
+/// Sparse Cholesky by CHOLMOD (supernodal where it pays). The order is found at the first solve and
+/// kept, the symbolic analysis as long as the same nodes are coupled; apart from couplings every
+/// matrix must have the pattern of the first one.
 class CholmodSolver final : public LinearSolver {
  public:
   CholmodSolver();

@@ -28,9 +28,10 @@ class Inertia final : public fem::EnergyTerm {
     *g += (x - y_) * weights_.asDiagonal();
     return value(x);
   }
-  void addHessian(const Points&, fem::Tangent, fem::BlockMatrix* K) const override {
-    for (int i = 0; i < K->numNodes(); ++i)
-      K->block(K->diagonal(i)).diagonal().array() += weights_[i];
+  void addHessian(const Points&, fem::Tangent, fem::Stiffness* K) const override {
+    fem::BlockMatrix& blocks = K->blocks();
+    for (int i = 0; i < blocks.numNodes(); ++i)
+      blocks.block(blocks.diagonal(i)).diagonal().array() += weights_[i];
   }
 
  private:

@@ -54,7 +54,7 @@ class Lbfgs final : public Minimizer {
   double renewal_;  // what a factorisation costs, in iterations
   double wasted_ = 0.0;
   std::vector<Mat3> elastic_diagonal_, diagonal_;
-  fem::BlockMatrix terms_;
+  fem::Stiffness terms_;
   std::array<Pair, kPairs> pairs_;
   int num_pairs_ = 0, newest_ = 0;
   LineSearch line_search_;

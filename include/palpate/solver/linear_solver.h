@@ -14,7 +14,8 @@ struct LinearReport {
   int iterations = 0;  ///< Zero for a direct solver.
 };
 
-/// Solves A x = b, A symmetric positive definite with a pattern that is always the same.
+/// Solves A x = b, A symmetric positive definite with a pattern that is always the same but for its
+/// couplings.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -25,8 +26,8 @@ class LinearSolver {
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 
-  /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal
-  /// and in these slots off it. Unsaid, it may have changed anywhere.
+  /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal,
+  /// in these slots off it and in its couplings. Unsaid, it may have changed anywhere.
   virtual void onlyChanged(const std::vector<int>& /*slots*/) {}
 
   /// Whether prepare() is of use: the first system after a restart, before there is one to solve.

@@ -32,10 +32,10 @@ struct Potential {
   void hessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
     elasticity->hessian(x, tangent, K);
     if (elastic_scale != 1.0) K->scale(elastic_scale);
-    K->blocks().forgetAdded();
-    addTermHessians(x, tangent, &K->blocks());
+    K->forgetAdded();
+    addTermHessians(x, tangent, K);
   }
-  void addTermHessians(const Points& x, fem::Tangent tangent, fem::BlockMatrix* K) const {
+  void addTermHessians(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
     for (const fem::EnergyTerm* term : terms) term->addHessian(x, tangent, K);
   }
   double maxStep(const Points& x, const Points& d) const {

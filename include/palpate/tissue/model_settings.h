@@ -2,9 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "palpate/base/types.h"
-#include "palpate/contact/penalty.h"
+#include "palpate/contact/response.h"
 #include "palpate/tissue/skip_switches.h"
 
 namespace palpate::tissue {
@@ -15,7 +16,8 @@ struct ModelSettings {
   std::string integrator = "backward_euler";
   double step = 0.01;           ///< Usual length of a cycle [s].
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
-  contact::Penalty penalty{3.0e8, 1.0e-4};
+  contact::ResponseSettings contact;
+  std::vector<contact::ResponseEntry> responses = contact::responses();  ///< That it may name.
   double sample_spacing = 0.0;         ///< [m], see contact::sampleSurface()
   double tolerance = 1.0e-4;           ///< Of the residual, relative to the forces.
   double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].

@@ -9,24 +9,17 @@
 
 #include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
-#include "palpate/instrument/geometry.h"
+#include "palpate/contact/obstacle.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::tissue {
 
-/// A collision shape on its way through one cycle.
-struct ToolBody {
-  const instrument::Geometry* geometry;
-  int instrument;
-  Pose X_WG_begin, X_WG_end;
-};
-
 /// A touching point at the end of a cycle.
 struct TissueContact {
-  int instrument;
-  double penetration;  ///< [m]
+  int instrument;      ///< The obstacle's owner.
+  double penetration;  ///< [m]; negative where it is held at a distance.
   Vec3 p_W;            ///< Of the tissue surface [m].
   Vec3 force_W;        ///< On the tool [N].
   int organ = 0;       ///< Of the model's.
@@ -94,9 +87,9 @@ class TissueModel {
   const Points& velocities(int organ = 0) const { return shape(organ).velocities; }
 
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
-  /// last good ones, and the contacts are empty. `tools` are the same shapes in the same order in
-  /// every cycle. Figures of several organs are sums, or the worst of them.
-  virtual const TissueStep& step(const std::vector<ToolBody>& tools, double dt) = 0;
+  /// last good ones, and the contacts are empty. `obstacles` are the same shapes in the same order
+  /// in every cycle. Figures of several organs are sums, or the worst of them.
+  virtual const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) = 0;
 
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }

@@ -62,13 +62,13 @@ double CompliantContact::energy(const Eigen::VectorXd& f, const Eigen::VectorXd&
 }
 
 // The residual r = f - contact forces at x, and the contacts' stiffness H on the touched nodes.
-void CompliantContact::linearise(const Points& x, bool curvature) {
+void CompliantContact::linearise(const Points& x, bool exact) {
   body_.contact.collect(x, &contacts_);
   r_ = f_;
   touched_.clear();
   touched_at_.assign(nodes_.size(), -1);
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
+    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
     for (int k = 0; k < 3; ++k) {
       const int a = s.weights[k] != 0.0 ? local_[s.nodes[k]] : -1;
       if (a < 0) continue;
@@ -82,10 +82,9 @@ void CompliantContact::linearise(const Points& x, bool curvature) {
   const auto size = 3 * static_cast<Eigen::Index>(touched_.size());
   H_.setZero(size, size);
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
-    const Vec3 n = c.force_W.stableNormalized();
-    const Mat3 normal = n.dot(c.stiffness_W * n) * n * n.transpose();
-    const Mat3 stiffness = curvature ? c.stiffness_W : normal;
+    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    Mat3 stiffness = body_.contact.stiffness(c);
+    if (!exact) stiffness = body_.contact.convexStiffness(c, stiffness);
     for (int k = 0; k < 3; ++k) {
       for (int l = 0; l < 3; ++l) {
         const double weight = s.weights[k] * s.weights[l];

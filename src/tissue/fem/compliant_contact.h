@@ -26,7 +26,7 @@ class CompliantContact {
 
  private:
   void gatherNodes(const Points& u0, Points* f, Points* x);
-  void linearise(const Points& x, bool curvature);
+  void linearise(const Points& x, bool exact);
   bool direction();
   bool lineSearch(Points* x);
   double energy(const Eigen::VectorXd& f, const Eigen::VectorXd& u, const Points& x) const;

@@ -88,8 +88,8 @@ void ContactUpdate::collect(const Points& x) {
   for (int i : nodes_) gradient_.col(i).setZero();
   deepest_ = 0.0;
   for (const contact::Contact& c : contacts_) {
-    deepest_ = std::max(deepest_, c.penetration);
-    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
+    deepest_ = std::max(deepest_, c.touch.penetration());
+    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] == 0.0) continue;
       const int i = s.nodes[k];
@@ -109,25 +109,27 @@ double ContactUpdate::unbalanced(const Eigen::VectorXd& coefficients, const Poin
   return std::sqrt(square);
 }
 
-// The contacts' stiffness along their normals, and all of it where A stays positive definite.
+// The part of the contacts' stiffness that is semidefinite, and all of it where A stays positive
+// definite.
 void ContactUpdate::linearise(const Eigen::VectorXd& coefficients) {
   stiffness_.clear();
   for (int i : nodes_) curvature_[i] = 0.0;
+  exact_.clear();
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.sample];
-    const Vec3 n = c.force_W.stableNormalized();
-    stiffness_.push_back(n.dot(c.stiffness_W * n) * n * n.transpose());
-    const double curvature = (stiffness_.back() - c.stiffness_W).trace();
+    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    exact_.push_back(body_.contact.stiffness(c));
+    stiffness_.push_back(body_.contact.convexStiffness(c, exact_.back()));
+    const double curvature = (stiffness_.back() - exact_.back()).trace();
     for (int k = 0; k < 3; ++k) curvature_[s.nodes[k]] += s.weights[k] * curvature;
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
     bool small = true;
     for (int k = 0; k < 3; ++k) {
       const int i = s.nodes[k];
       small = small && (s.weights[k] == 0.0 || curvature_[i] <= kCurvature * coefficients[i]);
     }
-    if (small) stiffness_[c] = contacts_[c].stiffness_W;
+    if (small) stiffness_[c] = exact_[c];
   }
 }
 
@@ -136,7 +138,7 @@ void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& 
                              Points* Ad) const {
   for (int i : nodes_) Ad->col(i) = coefficients[i] * d.col(i);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
     const Vec3 force = stiffness_[c] * s.position(d);
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] != 0.0) Ad->col(s.nodes[k]) += s.weights[k] * force;
@@ -149,7 +151,7 @@ void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& 
 void ContactUpdate::solve(const Eigen::VectorXd& coefficients) {
   for (int i : nodes_) inverse_diagonal_.col(i).setConstant(coefficients[i]);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].sample];
+    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
     for (int k = 0; k < 3; ++k) {
       const Vec3 diagonal = stiffness_[c].diagonal().cwiseMax(0.0);
       inverse_diagonal_.col(s.nodes[k]) += s.weights[k] * s.weights[k] * diagonal;

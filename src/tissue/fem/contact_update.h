@@ -11,9 +11,10 @@ namespace palpate::tissue {
 ///
 ///   c_i (y_i - x_i) = contact forces at y,   c_i [kg/s^2] the mass over the square of the step,
 ///
-/// so a stiff penalty does not bound the step [implicit-explicit: Eberhardt et al. 2000, of stiff
-/// springs]. Newton's method on these nodes only; the shapes' curvature enters its systems where it
-/// is small against c, so that they are positive definite; they are solved by conjugate gradients.
+/// so a stiff response does not bound the step [implicit-explicit: Eberhardt et al. 2000, of stiff
+/// springs]. Newton's method on these nodes only; what of the responses' stiffness is not
+/// semidefinite enters its systems where it is small against c, so that they are positive definite;
+/// they are solved by conjugate gradients.
 class ContactUpdate {
  public:
   explicit ContactUpdate(FemBody* body);
@@ -48,7 +49,7 @@ class ContactUpdate {
 
   FemBody& body_;
   std::vector<contact::Contact> contacts_;
-  std::vector<Mat3> stiffness_;  // of the contacts [N/m]
+  std::vector<Mat3> stiffness_, exact_;  // of the contacts [N/m]
   std::vector<int> nodes_;
   std::vector<char> touched_;  // n
   Points gradient_;            // 3 x n

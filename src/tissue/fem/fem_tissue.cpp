@@ -37,6 +37,7 @@ class FemTissue final : public TissueModel {
     body_.x = positions;
     body_.v = velocities;
     body_.elasticity->relax(positions);
+    body_.contact.forget();
     body_.elastic_energy.reset();
     body_.contact_force = body_.support_force = 0.0;
     method_->restart();
@@ -44,9 +45,9 @@ class FemTissue final : public TissueModel {
     out_.clear();
   }
 
-  const TissueStep& step(const std::vector<ToolBody>& tools, double dt) override {
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     out_.clear();
-    body_.touch.begin(tools, body_.x, body_.v, dt, &out_);
+    body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
     if (rest_.sleeps(body_.touch)) {
       rest_.report(&out_);
       return out_;

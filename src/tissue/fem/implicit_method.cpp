@@ -46,6 +46,8 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_->factor_waits = minimizer_->waits() - waits;
   begin_ = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
+  StateWriter touched;
+  body_.contact.save(&touched);
   for (int steps = 1; steps <= body_.settings.max_time_steps; steps *= 2) {
     out_->time_steps = steps;
     out_->sweep_stages = 0;
@@ -60,6 +62,8 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
     body_.elastic_energy.reset();
     body_.v = begin_.velocities();
     body_.elasticity->restoreViscousState(viscous.get());
+    StateReader before(touched.bytes());
+    body_.contact.restore(&before);
   }
   return false;
 }
@@ -77,6 +81,7 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
   integrator_.endStep(body_.x, elastic_gradient_);
   body_.elasticity->endStep(body_.x);
+  body_.contact.endStep(body_.x);
   return true;
 }
 
@@ -85,6 +90,7 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
 void ImplicitMethod::startFromPredictor(double s, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   body_.sweep.place(s);
+  body_.sweep.beginStep(body_.x);
   const double value_here = valueHere();
   integrator_.extrapolate(h, &way_);
   way_ = way_.cwiseProduct(body_.free);  // held components: only rounding, which would grow

@@ -78,11 +78,11 @@ class Islands final : public TissueModel {
   Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(mesh_); }
 
-  const TissueStep& step(const std::vector<ToolBody>& tools, double dt) override {
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     out_.clear();
     out_.slept = out_.satisfied = true;
     for (const Island& island : islands_) {
-      const TissueStep& done = island.tissue->step(tools, dt);
+      const TissueStep& done = island.tissue->step(obstacles, dt);
       addIsland(done, &out_);
       if (!done.slept) take(island);
     }

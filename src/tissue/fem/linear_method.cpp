@@ -64,7 +64,10 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   out->tolerance = body_.tolerance();
   out->sweep_stages = 0;
   solver::NewtonReport solved;
+  StateWriter touched;
+  body_.contact.save(&touched);
   body_.sweep.place(0.0);
+  body_.sweep.beginStep(body_.x);
   for (double s = 0.0; s < 1.0;) {
     {
       const PhaseTimer timer(&out->phases, Phase::kContact);
@@ -79,12 +82,15 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   if (!body_.x.allFinite() || (!out->ok() && out->status != solver::SolveStatus::kIterationLimit)) {
     body_.x = x_begin_;
     force_ = force_begin_;
+    StateReader before(touched.bytes());
+    body_.contact.restore(&before);
     return false;
   }
   out->satisfied = out->newton_iterations == 0;
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.v = (body_.x - x_begin_) / dt;
   balance();
+  body_.contact.endStep(body_.x);
   out->residual = residual_;
   return true;
 }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "palpate/contact/signed_distance.h"
-
 namespace palpate::tissue {
 namespace {
 
@@ -32,6 +30,26 @@ void PrescribedContact::restore(const PrescribedContact& earlier) {
   updateMask();
 }
 
+void PrescribedContact::save(StateWriter* to) const {
+  to->put(static_cast<std::int64_t>(holds_.size()));
+  for (const Hold& h : holds_) {
+    to->put(h.sample);
+    to->put(h.number);
+  }
+}
+
+void PrescribedContact::restore(StateReader* from) {
+  std::vector<Hold> holds(static_cast<std::size_t>(from->count(2 * sizeof(int))));
+  const auto samples = static_cast<int>(body_.contact.samples().size());
+  for (Hold& h : holds) {
+    from->get(&h.sample);
+    from->get(&h.number);
+    if (h.sample < 0 || h.sample >= samples) StateReader::fail();
+  }
+  holds_.swap(holds);
+  updateMask();
+}
+
 void PrescribedContact::updateMask() {
   held_ = body_.free;
   for (const Hold& h : holds_) {
@@ -41,30 +59,18 @@ void PrescribedContact::updateMask() {
 
 void PrescribedContact::beginStage() {
   const auto gone = [this](Hold& h) {
-    for (h.body = 0; h.body < body_.sweep.numBodies(); ++h.body) {
-      const contact::RigidBody& body = body_.sweep.placed(h.body);
-      if (body.geometry == h.geometry && body.instrument == h.instrument) return false;
-    }
-    return true;
+    h.obstacle = body_.sweep.find(h.number);
+    return h.obstacle < 0;
   };
   holds_.erase(std::remove_if(holds_.begin(), holds_.end(), gone), holds_.end());
   updateMask();
 }
 
-// From the point at x to the tool's surface, and the normal there.
-Vec3 PrescribedContact::onSurface(const Hold& hold, const Points& x, Vec3* normal) const {
-  const contact::RigidBody& body = body_.sweep.placed(hold.body);
-  const Vec3 p_G = body.X_WG.inverse() * body_.contact.samples()[hold.sample].position(x);
-  const contact::Distance d = contact::signedDistance(*body.geometry, p_G);
-  *normal = body.X_WG.linear() * d.normal_G;
-  return -d.value * *normal;
-}
-
 void PrescribedContact::moves(const Points& x, Points* move) const {
   move->setZero(3, x.cols());
-  Vec3 normal;
   for (const Hold& h : holds_) {
-    const Vec3 way = onSurface(h, x, &normal);
+    const contact::Touch touch = body_.contact.touch(h.sample, h.obstacle, x);
+    const Vec3 way = -touch.gap * touch.normal_W;  // to the surface
     forNodes(body_.contact.samples()[h.sample],
              [&](int node) { move->col(node) = way.cwiseProduct(body_.free.col(node)); });
   }
@@ -80,22 +86,21 @@ bool PrescribedContact::free(int sample) const {
   return movable && !held;
 }
 
-void PrescribedContact::hold(int sample, int body) {
-  const contact::RigidBody& tool = body_.sweep.placed(body);
-  holds_.push_back({sample, tool.geometry, tool.instrument, body});
-  forNodes(body_.contact.samples()[sample], [&](int node) { held_.col(node).setZero(); });
+void PrescribedContact::hold(const contact::Touch& touch) {
+  holds_.push_back({touch.sample, touch.number, touch.obstacle});
+  forNodes(body_.contact.samples()[touch.sample], [&](int node) { held_.col(node).setZero(); });
 }
 
 bool PrescribedContact::holdWhatPenetrates(const Points& x) {
-  body_.contact.collect(x, &contacts_);
+  body_.contact.penetrating(x, &touches_);
   const auto before = holds_.size();
-  std::stable_sort(contacts_.begin(), contacts_.end(), [this](const auto& a, const auto& b) {
+  std::stable_sort(touches_.begin(), touches_.end(), [this](const auto& a, const auto& b) {
     const bool vertex_a = isVertex(body_.contact.samples()[a.sample]);
     const bool vertex_b = isVertex(body_.contact.samples()[b.sample]);
-    return vertex_a != vertex_b ? vertex_a : a.penetration > b.penetration;
+    return vertex_a != vertex_b ? vertex_a : a.penetration() > b.penetration();
   });
-  for (const contact::Contact& c : contacts_) {
-    if (c.penetration > kPenetration * body_.size && free(c.sample)) hold(c.sample, c.body);
+  for (const contact::Touch& touch : touches_) {
+    if (touch.penetration() > kPenetration * body_.size && free(touch.sample)) hold(touch);
   }
   return holds_.size() > before;
 }
@@ -110,9 +115,7 @@ Vec3 PrescribedContact::force(const Hold& hold, const Points& gradient) const {
 bool PrescribedContact::release(const Points& x, const Points& gradient) {
   const auto before = holds_.size();
   const auto pulls = [&](const Hold& h) {
-    Vec3 normal;
-    onSurface(h, x, &normal);
-    return force(h, gradient).dot(normal) < 0.0;
+    return force(h, gradient).dot(body_.contact.touch(h.sample, h.obstacle, x).normal_W) < 0.0;
   };
   holds_.erase(std::remove_if(holds_.begin(), holds_.end(), pulls), holds_.end());
   updateMask();
@@ -122,7 +125,7 @@ bool PrescribedContact::release(const Points& x, const Points& gradient) {
 void PrescribedContact::report(const Points& x, const Points& gradient, TissueStep* out) const {
   for (const Hold& h : holds_) {
     const Vec3 p_W = body_.contact.samples()[h.sample].position(x);
-    out->contacts.push_back({h.instrument, 0.0, p_W, -force(h, gradient)});
+    out->contacts.push_back({body_.sweep.owner(h.obstacle), 0.0, p_W, -force(h, gradient)});
   }
 }
 

@@ -18,6 +18,10 @@ class PrescribedContact {
   void clear();
   /// The holds of `earlier`, of the same body.
   void restore(const PrescribedContact& earlier);
+  /// All that it remembers.
+  void save(StateWriter* to) const;
+  /// @throws std::invalid_argument for bytes of another body.
+  void restore(StateReader* from);
   /// Finds the tools of earlier holds among those placed now; holds by others are let go.
   void beginStage();
   /// The way that the holds ask of x, 3 x n [m]; zero where nothing is held.
@@ -36,19 +40,17 @@ class PrescribedContact {
  private:
   struct Hold {
     int sample;
-    const instrument::Geometry* geometry;
-    int instrument;
-    int body;  // of those placed now
+    int number;         // Obstacle::number
+    int obstacle = -1;  // of those placed now
   };
-  Vec3 onSurface(const Hold& hold, const Points& x, Vec3* normal) const;
   Vec3 force(const Hold& hold, const Points& gradient) const;
   bool free(int sample) const;
-  void hold(int sample, int body);
+  void hold(const contact::Touch& touch);
   void updateMask();
 
   FemBody& body_;
   std::vector<Hold> holds_;
-  std::vector<contact::Contact> contacts_;
+  std::vector<contact::Touch> touches_;
   fem::FreeMask held_;
 };
 

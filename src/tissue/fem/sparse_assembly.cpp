@@ -10,17 +10,23 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-Eigen::SparseMatrix<double> assembleBlocks(const fem::BlockMatrix& K) {
+void append(int i, int j, const Mat3& block, Triplets* triplets) {
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) triplets->emplace_back(3 * i + r, 3 * j + c, block(r, c));
+  }
+}
+
+Eigen::SparseMatrix<double> assembleBlocks(const fem::Stiffness& stiffness) {
+  const fem::BlockMatrix& K = stiffness.blocks();
   Triplets triplets;
   triplets.reserve(9 * static_cast<std::size_t>(K.numBlocks()));
   for (int i = 0; i < K.numNodes(); ++i) {
     for (int slot = K.rowBegin(i); slot < K.rowEnd(i); ++slot) {
-      for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) {
-          triplets.emplace_back(3 * i + r, 3 * K.column(slot) + c, K.block(slot)(r, c));
-        }
-      }
+      append(i, K.column(slot), K.block(slot), &triplets);
     }
+  }
+  for (const fem::Couplings::Block& block : stiffness.couplings().blocks()) {
+    append(block.i, block.j, block.values, &triplets);
   }
   Eigen::SparseMatrix<double> A(3 * K.numNodes(), 3 * K.numNodes());
   A.setFromTriplets(triplets.begin(), triplets.end());
@@ -47,7 +53,7 @@ Eigen::SparseMatrix<double> scaledRows(const fem::VolumeStiffness& volume, int n
 }  // namespace
 
 Eigen::SparseMatrix<double> assembleSparse(const fem::Stiffness& K) {
-  Eigen::SparseMatrix<double> A = assembleBlocks(K.blocks());
+  Eigen::SparseMatrix<double> A = assembleBlocks(K);
   if (!K.hasVolume()) return A;
   if (!K.volume().metric->isDiagonal()) {
     throw std::invalid_argument(

@@ -101,6 +101,8 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   const double potential_begin = potential_;
   const Points held_begin = held_velocity_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
+  StateWriter touched;
+  body_.contact.save(&touched);
   for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
     if (run(dt, caution_ * steps, out)) return true;
     body_.x = x_begin_;
@@ -109,6 +111,8 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     potential_ = potential_begin;
     held_velocity_ = held_begin;
     body_.elasticity->restoreViscousState(viscous.get());
+    StateReader before(touched.bytes());
+    body_.contact.restore(&before);
   }
   caution_ = kMaxCaution;
   return false;
@@ -126,6 +130,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   out->sweep_stages = steps;
   out->status = solver::SolveStatus::kNonFinite;
 
+  body_.sweep.place(0.0);
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   for (int k = 1; k <= steps; ++k) {
@@ -164,6 +169,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   body_.x.swap(next_);
   forces(h);
   if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
+  body_.contact.endStep(body_.x);
 }
 
 // Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
@@ -199,6 +205,7 @@ bool TledMethod::mayJump() const {
 
 // From the way `next` to the next positions, with what the tools change of it.
 bool TledMethod::touch(double h, double s) {
+  body_.sweep.beginStep(body_.x);
   body_.sweep.place(s);
   limited_ = false;
   jumped_ = mayJump() && body_.contact.maxStep(body_.x, next_) < 1.0;

@@ -9,35 +9,49 @@
 
 namespace palpate::tissue {
 
-int ToolSweep::begin(const std::vector<ToolBody>& bodies, const Points& x, double way) {
+int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way) {
   // The tissue may move on as fast as it does, and farther where it is pushed: candidatesHold()
   // notices when it went beyond.
   margin_ = 0.02 * size_ + 2.0 * way;
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
   near_.clear();
-  for (const ToolBody& body : bodies) {
-    if (!skip_far_ || sweepReaches(body, low, high, margin_)) near_.push_back(body);
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    if (skip_far_ && !sweepReaches(obstacles[k], low, high, margin_ + contact_.reach())) continue;
+    near_.push_back(obstacles[k]);
+    near_.back().number = static_cast<int>(k);
   }
-  return static_cast<int>(bodies.size() - near_.size());
+  placed_ = near_;
+  return static_cast<int>(obstacles.size() - near_.size());
 }
 
 void ToolSweep::search(const Points& x) {
   reach_.clear();
-  for (const ToolBody& body : near_) {
-    reach_.push_back(margin_ +
-                     contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end));
+  for (const contact::Obstacle& obstacle : near_) {
+    const double way =
+        contact::sweepLength(*obstacle.geometry, obstacle.X_WG_begin, obstacle.X_WG_end);
+    reach_.push_back(margin_ + way + contact_.reach());
   }
   contact_.findCandidates(x, reach_);
   searched_at_ = x;
 }
 
 void ToolSweep::place(double s) {
-  placed_.clear();
-  for (const ToolBody& body : near_) {
-    placed_.push_back(
-        {body.geometry, contact::interpolate(body.X_WG_begin, body.X_WG_end, s), body.instrument});
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    placed_[k].X_WG_end = contact::interpolate(near_[k].X_WG_begin, near_[k].X_WG_end, s);
   }
-  contact_.setBodies(placed_);
+  contact_.setObstacles(placed_);
+}
+
+void ToolSweep::beginStep(const Points& x) {
+  for (contact::Obstacle& obstacle : placed_) obstacle.X_WG_begin = obstacle.X_WG_end;
+  contact_.beginStep(x);
+}
+
+int ToolSweep::find(int number) const {
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    if (near_[k].number == number) return static_cast<int>(k);
+  }
+  return -1;
 }
 
 double ToolSweep::next(const Points& x, double s, double end) {
@@ -48,17 +62,17 @@ double ToolSweep::next(const Points& x, double s, double end) {
 
 double ToolSweep::leap(double size) const {
   double longest = 0.0;
-  for (const ToolBody& body : near_) {
-    const double way = contact::sweepLength(*body.geometry, body.X_WG_begin, body.X_WG_end);
-    longest = std::max(longest, way / std::min(size, contact::inscribedRadius(*body.geometry)));
+  for (const contact::Obstacle& o : near_) {
+    const double way = contact::sweepLength(*o.geometry, o.X_WG_begin, o.X_WG_end);
+    longest = std::max(longest, way / std::min(size, contact::inscribedRadius(*o.geometry)));
   }
   return longest;
 }
 
 double ToolSweep::thinnest() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const ToolBody& body : near_) {
-    least = std::min(least, contact::inscribedRadius(*body.geometry));
+  for (const contact::Obstacle& obstacle : near_) {
+    least = std::min(least, contact::inscribedRadius(*obstacle.geometry));
   }
   return least;
 }

@@ -5,7 +5,8 @@ namespace palpate::tissue {
 
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
              int organ)
-    : contact(contact::sampleSurface(X, triangles, settings.sample_spacing), settings.penalty),
+    : contact(contact::sampleSurface(X, triangles, settings.sample_spacing),
+              contact::makeResponse(settings.contact, settings.responses)),
       sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
       organ_(organ),
@@ -13,11 +14,11 @@ Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSett
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
 
-void Touch::begin(const std::vector<ToolBody>& tools, const Points& x, const Points& v, double dt,
-                  TissueStep* out) {
+void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, const Points& v,
+                  double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
   const double way = dt * v.colwise().norm().maxCoeff();
-  out->far_bodies = sweep.begin(tools, x, way);
+  out->far_bodies = sweep.begin(obstacles, x, way);
   sweep.place(1.0);
   sweep.search(x);
   out->distant_samples = contact.numDistant();
@@ -28,8 +29,10 @@ double Touch::report(const Points& x, TissueStep* out) {
   contact.collect(x, &contacts_);
   nodal_.setZero(3, x.cols());
   for (const contact::Contact& c : contacts_) {
-    out->contacts.push_back({sweep.instrument(c.body), c.penetration, c.p_W, c.force_W, organ_});
-    const contact::SurfaceSample& s = contact.samples()[c.sample];
+    const contact::Touch& touch = c.touch;
+    out->contacts.push_back(
+        {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W, organ_});
+    const contact::SurfaceSample& s = contact.samples()[touch.sample];
     for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
   }
   return nodal_.norm();

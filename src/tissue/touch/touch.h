@@ -24,8 +24,8 @@ class Touch {
 
   /// Begins a cycle of `dt` [s] with the points at x going with v, 3 x n: which tools can touch,
   /// and which points. The tools are placed where they end.
-  void begin(const std::vector<ToolBody>& tools, const Points& x, const Points& v, double dt,
-             TissueStep* out);
+  void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, const Points& v,
+             double dt, TissueStep* out);
   /// Whether anything may touch in this cycle.
   bool possible() const { return contact.hasCandidates(); }
   /// Adds the contacts at x, where the cycle ends. Returns the norm of their nodal forces [N].

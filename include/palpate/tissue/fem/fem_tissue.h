@@ -35,9 +35,9 @@ std::vector<std::string> methodNames();
 /// `mesh` is in world and as the element needs it (fem::meshFor()), `free` says what the supports
 /// leave (3 x n). `pool` may be null and must outlive the model. Starts from the equilibrium under
 /// gravity.
-/// @throws std::invalid_argument for an unknown element or method, a bad mesh, or a body that
-/// gravity would drag away because the supports do not hold it; std::runtime_error if there is no
-/// equilibrium.
+/// @throws std::invalid_argument for an unknown element, method or response, a bad mesh, or a body
+/// that gravity would drag away because the supports do not hold it; std::runtime_error if there is
+/// no equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace palpate::contact {
+
+/// What the responses know from a scene.
+struct ResponseSettings {
+  std::string model = "penalty";  ///< One of responseNames().
+  double stiffness = 3.0e8;       ///< Pressure per penetration [Pa/m].
+  double smoothing = 1.0e-4;      ///< Width of the blend between no contact and linear [m].
+};
+
+}  // namespace palpate::contact

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "palpate/contact/obstacle.h"
+
+namespace palpate::contact {
+
+/// Two unit tangents t1, t2 of the unit vector n, with t1 x t2 = n: a continuous function of n but
+/// at n_z = 0 [Duff et al. 2017, Building an orthonormal basis, revisited].
+Eigen::Matrix<double, 3, 2> tangents(const Vec3& n);
+
+/// What a point of the tissue's surface and an obstacle are to each other: geometry and motion
+/// alone. What answers it is a Response.
+struct Touch {
+  int sample;     ///< Of the tissue's surface.
+  int obstacle;   ///< Among those that are placed,
+  int number;     ///< and among all of the cycle: Obstacle::number.
+  double area;    ///< Rest area that the sample stands for [m^2].
+  double radius;  ///< Inscribed, of the obstacle [m].
+
+  double gap;  ///< Signed distance [m], negative inside the obstacle.
+  Vec3 p_W;    ///< The sample [m].
+  Vec3 p_G;    ///< The same in the obstacle's frame G.
+
+  // The frame.
+  Mat3 R_WG;
+  Vec3 normal_W;     ///< Gradient of the gap: unit, from the obstacle into the tissue.
+  Vec3 normal_G;     ///< The same in G.
+  Mat3 curvature_G;  ///< Second derivative of the gap by p_G [1/m].
+
+  /// How the sample has gone past the point of the obstacle where it was when the step began, the
+  /// obstacle's own motion and turning included [m].
+  Vec3 motion_W;
+
+  double penetration() const { return -gap; }
+  Eigen::Matrix<double, 3, 2> tangents_W() const { return tangents(normal_W); }
+  /// The tangential part of the motion: in world, and along tangents_W() [m].
+  Vec3 slip_W() const { return motion_W - normal_W * normal_W.dot(motion_W); }
+  Eigen::Vector2d slip() const { return tangents_W().transpose() * motion_W; }
+};
+
+/// An obstacle where its way ends, and from where touches with it are measured.
+class PlacedObstacle {
+ public:
+  explicit PlacedObstacle(const Obstacle& obstacle);
+
+  /// Where the way ends now; of the same shape.
+  void move(const Obstacle& obstacle);
+  /// The way begins where it ended.
+  void beginHere();
+
+  const Obstacle& obstacle() const { return obstacle_; }
+  double radius() const { return radius_; }
+  Vec3 toObstacle(const Vec3& p_W) const { return X_GW_ * p_W; }
+
+  /// Signed distance of a point that is given in world [m].
+  double gap(const Vec3& p_W) const;
+  /// Fills p_W, p_G, gap, radius and number.
+  void measureGap(const Vec3& p_W, Touch* touch) const;
+  /// Fills the frame; the gap is measured.
+  void measureFrame(Touch* touch) const;
+  /// Fills the motion of a sample that was at `p_begin_W` [m] when the way began; the gap is
+  /// measured.
+  void measureMotion(const Vec3& p_begin_W, Touch* touch) const;
+
+ private:
+  Obstacle obstacle_;
+  double radius_;
+  Pose X_GW_, X_GW_begin_;
+};
+
+}  // namespace palpate::contact

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/types.h"
+
+namespace palpate::fem {
+
+/// Part of a symmetric matrix that lies beside the pattern of a BlockMatrix: 3 x 3 blocks between
+/// nodes that no element connects, because something else ties them together, such as a touch. Who
+/// is tied to whom may change from one matrix to the next.
+class Couplings {
+ public:
+  struct Block {
+    int i, j;  ///< Row and column, not the same.
+    Mat3 values;
+  };
+
+  bool empty() const { return blocks_.empty(); }
+  /// In the order in which they were added; those of the same i and j add up. With each block
+  /// (i, j) comes its transpose (j, i).
+  const std::vector<Block>& blocks() const { return blocks_; }
+  /// The pairs i < j, ascending, each once.
+  std::vector<std::pair<int, int>> pairs() const;
+
+  void add(int i, int j, const Mat3& values) { blocks_.push_back({i, j, values}); }
+  void clear() { blocks_.clear(); }
+
+  /// y += A x, both 3 x n.
+  void addProduct(const Points& x, Points* y) const;
+  /// A *= s.
+  void scale(double s);
+  /// Rows and columns of components with free(c, i) == 0 become zero.
+  void constrain(const Eigen::Matrix3Xd& free);
+
+ private:
+  std::vector<Block> blocks_;
+};
+
+}  // namespace palpate::fem

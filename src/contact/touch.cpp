@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/contact/touch.h"
+
+#include <cmath>
+
+#include "palpate/contact/signed_distance.h"
+
+namespace palpate::contact {
+
+Eigen::Matrix<double, 3, 2> tangents(const Vec3& n) {
+  const double sign = std::copysign(1.0, n.z());
+  const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
+  Eigen::Matrix<double, 3, 2> t;
+  t.col(0) << 1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x();
+  t.col(1) << b, sign + n.y() * n.y() * a, -n.y();
+  return t;
+}
+
+PlacedObstacle::PlacedObstacle(const Obstacle& obstacle)
+    : obstacle_(obstacle),
+      radius_(inscribedRadius(*obstacle.geometry)),
+      X_GW_(obstacle.X_WG_end.inverse()),
+      X_GW_begin_(obstacle.X_WG_begin.inverse()) {}
+
+void PlacedObstacle::move(const Obstacle& obstacle) {
+  obstacle_ = obstacle;
+  X_GW_ = obstacle.X_WG_end.inverse();
+  X_GW_begin_ = obstacle.X_WG_begin.inverse();
+}
+
+void PlacedObstacle::beginHere() {
+  obstacle_.X_WG_begin = obstacle_.X_WG_end;
+  X_GW_begin_ = X_GW_;
+}
+
+double PlacedObstacle::gap(const Vec3& p_W) const {
+  return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W);
+}
+
+void PlacedObstacle::measureGap(const Vec3& p_W, Touch* touch) const {
+  touch->p_W = p_W;
+  touch->p_G = X_GW_ * p_W;
+  touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G);
+  touch->radius = radius_;
+  touch->number = obstacle_.number;
+}
+
+void PlacedObstacle::measureFrame(Touch* touch) const {
+  const Distance distance = signedDistance(*obstacle_.geometry, touch->p_G);
+  touch->R_WG = obstacle_.X_WG_end.linear();
+  touch->normal_G = distance.normal_G;
+  touch->curvature_G = distance.hessian_G;
+  touch->normal_W = obstacle_.X_WG_end.linear() * distance.normal_G;
+}
+
+void PlacedObstacle::measureMotion(const Vec3& p_begin_W, Touch* touch) const {
+  touch->motion_W = obstacle_.X_WG_end.linear() * (touch->p_G - X_GW_begin_ * p_begin_W);
+}
+
+}  // namespace palpate::contact
