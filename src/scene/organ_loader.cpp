@@ -92,20 +92,13 @@ std::unique_ptr<tissue::TissueModel> loadTissue(const Scene& scene, std::size_t 
   mesh.points = (organ.pose.pose() * mesh.points.colwise().homogeneous()).eval();
 
   tissue::FemSettings settings;
+  static_cast<solver::StepSettings&>(settings) = scene.solver;
   settings.element = organ.element;
-  settings.method = scene.solver.method;
-  settings.step = scene.solver.step;
-  settings.integrator = scene.solver.integrator;
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;
   settings.gravity = scene.gravity;
-  settings.penalty = {scene.contact.stiffness, scene.contact.smoothing};
+  settings.penalty = scene.contact;
   settings.sample_spacing = sample_spacing;
-  settings.tolerance = scene.solver.tolerance;
-  settings.max_newton_iterations = scene.solver.max_newton_iterations;
-  settings.position_tolerance = scene.solver.position_tolerance;
-  settings.linear_tolerance = scene.solver.linear_tolerance;
-  settings.max_linear_iterations = scene.solver.max_linear_iterations;
   settings.skip = scene.solver.skip;
   try {
     return tissue::makeIslands(mesh, composition, free, settings, pool);

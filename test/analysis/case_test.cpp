@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/material/material.h"
+#include "palpate/scene/scene.h"
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 

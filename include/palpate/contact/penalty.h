@@ -11,8 +11,8 @@ namespace palpate::contact {
 /// stops the tissue before it gets to the body's middle, where it would be pushed out on the wrong
 /// side, however thin the body is.
 struct Penalty {
-  double stiffness;  ///< k [Pa/m]
-  double smoothing;  ///< e [m], > 0
+  double stiffness = 3.0e8;   ///< k [Pa/m]
+  double smoothing = 1.0e-4;  ///< e [m], > 0
 
   /// Energy per area [J/m^2], the integral of the pressure.
   double energy(double p, double r) const {

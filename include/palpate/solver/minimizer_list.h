@@ -11,7 +11,7 @@
 namespace palpate::solver {
 
 struct MinimizerSettings {
-  int max_linear_iterations = 500;
+  int max_linear_iterations = StepSettings().max_linear_iterations;
   /// Null: one thread. With two, factorisations are done beside. Must outlive the minimiser.
   ThreadPool* pool = nullptr;
   /// See Newton; the others have no use for it.

@@ -6,31 +6,22 @@
 #include <vector>
 
 #include "palpate/base/thread_pool.h"
-#include "palpate/contact/penalty.h"
 #include "palpate/fem/composition.h"
+#include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
-#include "palpate/tissue/skip_switches.h"
+#include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::tissue {
 
-struct FemSettings {
-  std::string method = "implicit_pcg";  ///< One of methodNames().
-  std::string element = "anp";
-  std::string integrator = "backward_euler";
-  double step = 0.01;              ///< Usual length of a cycle [s], for method "auto".
+struct FemSettings : ModelSettings {
+  FemSettings() = default;
+  explicit FemSettings(const ModelSettings& settings) : ModelSettings(settings) {}
+
+  std::string element = fem::elementNames().front();
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
-  Vec3 gravity = Vec3::Zero();     ///< [m/s^2], world
-  contact::Penalty penalty{3.0e8, 1.0e-4};
-  double sample_spacing = 0.0;         ///< [m], see contact::sampleSurface()
-  double tolerance = 1.0e-4;           ///< Of the residual, relative to the forces.
-  double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
-  int max_newton_iterations = 20;
-  double linear_tolerance = 1.0e-1;
-  int max_linear_iterations = 500;
-  SkipSwitches skip;
 };
 
 /// How a cycle may be solved; the first is the default.

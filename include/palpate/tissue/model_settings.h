@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/base/types.h"
+#include "palpate/contact/penalty.h"
+#include "palpate/solver/step_settings.h"
+#include "palpate/tissue/skip_switches.h"
+
+namespace palpate::tissue {
+
+/// What a scene says to all its tissue models; each heeds what it has a use for. What is a key of
+/// scenes has its default in the struct that scenes hold as well.
+struct ModelSettings : solver::StepSettings {
+  Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
+  contact::Penalty penalty;
+  double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
+  SkipSwitches skip;
+};
+
+}  // namespace palpate::tissue
