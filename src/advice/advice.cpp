@@ -51,8 +51,9 @@ class Adviser {
  private:
   double part(Phase phase) const { return scale_ * now_[phase]; }
   double cycle() const { return scale_ * now_.cycle(); }
-  bool iterative() const { return facts_.solver.method == "implicit_pcg"; }
-  bool direct() const { return facts_.solver.method.find("direct") != std::string::npos; }
+  bool iterative() const { return solvesBy(solver::LinearSystems::kIterations); }
+  bool direct() const { return solvesBy(solver::LinearSystems::kFactor); }
+  bool solvesBy(solver::LinearSystems way) const { return facts_.method.linear_systems == way; }
   bool costs(Phase phase, double share) const { return part(phase) >= share * cycle(); }
 
   void add(const std::string& text, double cycle_then) {
@@ -124,20 +125,17 @@ class Adviser {
     if (facts_.solver.threads >= facts_.cores || facts_.solver.threads > 1) return;
     if (facts_.nodes < kWorthThreads) return;
     const double shared = part(Phase::kForces) + part(Phase::kAssembly) + part(Phase::kLineSearch) +
-                          (iterative() ? part(Phase::kLinearSolve) : 0.0);
+                          (facts_.method.shares_linear ? part(Phase::kLinearSolve) : 0.0);
     add("solver.threads: 2, if the second core has nothing else to do",
         cycle() - (1.0 - kThreadShare) * shared);
   }
 
   void changeMethod() {
     if (!costs(Phase::kLinearSolve, 0.4)) return;
-    const auto offered = [&](const char* name) {
-      return std::find(facts_.methods.begin(), facts_.methods.end(), name) != facts_.methods.end();
-    };
-    if (direct() && offered("implicit_pcg")) {
+    if (direct()) {
       add("solver.method: implicit_pcg, unless poisson_ratio is above 0.49",
           cycle() - 0.6 * part(Phase::kLinearSolve));
-    } else if (iterative() && offered("implicit_async") && figures_.linear_per_newton > 80.0) {
+    } else if (iterative() && figures_.linear_per_newton > 80.0) {
       add("solver.method: implicit_async, which factorises on the second core",
           cycle() - 0.5 * part(Phase::kLinearSolve));
     }

@@ -8,7 +8,6 @@
 #include "advice.h"
 #include "palpate/mesh/quality.h"
 #include "palpate/scene/tissue_file.h"
-#include "palpate/tissue/fem_tissue.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::advice {
@@ -55,7 +54,6 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   facts.rates = scene.rates;
   facts.solver = scene.solver;
   facts.contact = scene.contact;
-  facts.methods = tissue::methodNames();
   facts.cores = cores;
   int largest = 0;
   for (int i = 0; i < simulator.numOrgans(); ++i) {
@@ -65,6 +63,8 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   }
   const scene::OrganConfig& organ = scene.organs[static_cast<std::size_t>(largest)];
   facts.organ = organ.name;
+  const std::vector<std::string> methods = simulator.methods(largest);
+  if (!methods.empty()) facts.method = tissue::methodFacts(methods.front());
   facts.meshed = !organ.surface.empty();
   facts.edge_length = mesh::measureQuality(simulator.organMesh(largest)).mean_edge_length;
   facts.poisson_ratio = largestPoissonRatio(scene);

@@ -7,6 +7,7 @@
 
 #include "palpate/contact/signed_distance.h"
 #include "palpate/scene/loaded_scene.h"
+#include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::sim {
@@ -212,6 +213,17 @@ const instrument::Instrument& Simulator::instrument(int i) const {
 }
 int Simulator::numOrgans() const { return static_cast<int>(impl_->loaded.tissues.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
+std::vector<std::string> Simulator::methods(int i) const {
+  return impl_->loaded.tissues[i]->methods();
+}
+bool Simulator::wantsFastBlas() const {
+  for (int i = 0; i < numOrgans(); ++i) {
+    for (const std::string& method : methods(i)) {
+      if (tissue::methodFacts(method).wants_fast_blas) return true;
+    }
+  }
+  return false;
+}
 const Points& Simulator::restPositions(int i) const {
   return impl_->loaded.tissues[i]->restMesh().points;
 }

@@ -29,6 +29,8 @@ class FemTissue final : public TissueModel {
   const Points& velocities() const override { return body_.v; }
   const Eigen::Matrix3Xi& surfaceTriangles() const override { return body_.triangles; }
 
+  std::vector<std::string> methods() const override { return {body_.method}; }
+
   std::vector<std::string> notes() const override {
     if (body_.method_note.empty()) return {};
     return {body_.method_note};

@@ -91,6 +91,21 @@ class Islands final : public TissueModel {
     return out_;
   }
 
+  std::vector<std::string> methods() const override {
+    std::vector<const Island*> by_size;
+    for (const Island& island : islands_) by_size.push_back(&island);
+    std::stable_sort(by_size.begin(), by_size.end(), [](const Island* a, const Island* b) {
+      return a->nodes.size() > b->nodes.size();
+    });
+    std::vector<std::string> all;
+    for (const Island* island : by_size) {
+      for (const std::string& method : island->tissue->methods()) {
+        if (!std::count(all.begin(), all.end(), method)) all.push_back(method);
+      }
+    }
+    return all;
+  }
+
   std::vector<std::string> notes() const override {
     std::vector<std::string> all;
     for (const Island& island : islands_) {

@@ -123,7 +123,6 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
   SceneFacts facts = usualFacts();
   facts.poisson_ratio = 0.49;
   facts.solver.linear_tolerance = 1e-4;
-  facts.methods = {"implicit_pcg", "implicit_direct", "implicit_async"};
   const SceneVerdict linear =
       judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3, 2, 400)));
   EXPECT_TRUE(advises(linear, "poisson_ratio from 0.49 to 0.45"));
@@ -146,7 +145,7 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
       advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
   facts.nodes = 4000;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
-  facts.solver.method = "implicit_direct";
+  facts.method = tissue::methodFacts("implicit_direct");
   const SceneVerdict direct = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
   EXPECT_TRUE(advises(direct, "solver.method: implicit_pcg"));
   EXPECT_FALSE(advises(direct, "poisson_ratio from"));
@@ -205,8 +204,28 @@ TEST(SceneFacts, AreThoseOfTheSceneAndItsMesh) {
   EXPECT_GT(facts.edge_length, 0.013);
   EXPECT_LT(facts.edge_length, 0.03);
   EXPECT_NEAR(facts.poisson_ratio, 0.45, 1e-9);
-  EXPECT_EQ(facts.solver.method, "implicit_pcg");
-  EXPECT_EQ(facts.methods, tissue::methodNames());
+  EXPECT_EQ(facts.method.name, "implicit_pcg");
+}
+
+// Advice is on what `auto` took, and names methods that there are.
+TEST(SceneFacts, HaveTheMethodThatAutoTook) {
+  const test::SlabScene slab;
+  const sim::Simulator simulator(slab.scene("solver: {method: auto}"));
+  SceneFacts facts = sceneFacts(simulator, 1);
+  EXPECT_EQ(facts.solver.method, "auto");
+  ASSERT_EQ(simulator.methods(0).size(), 1u);
+  EXPECT_EQ(facts.method.name, simulator.methods(0)[0]);
+  EXPECT_TRUE(facts.method.for_auto);
+  EXPECT_EQ(simulator.wantsFastBlas(), facts.method.wants_fast_blas);
+
+  const CycleCosts slow = figuresOf(report(Phase::kLinearSolve, 0.5, 2, 400));
+  facts.method = tissue::methodFacts("implicit_pcg");
+  EXPECT_TRUE(advises(judgeScene(facts, slow), "solver.method: implicit_async"));
+  facts.method = tissue::methodFacts("implicit_direct");
+  EXPECT_TRUE(advises(judgeScene(facts, slow), "solver.method: implicit_pcg"));
+  for (const char* named : {"implicit_async", "implicit_pcg"}) {
+    EXPECT_EQ(tissue::methodFacts(named).name, named);
+  }
 }
 
 }  // namespace

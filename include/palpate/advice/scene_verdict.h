@@ -6,16 +6,18 @@
 
 #include "palpate/advice/cycle_costs.h"
 #include "palpate/sim/simulator.h"
+#include "palpate/tissue/method_facts.h"
 
 namespace palpate::advice {
 
 /// What a scene asks for and consists of, as far as its load depends on it. Of the organ with the
 /// most nodes where one is meant.
 struct SceneFacts {
-  scene::RatesConfig rates;          ///< As the scene says it,
-  scene::SolverConfig solver;        ///< likewise
-  scene::ContactConfig contact;      ///< and likewise.
-  std::vector<std::string> methods;  ///< That there are.
+  scene::RatesConfig rates;      ///< As the scene says it,
+  scene::SolverConfig solver;    ///< likewise
+  scene::ContactConfig contact;  ///< and likewise.
+  /// By which the organ is solved: what the scene says or what `auto` took.
+  tissue::MethodFacts method = tissue::methodFacts(scene::SolverConfig().method);
   int cores = 1;
   std::string organ;
   int nodes = 0;               ///< Of all organs.

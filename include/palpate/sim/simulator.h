@@ -80,6 +80,9 @@ class Simulator {
 
   int numOrgans() const;
   const std::string& organName(int i) const;
+  std::vector<std::string> methods(int i) const;  ///< See tissue::TissueModel::methods().
+  /// Whether an organ's method has cycles that wait for BLAS.
+  bool wantsFastBlas() const;
   const Points& restPositions(int i) const;  ///< World, 3 x n [m].
   const Points& positions(int i) const;      ///< World, 3 x n [m]; a solved state, always finite.
   const Eigen::Matrix3Xi& surfaceTriangles(int i) const;  ///< Into positions(i), outward.

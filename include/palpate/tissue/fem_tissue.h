@@ -10,6 +10,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
 
@@ -23,9 +24,6 @@ struct FemSettings : ModelSettings {
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
 };
-
-/// How a cycle may be solved; the first is the default.
-std::vector<std::string> methodNames();
 
 /// Nonlinear finite elements, stepped by one of several methods. When tools move far within a
 /// cycle, the motion is swept in stages short against the thinnest tool, each solved before the

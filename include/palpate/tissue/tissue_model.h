@@ -82,6 +82,10 @@ class TissueModel {
   /// last good ones, and the contacts are empty.
   virtual const TissueStep& step(const std::vector<ToolBody>& bodies, double dt) = 0;
 
+  /// By which methods it is solved, once each, that of its largest part first: names of
+  /// methodFacts(), "auto" never among them. Empty for a model that has no such choice.
+  virtual std::vector<std::string> methods() const { return {}; }
+
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }
 
