@@ -25,21 +25,10 @@ bool allFinite(const std::vector<LinkPoses>& poses) {
 }
 
 void addOrgan(const tissue::TissueStep& organ, StepReport* report) {
-  report->status = std::max(report->status, organ.status);
-  report->sweep_stages = std::max(report->sweep_stages, organ.sweep_stages);
-  report->time_steps = std::max(report->time_steps, organ.time_steps);
-  report->newton_iterations += organ.newton_iterations;
-  report->cg_iterations += organ.linear_iterations;
-  report->factor_waits += organ.factor_waits;
-  report->residual = std::max(report->residual, organ.residual);
-  report->tolerance = std::max(report->tolerance, organ.tolerance);
-  report->min_jacobian = std::min(report->min_jacobian, organ.min_jacobian);
-  report->kinetic_energy += organ.kinetic_energy;
-  report->elastic_energy += organ.elastic_energy;
+  tissue::mergeFigures(tissue::Over::kOrgans, organ, report);
   for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) report->skipped.*skip.count += skip.of(organ);
   }
-  report->phases += organ.phases;
   Vec3 on_tissue = organ.support_force + organ.gravity_force + organ.inertia_force;
   for (const tissue::TissueContact& c : organ.contacts) on_tissue -= c.force_W;
   if (organ.ok()) report->imbalance += on_tissue.norm();

@@ -2,10 +2,10 @@
 #include "palpate/tissue/islands.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "palpate/mesh/tet_parts.h"
+#include "palpate/tissue/skips.h"
 
 namespace palpate::tissue {
 namespace {
@@ -37,30 +37,12 @@ void scatter(const Points& part, const std::vector<int>& nodes, Points* whole) {
 }
 
 void addIsland(const TissueStep& island, TissueStep* out) {
-  out->status = std::max(out->status, island.status);
+  mergeFigures(Over::kParts, island, out);
+  mergeSkips(island, out);
   out->contacts.insert(out->contacts.end(), island.contacts.begin(), island.contacts.end());
   out->support_force += island.support_force;
   out->gravity_force += island.gravity_force;
   out->inertia_force += island.inertia_force;
-  out->sweep_stages = std::max(out->sweep_stages, island.sweep_stages);
-  out->time_steps = std::max(out->time_steps, island.time_steps);
-  out->newton_iterations += island.newton_iterations;
-  out->linear_iterations += island.linear_iterations;
-  out->residual = std::hypot(out->residual, island.residual);
-  out->tolerance = std::hypot(out->tolerance, island.tolerance);
-  out->min_jacobian = std::min(out->min_jacobian, island.min_jacobian);
-  out->kinetic_energy += island.kinetic_energy;
-  out->elastic_energy += island.elastic_energy;
-  out->far_bodies += island.far_bodies;
-  out->slept &= island.slept;
-  out->satisfied &= island.satisfied || island.slept;
-  out->factor_waits += island.factor_waits;
-  out->sleeping_islands += island.slept;
-  out->distant_samples += island.distant_samples;
-  out->inactive_samples += island.inactive_samples;
-  out->inviscid_solids += island.inviscid_solids;
-  out->kept_stiffnesses += island.kept_stiffnesses;
-  out->phases += island.phases;
 }
 
 class Islands final : public TissueModel {

@@ -17,7 +17,7 @@ sim::StepReport report(Phase costly, double seconds, int newton = 2, int linear 
   for (std::size_t k = 0; k < kNumCyclePhases; ++k) r.phases[static_cast<Phase>(k)] = 1e-4;
   r.phases[costly] = seconds;
   r.newton_iterations = newton;
-  r.cg_iterations = linear;
+  r.linear_iterations = linear;
   return r;
 }
 
