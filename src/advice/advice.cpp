@@ -25,7 +25,10 @@ std::string rounded(double x) {
 class Adviser {
  public:
   Adviser(const SceneFacts& facts, const CycleCosts& figures)
-      : facts_(facts), now_(figures.slow), figures_(figures), wanted_(1.0 / facts.rate) {
+      : facts_(facts),
+        now_(figures.slow),
+        figures_(figures),
+        wanted_(1.0 / facts.rates.simulation) {
     // The slowest cycles in the mixture of phases, scaled to the one that counts.
     scale_ = now_.cycle() > 0.0 ? figures.cycle_p99 / now_.cycle() : 0.0;
   }
@@ -48,8 +51,9 @@ class Adviser {
  private:
   double part(Phase phase) const { return scale_ * now_[phase]; }
   double cycle() const { return scale_ * now_.cycle(); }
-  bool iterative() const { return facts_.method == "implicit_pcg"; }
-  bool direct() const { return facts_.method.find("direct") != std::string::npos; }
+  bool iterative() const { return solvesBy(solver::LinearSystems::kIterations); }
+  bool direct() const { return solvesBy(solver::LinearSystems::kFactor); }
+  bool solvesBy(solver::LinearSystems way) const { return facts_.method.linear_systems == way; }
   bool costs(Phase phase, double share) const { return part(phase) >= share * cycle(); }
 
   void add(const std::string& text, double cycle_then) {
@@ -99,8 +103,8 @@ class Adviser {
     if (all <= 2.5) return;
     const double left = std::max(2.0 / all, 0.7);
     const double contact_free = part(Phase::kContact) + part(Phase::kForces) + part(Phase::kOther);
-    add("lower contact.stiffness from " + rounded(facts_.contact_stiffness) + " to " +
-            rounded(facts_.contact_stiffness / 4.0) +
+    add("lower contact.stiffness from " + rounded(facts_.contact.stiffness) + " to " +
+            rounded(facts_.contact.stiffness / 4.0) +
             " Pa/m (deeper penetration, fewer Newton iterations)",
         contact_free + left * (cycle() - contact_free));
   }
@@ -108,33 +112,30 @@ class Adviser {
   // Samples are as many as the square of their density.
   void spreadSamples() {
     if (!costs(Phase::kContact, 0.2)) return;
-    const std::string now =
-        facts_.sample_spacing > 0.0
-            ? "double contact.sample_spacing to " + rounded(2.0 * facts_.sample_spacing) + " m"
-            : std::string(
-                  "give contact.sample_spacing twice the half radius "
-                  "of the thinnest tool that it has by itself");
+    const std::string now = facts_.contact.sample_spacing > 0.0
+                                ? "double contact.sample_spacing to " +
+                                      rounded(2.0 * facts_.contact.sample_spacing) + " m"
+                                : std::string(
+                                      "give contact.sample_spacing twice the half radius "
+                                      "of the thinnest tool that it has by itself");
     add(now + " (a quarter of the samples)", cycle() - 0.75 * part(Phase::kContact));
   }
 
   void addThread() {
-    if (facts_.threads >= facts_.cores || facts_.threads > 1) return;
+    if (facts_.solver.threads >= facts_.cores || facts_.solver.threads > 1) return;
     if (facts_.nodes < kWorthThreads) return;
     const double shared = part(Phase::kForces) + part(Phase::kAssembly) + part(Phase::kLineSearch) +
-                          (iterative() ? part(Phase::kLinearSolve) : 0.0);
+                          (facts_.method.shares_linear ? part(Phase::kLinearSolve) : 0.0);
     add("solver.threads: 2, if the second core has nothing else to do",
         cycle() - (1.0 - kThreadShare) * shared);
   }
 
   void changeMethod() {
     if (!costs(Phase::kLinearSolve, 0.4)) return;
-    const auto offered = [&](const char* name) {
-      return std::find(facts_.methods.begin(), facts_.methods.end(), name) != facts_.methods.end();
-    };
-    if (direct() && offered("implicit_pcg")) {
+    if (direct()) {
       add("solver.method: implicit_pcg, unless poisson_ratio is above 0.49",
           cycle() - 0.6 * part(Phase::kLinearSolve));
-    } else if (iterative() && offered("implicit_async") && figures_.linear_per_newton > 80.0) {
+    } else if (iterative() && figures_.linear_per_newton > 80.0) {
       add("solver.method: implicit_async, which factorises on the second core",
           cycle() - 0.5 * part(Phase::kLinearSolve));
     }
@@ -142,16 +143,17 @@ class Adviser {
 
   // The residual falls by about the same factor in each iteration.
   void loosenLinear() {
-    if (!iterative() || facts_.linear_tolerance >= 1e-2) return;
-    const double left = std::log(1e-2) / std::log(facts_.linear_tolerance);
-    add("raise solver.linear_tolerance from " + formatNumber(facts_.linear_tolerance) + " to 0.01",
+    if (!iterative() || facts_.solver.linear_tolerance >= 1e-2) return;
+    const double left = std::log(1e-2) / std::log(facts_.solver.linear_tolerance);
+    add("raise solver.linear_tolerance from " + formatNumber(facts_.solver.linear_tolerance) +
+            " to 0.01",
         cycle() - (1.0 - left) * part(Phase::kLinearSolve));
   }
 
   // Always works, so it stands last: real time is kept, but the force comes less often.
   void lengthenStep() {
     const double step = std::ceil(1e3 * cycle()) / 1e3;
-    if (step > 0.1 || 1.0 / step >= facts_.rate) return;
+    if (step > 0.1 || 1.0 / step >= facts_.rates.simulation) return;
     advice_.push_back({"or leave the scene as it is and set solver.step: " + formatNumber(step) +
                            ", rates.simulation: " + rounded(std::floor(1.0 / step)) +
                            " (real time is kept, the force is newer less often)",

@@ -10,7 +10,7 @@ namespace palpate::advice {
 void CostRecorder::add(const sim::StepReport& report, double seconds, int parts) {
   if (parts < 1) return;
   Cycle cycle{seconds / parts, report.phases, double(report.newton_iterations) / parts,
-              double(report.cg_iterations) / parts, double(report.sweep_stages)};
+              double(report.linear_iterations) / parts, double(report.sweep_stages)};
   for (std::size_t k = 0; k < kNumPhases; ++k) cycle.phases[static_cast<Phase>(k)] /= parts;
   cycles_.insert(cycles_.end(), parts, cycle);
   skipped_ += report.skipped;

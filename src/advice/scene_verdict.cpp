@@ -7,7 +7,6 @@
 
 #include "advice.h"
 #include "palpate/scene/tissue_file.h"
-#include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::advice {
@@ -51,11 +50,9 @@ std::string whatCosts(const SceneVerdict& load) {
 SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   const scene::Scene& scene = simulator.scene();
   SceneFacts facts;
-  facts.rate = scene.rates.simulation;
-  facts.step = scene.solver.step;
-  facts.method = scene.solver.method;
-  facts.methods = tissue::methodNames();
-  facts.threads = scene.solver.threads;
+  facts.rates = scene.rates;
+  facts.solver = scene.solver;
+  facts.contact = scene.contact;
   facts.cores = cores;
   int largest = 0;
   for (int i = 0; i < simulator.numOrgans(); ++i) {
@@ -65,24 +62,21 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   }
   const scene::OrganConfig& organ = scene.organs[static_cast<std::size_t>(largest)];
   facts.organ = organ.name;
-  facts.element = organ.element;
+  const std::vector<std::string> methods = simulator.methods(largest);
+  if (!methods.empty()) facts.method = tissue::methodFacts(methods.front());
   facts.meshed = !organ.surface.empty();
   facts.edge_length = mesh::meanEdgeLength(simulator.cells(largest));
   facts.poisson_ratio = largestPoissonRatio(scene);
-  facts.contact_stiffness = scene.contact.stiffness;
-  facts.sample_spacing = scene.contact.sample_spacing;
-  facts.tolerance = scene.solver.tolerance;
-  facts.linear_tolerance = scene.solver.linear_tolerance;
   return facts;
 }
 
 SceneVerdict judgeScene(const SceneFacts& facts, const CycleCosts& figures) {
   SceneVerdict load;
-  load.rate_wanted = facts.rate;
+  load.rate_wanted = facts.rates.simulation;
   if (figures.cycles == 0 || !(figures.cycle_p99 > 0.0)) return load;
   load.rate_possible = 1.0 / figures.cycle_p99;
   load.rate_typical = figures.cycle_median > 0.0 ? 1.0 / figures.cycle_median : 0.0;
-  load.too_heavy = load.rate_possible < facts.rate;
+  load.too_heavy = load.rate_possible < load.rate_wanted;
   for (std::size_t k = 0; k < kNumCyclePhases; ++k) {
     const Phase phase = static_cast<Phase>(k);
     if (figures.slow[phase] > figures.slow[load.costliest]) load.costliest = phase;

@@ -24,9 +24,8 @@ solver::SolveStatus solveStatically(const StaticAnalysis& analysis, CaseModel* m
     model->setLoadFactor(s);
     return model->heldPositions(s);
   };
-  const solver::StaticReport report = solver::solveStatic(
-      model->potential(), setLoad,
-      {analysis.load_steps, analysis.tolerance, analysis.max_newton_iterations}, x, progress);
+  const solver::StaticReport report =
+      solver::solveStatic(model->potential(), setLoad, analysis, x, progress);
   result->load_steps = report.load_steps;
   result->newton_iterations = report.newton_iterations;
   result->residual = report.residual;

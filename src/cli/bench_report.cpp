@@ -65,7 +65,7 @@ Work workOf(const BenchResult& result) {
   Work work;
   for (const BenchCycle& cycle : result.cycles) {
     work.newton += cycle.report.newton_iterations;
-    work.linear += cycle.report.cg_iterations;
+    work.linear += cycle.report.linear_iterations;
     work.skipped += static_cast<double>(cycle.report.skipped.total());
     work.sleeping += static_cast<int>(cycle.report.skipped.sleeping_organs);
     work.limited += cycle.report.status == solver::SolveStatus::kIterationLimit;
@@ -132,7 +132,7 @@ void writeForces(const std::string& file, const BenchResult& result) {
     for (int i = 0; i < 3; ++i) csv << cycle.wrench.force[i];
     for (int i = 0; i < 3; ++i) csv << cycle.wrench.torque[i];
     csv << report.contacts << report.max_penetration << report.newton_iterations
-        << report.cg_iterations << static_cast<double>(report.skipped.total())
+        << report.linear_iterations << static_cast<double>(report.skipped.total())
         << report.min_jacobian << std::string(toString(report.status));
     csv.endRow();
   }

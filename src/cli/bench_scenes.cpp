@@ -76,7 +76,7 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
   organ.name = "body";
   organ.tetrahedra = "body.vtu";
   organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
-  organ.element = choice.element.value_or("anp");
+  organ.element = choice.element.value_or(organ.element);
   organ.supports = {{mesh::PlaneRegion{2, 0.0, -1.0}}};
   return organ;
 }

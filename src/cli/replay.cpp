@@ -58,9 +58,10 @@ void printProfile(const sim::Simulator& simulator, const advice::CycleCosts& fig
   std::printf("\n%s\n%s", advice::profileTable(figures).c_str(), advice::longText(load).c_str());
 }
 
-// Where the scene's method needs a fast BLAS, or the user asks where the time goes.
-void checkBlas(const scene::Scene& scene, bool profile) {
-  const std::string warning = start::blasWarningFor(scene.solver.method, profile);
+// Where the organs' methods need a fast BLAS, or the user asks where the time goes.
+void checkBlas(const sim::Simulator& simulator, bool profile) {
+  if (!profile && !simulator.wantsFastBlas()) return;
+  const std::string warning = start::blasWarning();
   if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
 }
 
@@ -68,11 +69,11 @@ int replay(const Options& options) {
   scene::Scene scene = scene::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
   const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
-  checkBlas(scene, options.profile);
   start::ProgressLine line;
   sim::Simulator simulator(
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });
   line.finish();
+  checkBlas(simulator, options.profile);
   for (const std::string& warning : simulator.warnings()) std::cerr << "note: " << warning << "\n";
   for (const std::string& note : simulator.notes()) std::cerr << "note: " << note << "\n";
 

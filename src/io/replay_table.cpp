@@ -26,8 +26,8 @@ void writeReplayRow(double t, const sim::StepResult& result, double step_ms, Csv
     *csv << tool.contacts << tool.max_penetration;
   }
   const sim::StepReport& r = result.report;
-  *csv << r.newton_iterations << r.cg_iterations << r.residual << r.min_jacobian << r.kinetic_energy
-       << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
+  *csv << r.newton_iterations << r.linear_iterations << r.residual << r.min_jacobian
+       << r.kinetic_energy << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
        << static_cast<int>(r.skipped.total());
   csv->endRow();
 }

@@ -15,16 +15,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double scalarBetween(const Constants& constants, const std::string& name, double low, double high) {
   const std::vector<double>& value = constants.at(name);
   if (value.size() == 1 && value[0] > low && value[0] < high) return value[0];
-  std::ostringstream text;
-  text << name << " = ";
-  for (std::size_t i = 0; i < value.size(); ++i) text << (i ? ", " : "") << value[i];
-  text << ": must be one number ";
+  std::ostringstream given, rule;
+  for (std::size_t i = 0; i < value.size(); ++i) given << (i ? ", " : "") << value[i];
+  rule << "must be one number ";
   if (high == kInfinity) {
-    text << "> " << low << ", finite";
+    rule << "> " << low << ", finite";
   } else {
-    text << "in (" << low << ", " << high << ")";
+    rule << "in (" << low << ", " << high << ")";
   }
-  throw std::invalid_argument(text.str());
+  throw ConstantError(name, given.str(), rule.str());
 }
 
 }  // namespace

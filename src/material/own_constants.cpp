@@ -19,7 +19,7 @@ std::string listText(const std::vector<double>& values) {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value,
                          const std::string& allowed) {
-  throw std::invalid_argument(what + " = " + value + ": must be " + allowed);
+  throw ConstantError(what, value, "must be " + allowed);
 }
 
 bool allFinite(const std::vector<double>& values) {

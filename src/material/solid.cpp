@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/material/solid.h"
 
-#include <stdexcept>
-
 #include "palpate/base/number.h"
 
 namespace palpate::material {
+
+namespace {
+
+void checkTerm(const PronyTerm& term, std::size_t index) {
+  const auto refuse = [&](const char* name, double value, const char* rule) {
+    PronyError error(name, formatNumber(value), rule);
+    error.term = index;
+    throw error;
+  };
+  if (!(term.g > 0.0 && term.g < 1.0)) refuse("g", term.g, "must be in (0, 1)");
+  if (!(term.tau > 0.0) || term.tau > 1e12) refuse("tau", term.tau, "must be in (0, 1e12] s");
+}
+
+}  // namespace
 
 void checkProny(const Material& law, const std::vector<PronyTerm>& prony) {
   if (prony.empty()) return;
@@ -13,24 +25,18 @@ void checkProny(const Material& law, const std::vector<PronyTerm>& prony) {
       [](const auto& l) {
         using Law = std::decay_t<decltype(l)>;
         if (!Law::kFrameIndifferent) {
-          throw std::invalid_argument("law " + std::string(Law::kName) +
-                                      " is for small rotations and cannot relax; use corotational");
+          throw PronyError(std::string(Law::kName),
+                           "is for small rotations and cannot relax; use corotational");
         }
       },
       law);
   double sum = 0.0;
-  for (const PronyTerm& term : prony) {
-    if (!(term.g > 0.0 && term.g < 1.0)) {
-      throw std::invalid_argument("g = " + formatNumber(term.g) + ": must be in (0, 1)");
-    }
-    if (!(term.tau > 0.0) || term.tau > 1e12) {
-      throw std::invalid_argument("tau = " + formatNumber(term.tau) + ": must be in (0, 1e12] s");
-    }
-    sum += term.g;
+  for (std::size_t i = 0; i < prony.size(); ++i) {
+    checkTerm(prony[i], i);
+    sum += prony[i].g;
   }
   if (!(sum < 1.0)) {
-    throw std::invalid_argument("sum of g = " + formatNumber(sum) +
-                                ": must be < 1, or nothing is left after long");
+    throw PronyError("sum of g", formatNumber(sum), "must be < 1, or nothing is left after long");
   }
 }
 

@@ -49,7 +49,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.sweep_stages = report.sweep_stages;
   m.time_steps = report.time_steps;
   m.newton_iterations = report.newton_iterations;
-  m.cg_iterations = report.cg_iterations;
+  m.cg_iterations = report.linear_iterations;
   m.residual = finite(report.residual);
   m.tolerance = finite(report.tolerance);
   m.imbalance = finite(report.imbalance);

@@ -61,9 +61,10 @@ void sayHello(const sim::Simulator& simulator) {
   }
 }
 
-/// Says so if the scene's method needs a BLAS that is faster than this one.
-std::string checkBlas(const scene::Scene& scene) {
-  const std::string warning = start::blasWarningFor(scene.solver.method);
+/// Says so if the organs' methods need a BLAS that is faster than this one.
+std::string checkBlas(const sim::Simulator& simulator) {
+  if (!simulator.wantsFastBlas()) return "";
+  const std::string warning = start::blasWarning();
   if (!warning.empty()) ROS_WARN_STREAM(warning);
   return warning;
 }
@@ -74,8 +75,8 @@ int run() {
   const NodeParams params = readParams(private_handle);
   const scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
   diagnostics.loading(scene.file);
-  diagnostics.setBlasWarning(checkBlas(scene));
   const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
+  diagnostics.setBlasWarning(checkBlas(*simulator));
   if (!params.initial_state.empty()) {
     simulator->restore(io::readState(params.initial_state, organNames(*simulator)));
   }

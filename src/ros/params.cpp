@@ -10,16 +10,12 @@
 #include "param_fields.h"
 
 namespace palpate::node {
-namespace {
 
-/// Where ROS keeps a user's files.
 std::string rosHome() {
   if (const char* home = std::getenv("ROS_HOME")) return home;
   const char* home = std::getenv("HOME");
   return std::string(home ? home : ".") + "/.ros";
 }
-
-}  // namespace
 
 NodeParams readParams(const ros::NodeHandle& handle) {
   NodeParams p;
@@ -28,8 +24,8 @@ NodeParams readParams(const ros::NodeHandle& handle) {
     throw InputError(where, kSceneParam, p.scene,
                      "must be a scene file or the name of a shipped scene (liver_palpation)");
   }
-  p.state_directory = handle.param(kStateDirectoryParam, rosHome() + "/palpate");
-  p.initial_state = handle.param(kInitialStateParam, std::string());
+  p.state_directory = handle.param(kStateDirectoryParam, p.state_directory);
+  p.initial_state = handle.param(kInitialStateParam, p.initial_state);
   p.arrow_scale = handle.param(kArrowScaleParam, p.arrow_scale);
   if (!std::isfinite(p.arrow_scale) || p.arrow_scale <= 0.0) {
     throw InputError(where, kArrowScaleParam, std::to_string(p.arrow_scale),

@@ -21,11 +21,16 @@ inline constexpr const char* kSceneSections[] = {"contact", "solver", "rates", "
 inline constexpr char kInstrumentsSection[] = "instruments";
 
 /// Private parameters of the node that are not keys of the scene.
+/// Where ROS keeps a user's files.
+std::string rosHome();
+
+/// Private parameters of the node that are not keys of the scene, with their defaults.
 struct NodeParams {
-  std::string scene;            ///< ~scene: a file, or the name of a shipped scene.
-  std::string state_directory;  ///< ~state_directory: where ~save_state writes.
-  std::string initial_state;    ///< ~initial_state: a file of ~save_state to start from; "": rest.
-  double arrow_scale = 0.04;    ///< ~arrow_scale: length of the wrench arrow [m/N].
+  std::string scene;  ///< ~scene: a file, or the name of a shipped scene.
+  std::string state_directory =
+      rosHome() + "/palpate";  ///< ~state_directory: where ~save_state writes.
+  std::string initial_state;   ///< ~initial_state: a file of ~save_state to start from; "": rest.
+  double arrow_scale = 0.04;   ///< ~arrow_scale: length of the wrench arrow [m/N].
 };
 
 /// @throws InputError naming the parameter.

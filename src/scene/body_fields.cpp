@@ -31,25 +31,23 @@ std::vector<keys::Kind> laws() {
 void checkConstants(keys::FieldVisitor& v, const MaterialConfig& material) {
   try {
     material::makeMaterial(material.law, material.constants);
+  } catch (const material::ConstantError& e) {
+    const bool blames = material.constants.count(e.name) > 0;
+    v.rule(false, blames ? e.name : "", blames ? e.allowed : e.what());
   } catch (const std::invalid_argument& e) {
-    // "name = value: what is allowed"
-    const std::string text = e.what();
-    const std::size_t equals = text.find(" = "), colon = text.find(": ");
-    const std::string name = text.substr(0, equals);
-    const bool blames =
-        colon != std::string::npos && equals < colon && material.constants.count(name) > 0;
-    v.rule(false, blames ? name : "", blames ? text.substr(colon + 2) : text);
+    v.rule(false, "", e.what());
   }
 }
 
-// What is wrong with the Prony series, or "". A law that cannot be made is reported elsewhere.
+// What is wrong with the Prony series as a whole, or "". A term out of range is reported at its
+// key, a law that cannot be made at its constants.
 std::string pronyProblem(const MaterialConfig& material) {
   try {
     material::checkProny(material::makeMaterial(material.law, material.constants),
                          material.viscoelastic);
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    return text.find("sum of g") == 0 || text.find("law ") == 0 ? text : "";
+  } catch (const material::PronyError& error) {
+    return error.term ? "" : error.what();
+  } catch (const std::invalid_argument&) {
   }
   return "";
 }

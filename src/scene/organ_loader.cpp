@@ -94,17 +94,10 @@ fem::FreeMask supportMask(const OrganConfig& organ, const Points& X, const std::
 
 tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
   tissue::ModelSettings settings;
-  settings.method = scene.solver.method;
-  settings.step = scene.solver.step;
-  settings.integrator = scene.solver.integrator;
+  static_cast<solver::StepSettings&>(settings) = scene.solver;
   settings.gravity = scene.gravity;
   settings.contact = scene.contact;
   settings.sample_spacing = sample_spacing;
-  settings.tolerance = scene.solver.tolerance;
-  settings.max_newton_iterations = scene.solver.max_newton_iterations;
-  settings.position_tolerance = scene.solver.position_tolerance;
-  settings.linear_tolerance = scene.solver.linear_tolerance;
-  settings.max_linear_iterations = scene.solver.max_linear_iterations;
   settings.skip = scene.solver.skip;
   return settings;
 }

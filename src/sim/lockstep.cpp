@@ -23,16 +23,6 @@ std::vector<LinkPoses> between(const std::vector<LinkPoses>& from, const std::ve
   return poses;
 }
 
-void addCounters(const StepReport& earlier, StepReport* report) {
-  report->status = std::max(report->status, earlier.status);
-  report->sweep_stages = std::max(report->sweep_stages, earlier.sweep_stages);
-  report->time_steps = std::max(report->time_steps, earlier.time_steps);
-  report->newton_iterations += earlier.newton_iterations;
-  report->cg_iterations += earlier.cg_iterations;
-  report->skipped += earlier.skipped;
-  report->phases += earlier.phases;
-}
-
 }  // namespace
 
 void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
@@ -44,7 +34,7 @@ void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector
     const StepReport earlier = result_.report;
     result_ = k < parts ? simulator_->step(between(from, to, k / parts), duration / parts)
                         : simulator_->step(to, duration / parts);
-    if (k > 1) addCounters(earlier, &result_.report);
+    if (k > 1) addSubSteps(earlier, &result_.report);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "palpate/contact/obstacle.h"
 #include "palpate/haptics/wrench_fade.h"
 #include "palpate/scene/loaded_scene.h"
+#include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/skips.h"
 
 namespace palpate::sim {
@@ -23,21 +24,10 @@ bool allFinite(const std::vector<LinkPoses>& poses) {
 }
 
 void addModel(const tissue::TissueStep& cycle, StepReport* report) {
-  report->status = std::max(report->status, cycle.status);
-  report->sweep_stages = std::max(report->sweep_stages, cycle.sweep_stages);
-  report->time_steps = std::max(report->time_steps, cycle.time_steps);
-  report->newton_iterations += cycle.newton_iterations;
-  report->cg_iterations += cycle.linear_iterations;
-  report->factor_waits += cycle.factor_waits;
-  report->residual = std::max(report->residual, cycle.residual);
-  report->tolerance = std::max(report->tolerance, cycle.tolerance);
-  report->min_jacobian = std::min(report->min_jacobian, cycle.min_jacobian);
-  report->kinetic_energy += cycle.kinetic_energy;
-  report->elastic_energy += cycle.elastic_energy;
+  tissue::mergeFigures(tissue::Over::kOrgans, cycle, report);
   for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) report->skipped.*skip.count += skip.of(cycle);
   }
-  report->phases += cycle.phases;
   Vec3 on_tissue = cycle.support_force + cycle.gravity_force + cycle.inertia_force;
   for (const tissue::TissueContact& c : cycle.contacts) on_tissue -= c.force_W;
   if (cycle.ok()) report->imbalance += on_tissue.norm();
@@ -236,6 +226,17 @@ mesh::CellMesh Simulator::cells(int i) const {
   mesh::CellMesh cells = place.tissue->cells(place.organ);
   if (cells.numCells() == 0) cells.cells = place.shape().triangles;
   return cells;
+}
+std::vector<std::string> Simulator::methods(int i) const {
+  return impl_->loaded.organs[i].tissue->methods();
+}
+bool Simulator::wantsFastBlas() const {
+  for (int i = 0; i < numOrgans(); ++i) {
+    for (const std::string& method : methods(i)) {
+      if (tissue::methodFacts(method).wants_fast_blas) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace palpate::sim

@@ -130,8 +130,4 @@ std::string blasWarning(const BlasSpeed& speed, const char* coretype) {
   return text.str();
 }
 
-bool dependsOnBlas(const std::string& method) {
-  return method == "implicit_direct" || method == "implicit_async" || method == "auto";
-}
-
 }  // namespace palpate::solver

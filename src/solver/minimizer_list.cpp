@@ -41,13 +41,22 @@ std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, const fem::Stiffness&
 struct Entry {
   const char* name;
   std::unique_ptr<Minimizer> (*make)(const MinimizerSettings&, const fem::Stiffness&);
+  MinimizerFacts facts;  // linear systems, wants fast BLAS, shares linear systems, for auto
 };
 constexpr Entry kMinimizers[] = {
-    {"implicit_pcg", implicitPcg},
-    {"implicit_direct", implicitDirect},
-    {"implicit_async", implicitAsync},
-    {"lbfgs", lbfgs},
+    {"implicit_pcg", implicitPcg, {LinearSystems::kIterations, false, true, true}},
+    {"implicit_direct", implicitDirect, {LinearSystems::kFactor, true, false, true}},
+    {"implicit_async", implicitAsync, {LinearSystems::kOldFactor, true, false, false}},
+    {"lbfgs", lbfgs, {LinearSystems::kOldFactor, true, false, true}},
 };
+
+const Entry& find(const std::string& name) {
+  for (const Entry& entry : kMinimizers) {
+    if (name == entry.name) return entry;
+  }
+  throw std::invalid_argument("method = " + name + ": must be one of " +
+                              joinNames(minimizerNames()));
+}
 
 }  // namespace
 
@@ -59,11 +68,9 @@ std::vector<std::string> minimizerNames() {
 
 std::unique_ptr<Minimizer> makeMinimizer(const std::string& name, const MinimizerSettings& settings,
                                          const fem::Stiffness& A) {
-  for (const Entry& entry : kMinimizers) {
-    if (name == entry.name) return entry.make(settings, A);
-  }
-  throw std::invalid_argument("method = " + name + ": must be one of " +
-                              joinNames(minimizerNames()));
+  return find(name).make(settings, A);
 }
+
+MinimizerFacts minimizerFacts(const std::string& name) { return find(name).facts; }
 
 }  // namespace palpate::solver

@@ -7,8 +7,7 @@
 
 namespace palpate::start {
 
-std::string blasWarningFor(const std::string& method, bool always) {
-  if (!always && !solver::dependsOnBlas(method)) return "";
+std::string blasWarning() {
   return solver::blasWarning(solver::measureBlasSpeed(), std::getenv("OPENBLAS_CORETYPE"));
 }
 

@@ -9,32 +9,44 @@ const std::vector<Skip>& skips() {
   using Of = SkipCounters;
   static const std::vector<Skip> kAll = {
       {"far_tools", &On::far_tools, "Contact of tool shapes that cannot touch in the cycle.",
-       "far_bodies", &Of::far_bodies, [](const Step& s) { return s.far_bodies; }, true},
+       "far_bodies", &Of::far_bodies, &Step::far_bodies, true},
       {"sleeping", &On::sleeping, "Solves of organs that are at rest and untouched.",
-       "sleeping_organs", &Of::sleeping_organs, [](const Step& s) { return int(s.slept); }, true},
+       "sleeping_organs", &Of::sleeping_organs, &Step::slept, true},
       {"islands", &On::islands,
        "Solves of parts at rest of an organ that consists of unconnected parts.",
-       "sleeping_islands", &Of::sleeping_islands, [](const Step& s) { return s.sleeping_islands; },
-       true},
+       "sleeping_islands", &Of::sleeping_islands, &Step::sleeping_islands, true},
       {nullptr, nullptr, "Newton iterations where the predictor is within tolerance.",
-       "satisfied_solves", &Of::satisfied_solves, [](const Step& s) { return int(s.satisfied); },
-       true},
+       "satisfied_solves", &Of::satisfied_solves, &Step::satisfied, true},
       {"distant_samples", &On::distant_samples,
        "Contact of surface points that no tool can reach in the cycle.", "distant_samples",
-       &Of::distant_samples, [](const Step& s) { return s.distant_samples; }, false},
+       &Of::distant_samples, &Step::distant_samples, false},
       {"inactive_samples", &On::inactive_samples,
        "Derivatives of the contact of surface points that do not touch.", "inactive_samples",
-       &Of::inactive_samples, [](const Step& s) { return s.inactive_samples; }, false},
+       &Of::inactive_samples, &Step::inactive_samples, false},
       {"viscous_terms", &On::viscous_terms, "Viscous memory of solids that are not viscous.",
-       "inviscid_solids", &Of::inviscid_solids, [](const Step& s) { return s.inviscid_solids; },
-       false},
+       "inviscid_solids", &Of::inviscid_solids, &Step::inviscid_solids, false},
       {"unchanged_stiffness", &On::unchanged_stiffness,
        "Assembly of the elastic stiffness where the organ has hardly changed its shape since the "
        "last one; methods `implicit_pcg`, `implicit_direct` and `implicit_async`.",
-       "kept_stiffnesses", &Of::kept_stiffnesses, [](const Step& s) { return s.kept_stiffnesses; },
-       true},
+       "kept_stiffnesses", &Of::kept_stiffnesses, &Step::kept_stiffnesses, true},
   };
   return kAll;
+}
+
+int Skip::of(const TissueStep& step) const {
+  return std::visit([&](auto member) { return static_cast<int>(step.*member); }, figure);
+}
+
+void mergeSkips(const TissueStep& part, TissueStep* organ) {
+  for (const Skip& skip : skips()) {
+    if (const auto* number = std::get_if<int TissueStep::*>(&skip.figure)) {
+      organ->** number += part.**number;
+    } else {
+      const auto holds = std::get<bool TissueStep::*>(skip.figure);
+      organ->*holds = organ->*holds && (part.*holds || part.slept);
+    }
+  }
+  organ->sleeping_islands += part.slept;
 }
 
 std::int64_t SkipCounters::total() const {

@@ -17,7 +17,7 @@ sim::StepReport report(Phase costly, double seconds, int newton = 2, int linear 
   for (std::size_t k = 0; k < kNumCyclePhases; ++k) r.phases[static_cast<Phase>(k)] = 1e-4;
   r.phases[costly] = seconds;
   r.newton_iterations = newton;
-  r.cg_iterations = linear;
+  r.linear_iterations = linear;
   return r;
 }
 
@@ -25,6 +25,16 @@ CycleCosts figuresOf(const sim::StepReport& r, int count = 100) {
   CostRecorder recorder;
   for (int k = 0; k < count; ++k) recorder.add(r, r.phases.cycle());
   return recorder.figures();
+}
+
+// Of a scene that says nothing else.
+SceneFacts usualFacts() {
+  SceneFacts facts;
+  facts.organ = "liver";
+  facts.edge_length = 0.01;
+  facts.meshed = true;
+  facts.poisson_ratio = 0.45;
+  return facts;
 }
 
 bool advises(const SceneVerdict& load, const std::string& word) {
@@ -70,7 +80,7 @@ TEST(CostRecorder, ASumOverPartsIsThatManyCycles) {
 }
 
 TEST(SceneVerdict, ALightSceneNeedsNoAdvice) {
-  const SceneVerdict load = judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 3e-3)));
+  const SceneVerdict load = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 3e-3)));
   EXPECT_FALSE(load.too_heavy);
   EXPECT_NEAR(load.rate_possible, 1.0 / 3.5e-3, 1.0);
   EXPECT_EQ(load.costliest, Phase::kAssembly);
@@ -81,7 +91,7 @@ TEST(SceneVerdict, ALightSceneNeedsNoAdvice) {
 }
 
 TEST(SceneVerdict, KnowsNothingWithoutCycles) {
-  const SceneVerdict load = judgeScene(SceneFacts(), CycleCosts());
+  const SceneVerdict load = judgeScene(usualFacts(), CycleCosts());
   EXPECT_FALSE(load.too_heavy);
   EXPECT_EQ(load.rate_possible, 0.0);
   EXPECT_EQ(shortText(load), "no cycle was measured");
@@ -89,14 +99,13 @@ TEST(SceneVerdict, KnowsNothingWithoutCycles) {
 }
 
 TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
-  SceneFacts facts;
-  facts.organ = "liver";
+  SceneFacts facts = usualFacts();
   const SceneVerdict load = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
   ASSERT_TRUE(load.too_heavy);
   EXPECT_EQ(load.costliest, Phase::kLinearSolve);
   ASSERT_TRUE(advises(load, "raise edge_length of organ liver, whose edges are now 0.01 m to "));
   EXPECT_TRUE(contains(load.advice.front().text, "edge_length"));  // the most effective
-  EXPECT_NEAR(load.advice.front().cycle, 1.0 / facts.rate, 1e-4);
+  EXPECT_NEAR(load.advice.front().cycle, 1.0 / facts.rates.simulation, 1e-4);
   // (30 / 9.8)^(1/4) = 1.32 times as long edges
   EXPECT_TRUE(contains(load.advice.front().text, "to 0.013 m"));
   // Assembly shrinks with the nodes only: (30 / 9.8)^(1/3) = 1.45.
@@ -104,17 +113,16 @@ TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
   EXPECT_TRUE(contains(assembly.advice.front().text, "to 0.015 m"));
   // What no coarser mesh makes fast enough is estimated as it is.
   const SceneVerdict hopeless = judgeScene(facts, figuresOf(report(Phase::kAssembly, 10.0)));
-  EXPECT_GT(hopeless.advice.front().cycle, 10.0 / facts.rate);
+  EXPECT_GT(hopeless.advice.front().cycle, 10.0 / facts.rates.simulation);
   facts.meshed = false;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))),
                       "give organ liver a coarser mesh"));
 }
 
 TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
-  SceneFacts facts;
+  SceneFacts facts = usualFacts();
   facts.poisson_ratio = 0.49;
-  facts.linear_tolerance = 1e-4;
-  facts.methods = {"implicit_pcg", "implicit_direct", "implicit_async"};
+  facts.solver.linear_tolerance = 1e-4;
   const SceneVerdict linear =
       judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3, 2, 400)));
   EXPECT_TRUE(advises(linear, "poisson_ratio from 0.49 to 0.45"));
@@ -137,7 +145,7 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
       advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
   facts.nodes = 4000;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
-  facts.method = "implicit_direct";
+  facts.method = tissue::methodFacts("implicit_direct");
   const SceneVerdict direct = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
   EXPECT_TRUE(advises(direct, "solver.method: implicit_pcg"));
   EXPECT_FALSE(advises(direct, "poisson_ratio from"));
@@ -145,12 +153,12 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
 }
 
 TEST(SceneVerdict, ALongerStepAlwaysHelpsAndStandsLast) {
-  const SceneVerdict load = judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 30e-3)));
+  const SceneVerdict load = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 30e-3)));
   EXPECT_TRUE(contains(load.advice.back().text, "solver.step: 0.031, rates.simulation: 32"));
   EXPECT_TRUE(contains(longText(load), "yes, by a factor of 3.05"));
   EXPECT_TRUE(contains(longText(load), "30.5 ms: or leave the scene"));
   EXPECT_FALSE(
-      advises(judgeScene(SceneFacts(), figuresOf(report(Phase::kAssembly, 0.2))), "solver.step"));
+      advises(judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 0.2))), "solver.step"));
 }
 
 TEST(SceneVerdict, ProfileTableHasEveryPhaseAndCounter) {
@@ -167,14 +175,28 @@ TEST(SceneVerdict, ProfileTableHasEveryPhaseAndCounter) {
   EXPECT_FALSE(contains(table, "haptics"));
 }
 
+void expectScene(const SceneFacts& facts, const scene::Scene& scene) {
+  EXPECT_EQ(facts.rates.simulation, scene.rates.simulation);
+  EXPECT_EQ(facts.solver.method, scene.solver.method);
+  EXPECT_EQ(facts.solver.step, scene.solver.step);
+  EXPECT_EQ(facts.solver.threads, scene.solver.threads);
+  EXPECT_EQ(facts.solver.linear_tolerance, scene.solver.linear_tolerance);
+  EXPECT_EQ(facts.contact.stiffness, scene.contact.stiffness);
+  EXPECT_EQ(facts.contact.sample_spacing, scene.contact.sample_spacing);
+}
+
+TEST(SceneFacts, AreThoseOfADefaultSceneBeforeAnySceneIsRead) {
+  expectScene(SceneFacts(), scene::Scene());
+}
+
 TEST(SceneFacts, AreThoseOfTheSceneAndItsMesh) {
   const test::SlabScene slab;
   const sim::Simulator simulator(
-      slab.scene("solver: {threads: 2, step: 0.02}\nrates: {simulation: 50}"));
+      slab.scene("solver: {threads: 2, step: 0.02, linear_tolerance: 0.03}\n"
+                 "rates: {simulation: 50}\ncontact: {stiffness: 1.0e7, sample_spacing: 0.004}"));
   const SceneFacts facts = sceneFacts(simulator, 4);
-  EXPECT_EQ(facts.rate, 50.0);
-  EXPECT_EQ(facts.step, 0.02);
-  EXPECT_EQ(facts.threads, 2);
+  expectScene(facts, simulator.scene());
+  EXPECT_EQ(facts.rates.simulation, 50.0);
   EXPECT_EQ(facts.cores, 4);
   EXPECT_EQ(facts.organ, "slab");
   EXPECT_EQ(facts.nodes, 7 * 7 * 4);
@@ -182,8 +204,28 @@ TEST(SceneFacts, AreThoseOfTheSceneAndItsMesh) {
   EXPECT_GT(facts.edge_length, 0.013);
   EXPECT_LT(facts.edge_length, 0.03);
   EXPECT_NEAR(facts.poisson_ratio, 0.45, 1e-9);
-  EXPECT_EQ(facts.method, "implicit_pcg");
-  EXPECT_EQ(facts.methods, tissue::methodNames());
+  EXPECT_EQ(facts.method.name, "implicit_pcg");
+}
+
+// Advice is on what `auto` took, and names methods that there are.
+TEST(SceneFacts, HaveTheMethodThatAutoTook) {
+  const test::SlabScene slab;
+  const sim::Simulator simulator(slab.scene("solver: {method: auto}"));
+  SceneFacts facts = sceneFacts(simulator, 1);
+  EXPECT_EQ(facts.solver.method, "auto");
+  ASSERT_EQ(simulator.methods(0).size(), 1u);
+  EXPECT_EQ(facts.method.name, simulator.methods(0)[0]);
+  EXPECT_TRUE(facts.method.for_auto);
+  EXPECT_EQ(simulator.wantsFastBlas(), facts.method.wants_fast_blas);
+
+  const CycleCosts slow = figuresOf(report(Phase::kLinearSolve, 0.5, 2, 400));
+  facts.method = tissue::methodFacts("implicit_pcg");
+  EXPECT_TRUE(advises(judgeScene(facts, slow), "solver.method: implicit_async"));
+  facts.method = tissue::methodFacts("implicit_direct");
+  EXPECT_TRUE(advises(judgeScene(facts, slow), "solver.method: implicit_pcg"));
+  for (const char* named : {"implicit_async", "implicit_pcg"}) {
+    EXPECT_EQ(tissue::methodFacts(named).name, named);
+  }
 }
 
 }  // namespace

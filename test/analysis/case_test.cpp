@@ -6,6 +6,7 @@
 #include "palpate/tissue/fem/fem_tissue.h"
 
 #include "palpate/material/material.h"
+#include "palpate/scene/scene.h"
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "palpate/material/material.h"
+#include "palpate/material/solid.h"
 #include "support/contains.h"
 
 namespace palpate::material {
@@ -77,6 +78,48 @@ TEST(Refusals, NameConstantValueAndRange) {
     constants[r.constant] = r.value;
     EXPECT_TRUE(test::contains(refusalOf(r.law, constants), r.text)) << r.law;
   }
+}
+
+TEST(Refusals, AreDataAsWell) {
+  for (const Refusal& r : kRefusals) {
+    Constants constants = exampleConstants(r.law);
+    constants[r.constant] = r.value;
+    try {
+      makeMaterial(r.law, constants);
+      FAIL() << r.law;
+    } catch (const ConstantError& error) {
+      EXPECT_EQ(error.name + " = " + error.value + ": " + error.allowed, error.what());
+      EXPECT_EQ(r.text.find(error.name + " = " + error.value + ": must be"), 0u) << r.text;
+      EXPECT_EQ(error.allowed.find("must be "), 0u) << error.allowed;
+    }
+  }
+}
+
+PronyError refusalOf(const std::string& law, const std::vector<PronyTerm>& prony) {
+  try {
+    checkProny(makeMaterial(law, exampleConstants(law)), prony);
+  } catch (const PronyError& error) {
+    return error;
+  }
+  return {"accepted", "", ""};
+}
+
+TEST(Refusals, OfAPronySeriesNameTheTermToBlame) {
+  const PronyError g = refusalOf("ogden", {{0.2, 1.0}, {1.5, 1.0}});
+  EXPECT_STREQ(g.what(), "g = 1.5: must be in (0, 1)");
+  EXPECT_EQ(g.name, "g");
+  EXPECT_EQ(g.value, "1.5");
+  EXPECT_EQ(g.term, 1u);
+  const PronyError tau = refusalOf("ogden", {{0.2, 0.0}});
+  EXPECT_EQ(tau.name, "tau");
+  EXPECT_EQ(tau.term, 0u);
+  const PronyError sum = refusalOf("ogden", {{0.5, 1.0}, {0.5, 2.0}});
+  EXPECT_STREQ(sum.what(), "sum of g = 1: must be < 1, or nothing is left after long");
+  EXPECT_FALSE(sum.term);
+  const PronyError law = refusalOf("linear", {{0.5, 1.0}});
+  EXPECT_STREQ(law.what(), "law linear is for small rotations and cannot relax; use corotational");
+  EXPECT_EQ(law.name, "law");
+  EXPECT_FALSE(law.term);
 }
 
 // A law knows its own constants and no others, and needs them all but the optional ones.

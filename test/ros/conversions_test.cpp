@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
+#include <string>
 
 namespace palpate::node {
 namespace {
@@ -23,6 +25,29 @@ TEST(Conversions, AReportSaysInMillisecondsWhereTheTimeWent) {
   EXPECT_DOUBLE_EQ(m.haptics_ms, 7.0);
   EXPECT_DOUBLE_EQ(m.publish_ms, 8.0);
   EXPECT_EQ(m.cycle_ms, 30.0);
+}
+
+// Each figure gets a number of its own, which is looked for in the message as text.
+TEST(Conversions, AReportHasEveryFigureOfTheTable) {
+  sim::StepReport report;
+  int number = 10;
+  for (const auto& figure : sim::reportFigures()) {
+    if (const auto* whole = std::get_if<int sim::StepReport::*>(&figure.value)) {
+      report.** whole = ++number;
+    } else if (const auto* real = std::get_if<double sim::StepReport::*>(&figure.value)) {
+      report.** real = ++number;
+    }
+  }
+  std::ostringstream text;
+  text << toMsg(report, NodeState::kRunning, ros::Time(1.0), 30.0);
+  number = 10;
+  for (const auto& figure : sim::reportFigures()) {
+    if (std::holds_alternative<solver::SolveStatus sim::StepReport::*>(figure.value)) continue;
+    ++number;
+    if (!figure.message) continue;
+    const std::string line = std::string(figure.name) + ": " + std::to_string(number) + "\n";
+    EXPECT_NE(text.str().find(line), std::string::npos) << line << text.str();
+  }
 }
 
 TEST(Conversions, NoMessageHoldsANumberThatIsNotFinite) {

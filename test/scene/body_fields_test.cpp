@@ -128,6 +128,19 @@ TEST_F(BodyFields, Viscoelastic) {
                          "material.viscoelastic[0].tau", "is missing"));
 }
 
+TEST_F(BodyFields, ConstantsAreBlamedByName) {
+  EXPECT_TRUE(hasProblem(problemsWith("mu: 1.0e3", "mu: -2"), "material.mu",
+                         "must be one number > 0, finite"));
+  EXPECT_TRUE(
+      hasProblem(problemsWith("law: neo_hookean, mu: 1.0e3", "law: mooney_rivlin, c10: 1, c01: -2"),
+                 "material", "c10 + c01 = -1: must be > 0"));
+  // A law that cannot be made is no fault of its relaxation.
+  EXPECT_EQ(problemsWith("law: neo_hookean", "law: neo_hokean").size(), 1u);
+  EXPECT_EQ(problemsWith("mu: 1.0e3", "mu: -2").size(), 1u);
+  EXPECT_TRUE(hasProblem(problemsWith("law: neo_hookean", "law: linear"), "material.viscoelastic",
+                         "law linear is for small rotations"));
+}
+
 TEST_F(BodyFields, Regions) {
   EXPECT_TRUE(
       hasProblem(problemsWith("name: core", "name: capsule"), "regions[1].name", "must differ"));

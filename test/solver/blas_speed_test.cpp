@@ -38,13 +38,5 @@ TEST(BlasSpeed, IsMeasuredHereAndBelievable) {
 #endif
 }
 
-TEST(BlasSpeed, MattersWhereSomethingIsFactorised) {
-  EXPECT_TRUE(dependsOnBlas("implicit_direct"));
-  EXPECT_TRUE(dependsOnBlas("implicit_async"));
-  EXPECT_TRUE(dependsOnBlas("auto"));
-  EXPECT_FALSE(dependsOnBlas("implicit_pcg"));
-  EXPECT_FALSE(dependsOnBlas("tled"));
-}
-
 }  // namespace
 }  // namespace palpate::solver

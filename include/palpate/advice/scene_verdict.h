@@ -6,25 +6,24 @@
 
 #include "palpate/advice/cycle_costs.h"
 #include "palpate/sim/simulator.h"
+#include "palpate/tissue/method_facts.h"
 
 namespace palpate::advice {
 
 /// What a scene asks for and consists of, as far as its load depends on it. Of the organ with the
 /// most nodes where one is meant.
 struct SceneFacts {
-  double rate = 100.0;  ///< Cycles wanted in a second [Hz].
-  double step = 0.01;   ///< [s]
-  std::string method = "implicit_pcg";
-  std::vector<std::string> methods;  ///< That there are.
-  int threads = 1, cores = 1;
-  std::string organ, element = "anp";
-  int nodes = 0;                     ///< Of all organs.
-  double edge_length = 0.01;         ///< Mean of the organ's tetrahedra [m].
-  bool meshed = true;                ///< The organ is meshed with its key edge_length.
-  double poisson_ratio = 0.45;       ///< Largest of all solids, at small strain.
-  double contact_stiffness = 3.0e8;  ///< [Pa/m]
-  double sample_spacing = 0.0;       ///< As the scene says it [m].
-  double tolerance = 1.0e-4, linear_tolerance = 1e-2;  ///< As the scene says them.
+  scene::RatesConfig rates;      ///< As the scene says it,
+  scene::SolverConfig solver;    ///< likewise
+  scene::ContactConfig contact;  ///< and likewise.
+  /// By which the organ is solved: what the scene says or what `auto` took.
+  tissue::MethodFacts method = tissue::methodFacts(scene::SolverConfig().method);
+  int cores = 1;
+  std::string organ;
+  int nodes = 0;               ///< Of all organs.
+  double edge_length = 0.0;    ///< Mean of the organ's tetrahedra [m].
+  bool meshed = false;         ///< The organ is meshed with its key edge_length.
+  double poisson_ratio = 0.0;  ///< Largest of all solids, at small strain.
 };
 
 /// `cores` of this machine. @throws InputError if a tissue file of the scene has gone.

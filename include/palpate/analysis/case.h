@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/fem/elasticity.h"
 #include "palpate/keys/fields.h"
 #include "palpate/mesh/selection.h"
-#include "palpate/scene/scene.h"
+#include "palpate/scene/body_config.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/solver/static_solver.h"
+#include "palpate/solver/step_settings.h"
 
 namespace palpate::analysis {
 
-// The case file of `palpate solve` as plain data. Member initialisers are the only defaults;
-// case.cpp lists every key once, with unit, range and meaning.
+// The case file of `palpate solve` as plain data. Defaults are member initialisers, of these
+// structs or of what they set up; case_fields.cpp lists every key once, with unit, range and
+// meaning.
 
 struct BoxMesh {
   Vec3 size = Vec3::Ones();                         ///< [m], from the origin.
@@ -50,23 +54,19 @@ struct BoundaryCondition {
   bool holds() const { return displacement || rotation; }
 };
 
-struct StaticAnalysis {
-  int load_steps = 1;
-  double tolerance = 1.0e-9;  ///< Newton: residual over the forces' scale.
-  int max_newton_iterations = 50;
-};
+struct StaticAnalysis : solver::StaticSettings {};
 
 struct DynamicAnalysis {
-  std::string integrator = scene::SolverConfig().integrator;
-  std::string method = scene::SolverConfig().method;
-  double dt = scene::SolverConfig().step;  ///< [s]
-  double duration = 0.0;                   ///< [s]
+  std::string integrator = solver::StepSettings().integrator;
+  std::string method = solver::StepSettings().method;
+  double dt = solver::StepSettings().step;  ///< [s]
+  double duration = 0.0;                    ///< [s]
   std::optional<double> ramp_time;  ///< In which what is prescribed grows [s]; else duration.
   solver::RayleighDamping damping;
-  double tolerance = scene::SolverConfig().tolerance;
-  int max_newton_iterations = scene::SolverConfig().max_newton_iterations;
-  double linear_tolerance = scene::SolverConfig().linear_tolerance;
-  int max_linear_iterations = scene::SolverConfig().max_linear_iterations;
+  double tolerance = solver::StepSettings().tolerance;
+  int max_newton_iterations = solver::StepSettings().max_newton_iterations;
+  double linear_tolerance = solver::StepSettings().linear_tolerance;
+  int max_linear_iterations = solver::StepSettings().max_linear_iterations;
 };
 
 /// Displacement and stress at a point, or the sum over a region of a quantity.
@@ -82,7 +82,7 @@ struct Probe {
 struct Case : scene::BodyConfig {
   std::string file;  ///< Where it was read.
   CaseMesh mesh;
-  std::string element = "anp";
+  std::string element = fem::elementNames().front();
   std::vector<BoundaryCondition> boundary;
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   std::variant<StaticAnalysis, DynamicAnalysis> analysis;

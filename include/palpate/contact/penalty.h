@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/contact/response_settings.h"
+
 namespace palpate::contact {
 
 /// Pressure against penetration p [m] into a body whose inscribed radius is r [m]; zero for p <= 0:
@@ -11,8 +13,8 @@ namespace palpate::contact {
 /// stops the tissue before it gets to the body's middle, where it would be pushed out on the wrong
 /// side, however thin the body is.
 struct Penalty {
-  double stiffness;  ///< k [Pa/m]
-  double smoothing;  ///< e [m], > 0
+  double stiffness = ResponseSettings().stiffness;  ///< k [Pa/m]
+  double smoothing = ResponseSettings().smoothing;  ///< e [m], > 0
 
   /// Energy per area [J/m^2], the integral of the pressure.
   double energy(double p, double r) const {

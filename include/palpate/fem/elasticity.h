@@ -80,7 +80,7 @@ class Elasticity {
   virtual void restoreViscousState(const ViscousState* state) = 0;
 };
 
-/// Names that makeElasticity() knows.
+/// Names that makeElasticity() knows; the first is the default.
 std::vector<std::string> elementNames();
 /// The mesh that `element` needs: `mesh`, or for tet10 its 10-node version with straight edges.
 TetMesh meshFor(const std::string& element, const TetMesh& mesh);

@@ -2,13 +2,34 @@
 #pragma once
 
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::material {
 
 /// What a user gives a law: names and numbers, as read from a file. A scalar is a list of one.
 using Constants = std::map<std::string, std::vector<double>>;
+
+/// A constant, or what follows from several, that no law can have.
+class ConstantError : public std::invalid_argument {
+ public:
+  /// `rule` says what is allowed: "must be ...".
+  ConstantError(const std::string& constant, const std::string& given, const std::string& rule)
+      : ConstantError(constant + " = " + given + ": " + rule, constant, given, rule) {}
+
+  std::string name;     ///< Of the constant, or a formula.
+  std::string value;    ///< As it was given; empty if it was not.
+  std::string allowed;  ///< "must be ...".
+
+ protected:
+  ConstantError(const std::string& text, std::string constant, std::string given, std::string rule)
+      : std::invalid_argument(text),
+        name(std::move(constant)),
+        value(std::move(given)),
+        allowed(std::move(rule)) {}
+};
 
 /// The two moduli that every isotropic law has at rest.
 struct Moduli {
@@ -25,8 +46,8 @@ Moduli moduliFromYoung(double young_modulus, double poisson_ratio);
 std::vector<std::string> modulusNames();
 
 /// Reads either (young_modulus, poisson_ratio) or (mu, kappa).
-/// @throws std::invalid_argument naming constant, value and range: both pairs mixed or neither
-/// whole; young_modulus, mu or kappa not > 0; poisson_ratio not in (-1, 0.5).
+/// @throws ConstantError: young_modulus, mu or kappa not > 0; poisson_ratio not in (-1, 0.5).
+/// std::invalid_argument: both pairs mixed or neither whole.
 Moduli readModuli(const Constants& constants);
 
 }  // namespace palpate::material

@@ -13,7 +13,7 @@ std::vector<std::string> withBulkModulus(std::vector<std::string> names);
 
 /// Reads the constants of a law that has its own, and beside them the bulk modulus, which is given
 /// either as kappa [Pa] or by the Poisson ratio that the law has at rest. Each number must be
-/// finite. Every function throws std::invalid_argument naming constant, value and what is allowed.
+/// finite. Every function throws ConstantError.
 class OwnConstants {
  public:
   /// @throws std::invalid_argument unless all of `needed` are given, and either kappa or
@@ -39,7 +39,7 @@ class OwnConstants {
 
 /// For what follows from several constants: `what` is a name or a formula, `allowed` completes
 /// "must be ...".
-/// @throws std::invalid_argument "what = value: must be allowed" unless `right`.
+/// @throws ConstantError unless `right`.
 void require(bool right, const std::string& what, double value, const std::string& allowed);
 
 }  // namespace palpate::material

@@ -6,15 +6,20 @@
 
 #include "palpate/base/types.h"
 #include "palpate/contact/response_settings.h"
+#include "palpate/fem/elasticity.h"
+#include "palpate/haptics/wrench_filter.h"
+#include "palpate/instrument/instrument.h"
 #include "palpate/mesh/selection.h"
 #include "palpate/scene/body_config.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/solver/step_settings.h"
 #include "palpate/tissue/skip_switches.h"
 
 namespace palpate::scene {
 
-// The scene file as plain data. Member initialisers are the only defaults; scene_fields.cpp lists
-// every key once, with unit, range and meaning, for the reader, the checks and the documentation.
+// The scene file as plain data. Defaults are member initialisers, of these structs or of what they
+// set up; scene_fields.cpp lists every key once, with unit, range and meaning, for the reader, the
+// checks and the documentation.
 
 struct PoseConfig {
   Vec3 position = Vec3::Zero();        ///< [m]
@@ -36,7 +41,7 @@ struct OrganConfig : BodyConfig {
   double edge_length = 0.01;  ///< [m], target of the volume mesher; a surface needs it.
   PoseConfig pose;            ///< Organ to world.
   std::string model = "fem";  ///< One of tissue::modelNames().
-  std::string element = "anp";
+  std::string element = fem::elementNames().front();
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
 };
@@ -49,7 +54,7 @@ struct InstrumentConfig {
   std::string joint_topic;       ///< Empty: <name>/measured_js.
   std::string tf_prefix;         ///< Put before link names when looking up tf frames.
   std::string control_frame;     ///< Link where the wrench is given.
-  bool cylinder_as_capsule = true;
+  bool cylinder_as_capsule = instrument::LoadOptions().cylinder_as_capsule;
 };
 
 struct ContactConfig : contact::ResponseSettings {
@@ -61,32 +66,24 @@ struct SkipConfig : tissue::SkipSwitches {
   bool unwatched_markers = true;
 };
 
-struct SolverConfig {
-  std::string method = "implicit_pcg";
-  std::string integrator = "backward_euler";
-  double step = 0.01;                  ///< Fixed step when live, longest step in a replay [s].
-  double tolerance = 1.0e-4;           ///< Newton: residual over the forces' scale.
-  double position_tolerance = 1.0e-5;  ///< Residuals that move no node farther are let be [m].
-  int max_newton_iterations = 20;
-  double linear_tolerance = 1.0e-1;
-  int max_linear_iterations = 500;
+struct SolverConfig : solver::StepSettings {
   int threads = 1;
   double deadline = 0.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
   SkipConfig skip;
 };
 
 struct RatesConfig {
-  double simulation = 100.0;  ///< At most [Hz].
-  double haptic = 1000.0;     ///< [Hz]
-  double markers = 30.0;      ///< At most [Hz].
-  double stale_after = 0.2;   ///< Input older than this pauses [s].
-  double ramp = 0.1;          ///< Time for the wrench to come or go fully [s].
+  double simulation = 100.0;                           ///< At most [Hz].
+  double haptic = 1000.0;                              ///< [Hz]
+  double markers = 30.0;                               ///< At most [Hz].
+  double stale_after = 0.2;                            ///< Input older than this pauses [s].
+  double ramp = haptics::WrenchFilterSettings().ramp;  ///< For the wrench to come or go fully [s].
 };
 
 struct HapticsConfig {
-  double max_force = 20.0;       ///< [N]
-  double max_torque = 2.0;       ///< [N m]
-  double max_force_rate = 2000;  ///< [N/s]
+  double max_force = haptics::WrenchFilterSettings().max_force;            ///< [N]
+  double max_torque = haptics::WrenchFilterSettings().max_torque;          ///< [N m]
+  double max_force_rate = haptics::WrenchFilterSettings().max_force_rate;  ///< [N/s]
 };
 
 struct Scene {

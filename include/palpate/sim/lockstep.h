@@ -16,8 +16,8 @@ class Lockstep {
 
   /// The input `poses` of time `t` [s]. The first one, and one that is earlier than the last or
   /// more than 1e5 steps later (which resets the simulator), places the tools and makes one step of
-  /// `solver.step`. The same time again makes no step. Counters of the report are sums over the
-  /// parts.
+  /// `solver.step`. The same time again makes no step. The report is of all
+  /// parts, see reportFigures().
   const StepResult& advance(double t, const std::vector<LinkPoses>& poses);
 
   const StepResult& result() const { return result_; }

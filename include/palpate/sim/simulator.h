@@ -87,6 +87,9 @@ class Simulator {
 
   int numOrgans() const;
   const std::string& organName(int i) const;
+  std::vector<std::string> methods(int i) const;  ///< See tissue::TissueModel::methods().
+  /// Whether an organ's method has cycles that wait for BLAS.
+  bool wantsFastBlas() const;
   /// What there is of it now: points and its surface, which may become another one (its revision
   /// says so). The references hold until the next step().
   tissue::Shape shape(int i) const;

@@ -24,8 +24,4 @@ inline constexpr double kSlowBlas = 0.35;
 /// known. `coretype`: what OPENBLAS_CORETYPE was set to when the process began, null if nothing.
 std::string blasWarning(const BlasSpeed& speed, const char* coretype);
 
-/// Whether a step method's speed is that of BLAS, because it factorises; `auto` supposes a fast
-/// one.
-bool dependsOnBlas(const std::string& method);
-
 }  // namespace palpate::solver

@@ -5,13 +5,15 @@
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/potential.h"
 #include "palpate/solver/status.h"
+#include "palpate/solver/step_settings.h"
 
 namespace palpate::solver {
 
 struct NewtonSettings {
   double tolerance = 0.0;  ///< Absolute [N], on the norm of the free gradient.
-  int max_iterations = 20;
-  double linear_tolerance = 1e-2;  ///< Relative, of the linear solves; tighter for the last.
+  int max_iterations = StepSettings().max_newton_iterations;
+  /// Relative, of the linear solves; tighter for the last.
+  double linear_tolerance = StepSettings().linear_tolerance;
   /// Asked after every iteration and in linear solves; null: nobody is. At least one iteration is
   /// done.
   const Interrupt* interrupt = nullptr;

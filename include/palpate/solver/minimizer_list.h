@@ -11,7 +11,7 @@
 namespace palpate::solver {
 
 struct MinimizerSettings {
-  int max_linear_iterations = 500;
+  int max_linear_iterations = StepSettings().max_linear_iterations;
   /// Null: one thread. With two, factorisations are done beside. Must outlive the minimiser.
   ThreadPool* pool = nullptr;
   /// See Newton; the others have no use for it.
@@ -20,6 +20,25 @@ struct MinimizerSettings {
 
 /// Ways to take an implicit step; the first is the default.
 std::vector<std::string> minimizerNames();
+
+/// How the linear systems of a step are solved.
+enum class LinearSystems {
+  kNone,        ///< There are none.
+  kIterations,  ///< By iterations from the matrix alone: their number grows with its condition.
+  kFactor,      ///< Each is factorised: time grows with the square of the nodes.
+  kOldFactor    ///< By a factor that was made before or beside, alone or as a preconditioner.
+};
+
+/// What a way to take a step is.
+struct MinimizerFacts {
+  LinearSystems linear_systems = LinearSystems::kNone;
+  bool wants_fast_blas = false;  ///< Its steps may wait for factorisations, the work of BLAS.
+  bool shares_linear = false;    ///< All threads work on a linear system.
+  bool for_auto = false;         ///< The method `auto` of tissues may choose it.
+};
+
+/// @throws std::invalid_argument for a name that is not one of minimizerNames().
+MinimizerFacts minimizerFacts(const std::string& name);
 
 /// `A` has the body's pattern.
 /// @throws std::invalid_argument for a name that is not one of minimizerNames().

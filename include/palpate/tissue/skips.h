@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "palpate/tissue/skip_switches.h"
@@ -35,13 +36,20 @@ struct Skip {
   const char* doc;      ///< What is left out, for the table of keys.
   const char* counter;  ///< Name of the counter; null where no cycle of the simulation counts it.
   std::int64_t SkipCounters::*count;
-  int (*of)(const TissueStep&);  ///< An organ's cycle adds this to the counter.
-  bool in_total;                 ///< Counts pieces of work large enough for SkipCounters::total().
+  /// What an organ's cycle adds to the counter: a number, or one where it is true.
+  std::variant<int TissueStep::*, bool TissueStep::*> figure;
+  bool in_total;  ///< Counts pieces of work large enough for SkipCounters::total().
+
+  int of(const TissueStep& step) const;
 };
 
 /// Every skip. To add one: a switch, a counter, and a line in skips.cpp, which the scene's keys,
 /// the sums, `palpate replay --profile`, /diagnostics and the tests read; and its counter in
 /// StepReport.msg.
 const std::vector<Skip>& skips();
+
+/// Adds what a part of an organ left out to what the organ did: numbers are summed; what is true or
+/// not is true if it is of all parts, and a part that slept left out everything.
+void mergeSkips(const TissueStep& part, TissueStep* organ);
 
 }  // namespace palpate::tissue

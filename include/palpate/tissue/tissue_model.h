@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/base/phase_times.h"
 #include "palpate/base/types.h"
 #include "palpate/contact/obstacle.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/solver/interrupt.h"
-#include "palpate/solver/status.h"
+#include "palpate/tissue/figures.h"
 
 namespace palpate::tissue {
 
@@ -26,33 +25,21 @@ struct TissueContact {
 };
 
 /// What a cycle did. Forces are those on the tissue, summed over its nodes, in world [N].
-struct TissueStep {
-  solver::SolveStatus status = solver::SolveStatus::kConverged;
+struct TissueStep : StepFigures {
   std::vector<TissueContact> contacts;
   Vec3 support_force = Vec3::Zero();
   Vec3 gravity_force = Vec3::Zero();
   Vec3 inertia_force = Vec3::Zero();  ///< Of inertia and of damping by mass.
-  int sweep_stages = 1;
-  int time_steps = 1;  ///< That made the cycle; more than one where longer ones failed.
-  int newton_iterations = 0;
-  int linear_iterations = 0;
-  int factor_waits = 0;    ///< Waits for a factor made beside; depends on how fast that was.
-  double residual = 0.0;   ///< Norm of the unbalanced nodal forces [N].
-  double tolerance = 0.0;  ///< What it was asked to be below [N].
-  double min_jacobian = 1.0;
-  double kinetic_energy = 0.0;  ///< [J]
-  double elastic_energy = 0.0;  ///< Of a viscous body the potential of the last step [J].
-  int far_bodies = 0;           ///< Bodies that could not touch in this cycle.
-  bool slept = false;           ///< At rest and untouched: nothing was solved.
-  bool satisfied = false;       ///< The predictor was within tolerance: no iteration was needed.
-  int sleeping_islands = 0;     ///< Parts that slept, of a body that consists of several.
-  int distant_samples = 0;      ///< Surface points, times near bodies, that were out of reach.
-  int inactive_samples = 0;     ///< Those within reach that did not touch at the end.
-  int inviscid_solids = 0;      ///< Without viscous terms, in a cycle that was solved.
-  int kept_stiffnesses = 0;     ///< Elastic stiffnesses that were not assembled again.
-  PhaseTimes phases;            ///< Of the model's own; kOther is left to the caller.
+  // What was left out, see skips.h.
+  int far_bodies = 0;        ///< Bodies that could not touch in this cycle.
+  bool slept = false;        ///< At rest and untouched: nothing was solved.
+  bool satisfied = false;    ///< The predictor was within tolerance: no iteration was needed.
+  int sleeping_islands = 0;  ///< Parts that slept, of a body that consists of several.
+  int distant_samples = 0;   ///< Surface points, times near bodies, that were out of reach.
+  int inactive_samples = 0;  ///< Those within reach that did not touch at the end.
+  int inviscid_solids = 0;   ///< Without viscous terms, in a cycle that was solved.
+  int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
 
-  bool ok() const { return status == solver::SolveStatus::kConverged; }
   /// As new, but with its memory.
   void clear() {
     std::vector<TissueContact> memory = std::move(contacts);
@@ -90,6 +77,10 @@ class TissueModel {
   /// last good ones, and the contacts are empty. `obstacles` are the same shapes in the same order
   /// in every cycle. Figures of several organs are sums, or the worst of them.
   virtual const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) = 0;
+
+  /// By which methods it is solved, once each, that of its largest part first: names of
+  /// methodFacts(), "auto" never among them. Empty for a model that has no such choice.
+  virtual std::vector<std::string> methods() const { return {}; }
 
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }

@@ -5,6 +5,7 @@
 
 #include "critical_step.h"
 #include "method_choice.h"
+#include "method_refusal.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/factor_counts.h"
 #include "palpate/solver/integrator.h"
@@ -96,7 +97,7 @@ CycleCounts countCycle(FemBody* body) {
   counts.factor_flops = factor.flops;
   counts.factor_nonzeros = factor.nonzeros;
   counts.explicit_accepts =
-      settings.integrator == solver::integratorNames().front() && settings.stiffness_damping == 0.0;
+      methodRefusal(methodFacts("tled"), settings, body->elasticity->viscous()).empty();
   counts.mass_damping = settings.mass_damping > 0.0;
   CriticalStep critical(body->elasticity.get(), body->free);
   critical.begin(body->mesh.points);

@@ -47,6 +47,7 @@ struct FemBody {
   contact::ContactPotential& contact;  ///< Of `touch`,
   ToolSweep& sweep;                    ///< likewise.
   double largest_poisson_ratio;        ///< Of any solid at rest.
+  std::string method;                  ///< By which it is stepped; never "auto".
   std::string method_note;             ///< Why its method was chosen; empty: it was named.
   int inviscid_solids;                 ///< Without viscous terms.
   Vec3 weight;                         ///< Sum of the gravity forces [N].

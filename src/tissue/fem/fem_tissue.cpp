@@ -24,6 +24,8 @@ class FemTissue final : public TissueModel {
   Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(body_.mesh); }
 
+  std::vector<std::string> methods() const override { return {body_.method}; }
+
   std::vector<std::string> notes() const override {
     if (body_.method_note.empty()) return {};
     return {body_.method_note};

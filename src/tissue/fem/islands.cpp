@@ -2,11 +2,11 @@
 #include "palpate/tissue/fem/islands.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "palpate/base/vector_text.h"
 #include "palpate/mesh/tet_parts.h"
+#include "palpate/tissue/skips.h"
 
 namespace palpate::tissue {
 namespace {
@@ -38,30 +38,12 @@ void scatter(const Points& part, const std::vector<int>& nodes, Points* whole) {
 }
 
 void addIsland(const TissueStep& island, TissueStep* out) {
-  out->status = std::max(out->status, island.status);
+  mergeFigures(Over::kParts, island, out);
+  mergeSkips(island, out);
   out->contacts.insert(out->contacts.end(), island.contacts.begin(), island.contacts.end());
   out->support_force += island.support_force;
   out->gravity_force += island.gravity_force;
   out->inertia_force += island.inertia_force;
-  out->sweep_stages = std::max(out->sweep_stages, island.sweep_stages);
-  out->time_steps = std::max(out->time_steps, island.time_steps);
-  out->newton_iterations += island.newton_iterations;
-  out->linear_iterations += island.linear_iterations;
-  out->residual = std::hypot(out->residual, island.residual);
-  out->tolerance = std::hypot(out->tolerance, island.tolerance);
-  out->min_jacobian = std::min(out->min_jacobian, island.min_jacobian);
-  out->kinetic_energy += island.kinetic_energy;
-  out->elastic_energy += island.elastic_energy;
-  out->far_bodies += island.far_bodies;
-  out->slept &= island.slept;
-  out->satisfied &= island.satisfied || island.slept;
-  out->factor_waits += island.factor_waits;
-  out->sleeping_islands += island.slept;
-  out->distant_samples += island.distant_samples;
-  out->inactive_samples += island.inactive_samples;
-  out->inviscid_solids += island.inviscid_solids;
-  out->kept_stiffnesses += island.kept_stiffnesses;
-  out->phases += island.phases;
 }
 
 class Islands final : public TissueModel {
@@ -88,6 +70,21 @@ class Islands final : public TissueModel {
     }
     if (out_.slept) out_.satisfied = false;
     return out_;
+  }
+
+  std::vector<std::string> methods() const override {
+    std::vector<const Island*> by_size;
+    for (const Island& island : islands_) by_size.push_back(&island);
+    std::stable_sort(by_size.begin(), by_size.end(), [](const Island* a, const Island* b) {
+      return a->nodes.size() > b->nodes.size();
+    });
+    std::vector<std::string> all;
+    for (const Island* island : by_size) {
+      for (const std::string& method : island->tissue->methods()) {
+        if (!std::count(all.begin(), all.end(), method)) all.push_back(method);
+      }
+    }
+    return all;
   }
 
   std::vector<std::string> notes() const override {

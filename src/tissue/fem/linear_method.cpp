@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear_method.h"
 
-#include <stdexcept>
-
-#include "palpate/solver/integrator.h"
-
 namespace palpate::tissue {
 namespace {
 
@@ -12,25 +8,10 @@ namespace {
 constexpr double kStageTolerance = 100.0;
 constexpr int kMaxSearches = 4;
 
-FemBody* checked(FemBody* body) {
-  const std::string& integrator = body->settings.integrator;
-  if (integrator != solver::integratorNames().front() && integrator != "static") {
-    throw std::invalid_argument("integrator = " + integrator +
-                                ": method linear_precomputed is quasi-static and has none; leave "
-                                "the key out or choose an implicit method");
-  }
-  if (body->elasticity->viscous()) {
-    throw std::invalid_argument(
-        "method linear_precomputed has no memory for a viscoelastic material; leave viscoelastic "
-        "out or choose an implicit method");
-  }
-  return body;
-}
-
 }  // namespace
 
 LinearMethod::LinearMethod(FemBody* body)
-    : body_(*checked(body)),
+    : body_(*body),
       compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles),
       contact_(body, &compliance_),
       force_(Points::Zero(3, body->x.cols())) {

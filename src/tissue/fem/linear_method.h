@@ -17,8 +17,7 @@ namespace palpate::tissue {
 /// wrong.
 class LinearMethod final : public StepMethod {
  public:
-  /// @throws std::invalid_argument for a viscous body, an integrator of dynamics that was asked
-  /// for, and as SurfaceCompliance.
+  /// @throws std::invalid_argument as SurfaceCompliance.
   explicit LinearMethod(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;

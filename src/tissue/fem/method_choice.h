@@ -18,7 +18,7 @@ struct CycleCounts {
   int linear_iterations = 0;  ///< Of conjugate gradients against a push on the surface.
   double factor_flops = 0.0, factor_nonzeros = 0.0;
   double sub_steps = 0.0;  ///< Of `tled` in a cycle.
-  /// `tled` takes the settings: its own integrator, no damping in proportion to stiffness.
+  /// `tled` takes the settings and the body.
   bool explicit_accepts = false;
   bool mass_damping = false;  ///< There is some; without it an explicit body rings for ever.
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <stdexcept>
 
 #include "implicit_method.h"
 #include "linear_method.h"
 #include "method_choice.h"
+#include "method_refusal.h"
 #include "newton_method.h"
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
+#include "palpate/tissue/method_facts.h"
 #include "step_method.h"
 #include "tled_method.h"
 
@@ -38,18 +41,59 @@ std::unique_ptr<StepMethod> automatic(FemBody* body) {
   return makeStepMethod(choice.method, body);
 }
 
+MethodFacts tledFacts() {
+  MethodFacts facts;
+  facts.for_auto = facts.explicit_steps = true;
+  facts.stiffness_damping = false;
+  facts.integrators = {solver::integratorNames().front()};
+  facts.own_integration = "has its own, central differences";
+  return facts;
+}
+
+// Velocities are differences over the cycle.
+MethodFacts quasiStatic(solver::LinearSystems linear_systems) {
+  MethodFacts facts;
+  facts.linear_systems = linear_systems;
+  facts.integrators = {solver::integratorNames().front(), "static"};
+  facts.own_integration = "is quasi-static and has none";
+  return facts;
+}
+
+MethodFacts linearPrecomputedFacts() {
+  MethodFacts facts = quasiStatic(solver::LinearSystems::kOldFactor);
+  facts.viscous = false;
+  return facts;
+}
+
+MethodFacts newtonBicgstabFacts() { return quasiStatic(solver::LinearSystems::kIterations); }
+
+MethodFacts automaticFacts() { return {}; }
+
 // Every method beside those of solver::minimizerNames(), the first of which is the default. To add
-// one: write its header and source, add it here.
+// one: write its header and source, add it here with what it is.
 struct Entry {
   const char* name;
   std::unique_ptr<StepMethod> (*make)(FemBody*);
+  MethodFacts (*facts)();
 };
 const std::vector<Entry> kMethods = {
-    {"tled", tled},
-    {"linear_precomputed", linearPrecomputed},
-    {"newton_bicgstab", newtonBicgstab},
-    {"auto", automatic},
+    {"tled", tled, tledFacts},
+    {"linear_precomputed", linearPrecomputed, linearPrecomputedFacts},
+    {"newton_bicgstab", newtonBicgstab, newtonBicgstabFacts},
+    {"auto", automatic, automaticFacts},
 };
+
+bool isMinimizer(const std::string& name) {
+  const std::vector<std::string> names = solver::minimizerNames();
+  return std::count(names.begin(), names.end(), name) > 0;
+}
+
+const Entry& find(const std::string& name) {
+  for (const Entry& entry : kMethods) {
+    if (name == entry.name) return entry;
+  }
+  throw std::invalid_argument("method = " + name + ": must be one of " + joinNames(methodNames()));
+}
 
 }  // namespace
 
@@ -59,14 +103,23 @@ std::vector<std::string> methodNames() {
   return names;
 }
 
+MethodFacts methodFacts(const std::string& name) {
+  MethodFacts facts;
+  if (isMinimizer(name)) {
+    static_cast<solver::MinimizerFacts&>(facts) = solver::minimizerFacts(name);
+  } else {
+    facts = find(name).facts();
+  }
+  facts.name = name;
+  return facts;
+}
+
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body) {
-  for (const std::string& known : solver::minimizerNames()) {
-    if (name == known) return implicit(name, body);
-  }
-  for (const Entry& entry : kMethods) {
-    if (name == entry.name) return entry.make(body);
-  }
-  throw std::invalid_argument("method = " + name + ": must be one of " + joinNames(methodNames()));
+  const std::string refusal =
+      methodRefusal(methodFacts(name), body->settings, body->elasticity->viscous());
+  if (!refusal.empty()) throw std::invalid_argument(refusal);
+  body->method = name;  // `automatic` makes another one, which writes its own
+  return isMinimizer(name) ? implicit(name, body) : find(name).make(body);
 }
 
 }  // namespace palpate::tissue

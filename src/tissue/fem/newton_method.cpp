@@ -4,9 +4,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "palpate/solver/integrator.h"
 #include "sparse_assembly.h"
 
 namespace palpate::tissue {
@@ -19,20 +17,10 @@ constexpr int kMaxChanges = 30;
 // Of the body's size: where a held point counts as being on the tool.
 constexpr double kOnSurface = 1e-9;
 
-FemBody* checked(FemBody* body) {
-  const std::string& integrator = body->settings.integrator;
-  if (integrator != solver::integratorNames().front() && integrator != "static") {
-    throw std::invalid_argument("integrator = " + integrator +
-                                ": method newton_bicgstab is quasi-static and has none; leave the "
-                                "key out or choose an implicit method");
-  }
-  return body;
-}
-
 }  // namespace
 
 NewtonMethod::NewtonMethod(FemBody* body)
-    : body_(*checked(body)), contact_(body), stiffness_(body->elasticity->makeMatrix()) {
+    : body_(*body), contact_(body), stiffness_(body->elasticity->makeMatrix()) {
   assembleSparse(stiffness_);  // throws for what cannot be assembled
 }
 

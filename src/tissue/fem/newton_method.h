@@ -19,8 +19,7 @@ namespace palpate::tissue {
 /// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
 class NewtonMethod final : public StepMethod {
  public:
-  /// @throws std::invalid_argument for element p1p1 or an integrator of dynamics that was asked
-  /// for.
+  /// @throws std::invalid_argument for element p1p1.
   explicit NewtonMethod(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;

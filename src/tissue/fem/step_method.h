@@ -36,8 +36,9 @@ class StepMethod {
   virtual void stop() = 0;
 };
 
-/// `name`: one of methodNames().
-/// @throws std::invalid_argument for another one, or a body that the method cannot treat.
+/// `name`: one of methodNames(); body.method becomes it, or what `auto` took.
+/// @throws std::invalid_argument for another one, for a body or settings that the method does not
+/// take (methodFacts()), and for what its constructor refuses.
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body);
 
 }  // namespace palpate::tissue

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include "palpate/solver/integrator.h"
 
 namespace palpate::tissue {
 namespace {
@@ -22,20 +19,6 @@ constexpr double kContactWay = 0.5;
 // Times the energy that is known to have come in: beyond it, the scheme made it.
 constexpr double kEnergyGain = 4.0;
 
-void refuseWhatItCannot(const FemSettings& settings) {
-  if (settings.integrator != solver::integratorNames().front()) {
-    throw std::invalid_argument("integrator = " + settings.integrator +
-                                ": method tled has its own, central differences; leave the key "
-                                "out or choose an implicit method");
-  }
-  if (settings.stiffness_damping != 0.0) {
-    throw std::invalid_argument(
-        "damping.stiffness = " + std::to_string(settings.stiffness_damping) +
-        ": method tled damps in proportion to mass only; set it to zero or choose an implicit "
-        "method");
-  }
-}
-
 }  // namespace
 
 TledMethod::TledMethod(FemBody* body)
@@ -45,7 +28,6 @@ TledMethod::TledMethod(FemBody* body)
       element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(masses_.size()))),
       critical_(body->elasticity.get(), body->free),
       update_(body) {
-  refuseWhatItCannot(body->settings);
   critical_.begin(body->mesh.points);
   u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
 }

@@ -25,8 +25,6 @@ namespace palpate::tissue {
 /// that went on: a tool is deep in the tissue, which is still being pushed out.
 class TledMethod final : public StepMethod {
  public:
-  /// @throws std::invalid_argument for an integrator other than the default, or damping in
-  /// proportion to stiffness, which an explicit step cannot take.
   explicit TledMethod(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;

@@ -7,8 +7,10 @@
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/composition.h"
+#include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
 
@@ -18,15 +20,12 @@ struct FemSettings : ModelSettings {
   FemSettings() = default;
   explicit FemSettings(const ModelSettings& settings) : ModelSettings(settings) {}
 
-  std::string element = "anp";
+  std::string element = fem::elementNames().front();
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
   int max_time_steps = 8;          ///< That a cycle is cut into where longer ones fail: 1, 2, 4 ...
   bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
 };
-
-/// How a cycle may be solved; the first is the default.
-std::vector<std::string> methodNames();
 
 /// Nonlinear finite elements, stepped by one of several methods. When tools move far within a
 /// cycle, the motion is swept in stages short against the thinnest tool, each solved before the

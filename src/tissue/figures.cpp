@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/tissue/figures.h"
+
+namespace palpate::tissue {
+
+const std::vector<Figure<StepFigures>>& stepFigures() {
+  using F = StepFigures;
+  using M = Merge;
+  // Of sub-steps, R.csv shows residual, tolerance and min_jacobian of the last one.
+  static const std::vector<Figure<F>> kAll = {
+      {"status", "string",
+       "converged, iteration_limit, deadline, line_search_failed, not_positive_definite or "
+       "non_finite",
+       &F::status, M::kLargest, M::kLargest, M::kLargest},
+      {"sweep_stages", "int32", "parts that the tools' motion was cut into", &F::sweep_stages,
+       M::kLargest, M::kLargest, M::kLargest},
+      {"time_steps", "int32", "that made the cycle; more than one where longer ones failed",
+       &F::time_steps, M::kLargest, M::kLargest, M::kLargest},
+      {"newton_iterations", "int32", "", &F::newton_iterations, M::kSum, M::kSum, M::kSum},
+      {"cg_iterations", "int32", "", &F::linear_iterations, M::kSum, M::kSum, M::kSum},
+      {"factor_waits", nullptr, "waits for a factor made beside; depends on how fast that was",
+       &F::factor_waits, M::kSum, M::kSum, M::kSum},
+      {"residual", "float64", "norm of the unbalanced forces [N]", &F::residual, M::kRootOfSquares,
+       M::kLargest, M::kLast},
+      {"tolerance", "float64", "what the residual was asked to be below [N]", &F::tolerance,
+       M::kRootOfSquares, M::kLargest, M::kLast},
+      {"min_jacobian", "float64", "smallest det F of any element [-]; <= 0: inverted",
+       &F::min_jacobian, M::kLeast, M::kLeast, M::kLast},
+      {"kinetic_energy", "float64", "[J]", &F::kinetic_energy, M::kSum, M::kSum, M::kLast},
+      {"elastic_energy", "float64", "of viscous organs the potential of the last step [J]",
+       &F::elastic_energy, M::kSum, M::kSum, M::kLast},
+  };
+  return kAll;
+}
+
+const char* toString(Merge rule) {
+  switch (rule) {
+    case Merge::kSum:
+      return "sum";
+    case Merge::kLargest:
+      return "largest";
+    case Merge::kLeast:
+      return "least";
+    case Merge::kRootOfSquares:
+      return "root of squares";
+    case Merge::kLast:
+      return "last";
+  }
+  return "";
+}
+
+void mergeFigures(Over over, const StepFigures& one, StepFigures* all) {
+  mergeFigures(stepFigures(), over, one, all);
+  all->phases += one.phases;
+}
+
+}  // namespace palpate::tissue
