@@ -9,15 +9,10 @@ namespace palpate::material {
 
 void checkProny(const Material& law, const std::vector<PronyTerm>& prony) {
   if (prony.empty()) return;
-  std::visit(
-      [](const auto& l) {
-        using Law = std::decay_t<decltype(l)>;
-        if (!Law::kFrameIndifferent) {
-          throw std::invalid_argument("law " + std::string(Law::kName) +
-                                      " is for small rotations and cannot relax; use corotational");
-        }
-      },
-      law);
+  if (!isFrameIndifferent(law)) {
+    throw std::invalid_argument("law " + lawName(law) +
+                                " is for small rotations and cannot relax; use corotational");
+  }
   double sum = 0.0;
   for (const PronyTerm& term : prony) {
     if (!(term.g > 0.0 && term.g < 1.0)) {

@@ -13,6 +13,7 @@
 #include "slab_scene.h"
 #include "support/contains.h"
 #include "support/input_error.h"
+#include "support/source_folder.h"
 
 namespace palpate::sim {
 namespace {
@@ -38,8 +39,7 @@ TEST(Skips, AreOnUnlessTheSceneSaysOtherwise) {
 }
 
 TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
-  const std::string message =
-      test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/msg/StepReport.msg");
+  const std::string message = test::fileBytes(test::sourceFolder() + "/msg/StepReport.msg");
   SkipCounters ones, sum;
   std::int64_t total = 0;
   for (const Skip& skip : skips()) {
