@@ -22,14 +22,13 @@ fi
 
 generator=()
 if [ ! -f "$build_dir/CMakeCache.txt" ] && command -v ninja >/dev/null; then generator=(-G Ninja); fi
-launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
 step() {
   echo "+ $*"
   "$@"
 }
 # shellcheck disable=SC2086  # CMAKE_ARGS is a list of words
-step cmake -S . -B "$build_dir" "${generator[@]}" "${launcher[@]}" \
+step cmake -S . -B "$build_dir" "${generator[@]}" \
+  -DCMAKE_CXX_COMPILER_LAUNCHER="$PWD/scripts/compiler_launcher.sh" \
   -DCMAKE_BUILD_TYPE="$build_type" ${CMAKE_ARGS:-}
 step cmake --build "$build_dir" -j "$JOBS" --target "$@"

@@ -40,9 +40,8 @@ constexpr Entry kElements[] = {
 void refuseFibresWithoutFrames(const Composition& composition) {
   for (const material::Solid& solid : composition.solids) {
     if (!composition.frames.empty() || !material::needsFibres(solid.law)) continue;
-    throw std::invalid_argument(
-        "law " + std::visit([](const auto& law) { return std::string(law.kName); }, solid.law) +
-        " has fibres and needs their directions");
+    throw std::invalid_argument("law " + material::lawName(solid.law) +
+                                " has fibres and needs their directions");
   }
 }
 

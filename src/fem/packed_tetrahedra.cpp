@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "element_schedule.h"
 #include "for_all.h"
@@ -14,9 +15,10 @@
 namespace palpate::fem {
 namespace {
 
-std::optional<TetLaw> kernelLaw(const material::Material& law) {
-  if (std::holds_alternative<material::NeoHookean>(law)) return TetLaw::kNeoHookean;
-  if (std::holds_alternative<material::StableNeoHookean>(law)) return TetLaw::kStableNeoHookean;
+std::optional<TetLaw> kernelLaw(const material::Material& material) {
+  const std::string law = material::lawName(material);
+  if (law == "neo_hookean") return TetLaw::kNeoHookean;
+  if (law == "stable_neo_hookean") return TetLaw::kStableNeoHookean;
   return std::nullopt;
 }
 

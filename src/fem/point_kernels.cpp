@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include "palpate/material/law_list.h"
+
 namespace palpate::fem {
 namespace {
 
@@ -33,7 +35,7 @@ double pressure(const PointBatch& batch, int i, double theta) {
 }  // namespace
 
 void dilatations(const material::Material& material, int count, const Mat3* F, double* theta) {
-  std::visit(
+  material::visitLaw(
       [&](const auto& law) {
         for (int i = 0; i < count; ++i) theta[i] = ThetaOf<decltype(law)>::value(F[i]);
       },
@@ -41,7 +43,7 @@ void dilatations(const material::Material& material, int count, const Mat3* F, d
 }
 
 void energyDensities(const material::Material& material, const PointBatch& batch, double* psi) {
-  std::visit(
+  material::visitLaw(
       [&](const auto& law) {
         for (int i = 0; i < batch.count; ++i) {
           psi[i] = energyDensity(law, batch, i, ThetaOf<decltype(law)>::value(batch.F[i]));
@@ -51,7 +53,7 @@ void energyDensities(const material::Material& material, const PointBatch& batch
 }
 
 void stresses(const material::Material& material, const PointBatch& batch, double* psi, Mat3* P) {
-  std::visit(
+  material::visitLaw(
       [&](const auto& law) {
         using Theta = ThetaOf<decltype(law)>;
         for (int i = 0; i < batch.count; ++i) {
@@ -68,7 +70,7 @@ void stresses(const material::Material& material, const PointBatch& batch, doubl
 
 void tangents(const material::Material& material, const PointBatch& batch, Mat9* C,
               Mat3* theta_gradient) {
-  std::visit(
+  material::visitLaw(
       [&](const auto& law) {
         using Theta = ThetaOf<decltype(law)>;
         for (int i = 0; i < batch.count; ++i) {
@@ -85,7 +87,7 @@ void tangents(const material::Material& material, const PointBatch& batch, Mat9*
 }
 
 void distortionalStresses(const material::Material& material, int count, const Mat3* F, Mat3* S) {
-  std::visit(
+  material::visitLaw(
       [&](const auto& law) {
         for (int i = 0; i < count; ++i) {
           const Mat3 product = F[i].inverse() * law.distortionalStress(F[i]);

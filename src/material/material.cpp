@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/material/law_list.h"
 
 namespace palpate::material {
 namespace {
@@ -17,7 +19,7 @@ void forEachLaw(Visitor&& visit, const std::variant<Laws...>*) {
 
 template <class Visitor>
 void forEachLaw(Visitor&& visit) {
-  forEachLaw(visit, static_cast<const Material*>(nullptr));
+  forEachLaw(visit, static_cast<const LawList*>(nullptr));
 }
 
 template <class Law>
@@ -33,6 +35,8 @@ void refuseUnknownConstants(const Constants& constants) {
 }
 
 }  // namespace
+
+Material::Material(ListedLaw law) : law_(std::make_shared<const ListedLaw>(std::move(law))) {}
 
 std::vector<std::string> materialNames() {
   std::vector<std::string> names;
@@ -55,7 +59,7 @@ Material makeMaterial(const std::string& name, const Constants& constants) {
     using Law = std::decay_t<decltype(*law)>;
     if (name != Law::kName) return;
     refuseUnknownConstants<Law>(constants);
-    made.emplace(Law(constants));
+    made.emplace(ListedLaw{Law(constants)});
   });
   if (made) return *made;
   const std::string nearest = nearestName(name, materialNames());
@@ -72,13 +76,22 @@ Constants exampleConstants(const std::string& name) {
   return constants;
 }
 
+std::string lawName(const Material& material) {
+  return visitLaw([](const auto& law) { return std::string(law.kName); }, material);
+}
+
 bool needsFibres(const Material& material) {
-  return std::visit([](const auto& law) { return std::decay_t<decltype(law)>::kNeedsFibres; },
-                    material);
+  return visitLaw([](const auto& law) { return std::decay_t<decltype(law)>::kNeedsFibres; },
+                  material);
+}
+
+bool isFrameIndifferent(const Material& material) {
+  return visitLaw([](const auto& law) { return std::decay_t<decltype(law)>::kFrameIndifferent; },
+                  material);
 }
 
 Moduli moduli(const Material& material) {
-  return std::visit([](const auto& law) { return law.moduli(); }, material);
+  return visitLaw([](const auto& law) { return law.moduli(); }, material);
 }
 
 }  // namespace palpate::material

@@ -21,15 +21,9 @@ void checkTerm(const PronyTerm& term, std::size_t index) {
 
 void checkProny(const Material& law, const std::vector<PronyTerm>& prony) {
   if (prony.empty()) return;
-  std::visit(
-      [](const auto& l) {
-        using Law = std::decay_t<decltype(l)>;
-        if (!Law::kFrameIndifferent) {
-          throw PronyError(std::string(Law::kName),
-                           "is for small rotations and cannot relax; use corotational");
-        }
-      },
-      law);
+  if (!isFrameIndifferent(law)) {
+    throw PronyError(lawName(law), "is for small rotations and cannot relax; use corotational");
+  }
   double sum = 0.0;
   for (std::size_t i = 0; i < prony.size(); ++i) {
     checkTerm(prony[i], i);

@@ -8,6 +8,7 @@
 #include "palpate/material/material.h"
 #include "palpate/scene/scene.h"
 #include "support/input_error.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 
 namespace palpate::analysis {
@@ -190,7 +191,7 @@ TEST_F(CaseFile, ElementAndMaterial) {
 }
 
 TEST(CaseFormat, CommittedPageIsTheGeneratedOne) {
-  const std::string page = std::string(PALPATE_SOURCE_DIR) + "/docs/case_format.md";
+  const std::string page = test::sourceFolder() + "/docs/case_format.md";
   EXPECT_EQ(test::fileBytes(page), caseFormatMarkdown())
       << "regenerate: palpate docs case_format > docs/case_format.md";
 }

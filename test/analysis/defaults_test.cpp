@@ -13,6 +13,7 @@
 #include "palpate/scene/scene.h"
 #include "palpate/solver/minimizer_list.h"
 #include "palpate/tissue/fem/fem_tissue.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 
 namespace palpate {
@@ -68,8 +69,7 @@ std::map<std::string, std::set<std::string>> headersWithDefaults(const std::stri
   std::map<std::string, std::set<std::string>> found;
   namespace fs = std::filesystem;
   for (const char* folder : {"/include", "/src"}) {
-    for (const auto& entry :
-         fs::recursive_directory_iterator(PALPATE_SOURCE_DIR + std::string(folder))) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::sourceFolder() + folder)) {
       if (entry.path().extension() != ".h") continue;
       std::istringstream lines(test::fileBytes(entry.path().string()));
       for (std::string line; std::getline(lines, line);) {

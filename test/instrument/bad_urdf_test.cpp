@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/instrument/instrument.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
@@ -54,14 +55,14 @@ TEST(BadUrdf, NotXmlOrAnotherXml) {
 }
 
 TEST(BadUrdf, TruncatedAnywhere) {
-  std::ifstream in(std::string(PALPATE_SOURCE_DIR) + "/config/instruments/grasper.urdf");
+  std::ifstream in(test::sourceFolder() + "/config/instruments/grasper.urdf");
   const std::string whole{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   ASSERT_GT(whole.size(), 1000u);
   for (std::size_t n = 0; n + 10 < whole.size(); n += 97) problemOf(whole.substr(0, n));
 }
 
 TEST(BadUrdf, RandomDamageIsRefusedOrLoadsButNeverCrashes) {
-  std::ifstream in(std::string(PALPATE_SOURCE_DIR) + "/config/instruments/probe.urdf");
+  std::ifstream in(test::sourceFolder() + "/config/instruments/probe.urdf");
   const std::string whole{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   const TempFolder temp;
   std::mt19937 rng{5};

@@ -9,6 +9,7 @@
 #include <limits>
 #include <thread>
 
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
@@ -100,7 +101,7 @@ TEST(Instrument, MimicWithoutMultiplierCopies) {
 
 TEST(Instrument, PosesHaveTheSameBitsOnEveryThread) {
   const Instrument instrument =
-      loadInstrument(std::string(PALPATE_SOURCE_DIR) + "/config/instruments/grasper.urdf");
+      loadInstrument(test::sourceFolder() + "/config/instruments/grasper.urdf");
   const auto n = static_cast<Eigen::Index>(instrument.joints().size());
   const auto run = [&](std::vector<Pose>* X) {
     for (int i = 0; i < 2000; ++i) instrument.linkPoses(Eigen::VectorXd::Constant(n, 1e-3 * i), X);

@@ -12,6 +12,7 @@
 
 #include "palpate/instrument/instrument.h"
 #include "palpate/instrument/joint_mapper.h"
+#include "support/source_folder.h"
 
 // Every malloc of the process is counted, Eigen's too; under a sanitizer malloc is not ours.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -30,7 +31,7 @@ namespace palpate::instrument {
 namespace {
 
 std::vector<std::string> urdfFiles() {
-  const std::string shipped = std::string(PALPATE_SOURCE_DIR) + "/config/instruments/";
+  const std::string shipped = test::sourceFolder() + "/config/instruments/";
   std::vector<std::string> files = {shipped + "probe.urdf", shipped + "grasper.urdf"};
   if (const char* data = std::getenv("PALPATE_EXTRA_DATA")) {
     files.push_back(std::string(data) + "/instruments/psm/psm.urdf");

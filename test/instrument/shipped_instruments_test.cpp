@@ -8,6 +8,7 @@
 
 #include "palpate/contact/signed_distance.h"
 #include "palpate/instrument/instrument.h"
+#include "support/source_folder.h"
 
 namespace palpate::instrument {
 namespace {
@@ -16,8 +17,7 @@ namespace {
 class Shipped : public ::testing::Test {
  protected:
   explicit Shipped(const std::string& name)
-      : instrument(
-            loadInstrument(std::string(PALPATE_SOURCE_DIR) + "/config/instruments/" + name)) {}
+      : instrument(loadInstrument(test::sourceFolder() + "/config/instruments/" + name)) {}
 
   Pose pose(const std::string& link, const std::map<std::string, double>& positions = {}) const {
     const std::vector<std::string> names = instrument.jointNames();

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "palpate/material/material.h"
+#include "palpate/material/law_list.h"
 
 namespace palpate::test {
 

@@ -8,7 +8,7 @@
 
 #include "finite_difference.h"
 #include "kinks.h"
-#include "palpate/material/material.h"
+#include "palpate/material/law_list.h"
 #include "support/random.h"
 
 namespace palpate::material {
@@ -48,7 +48,7 @@ class EveryLaw : public ::testing::Test {
   const double scale = law.moduli().mu + law.moduli().kappa;  // [Pa]
   test::Random random;
 };
-TYPED_TEST_SUITE(EveryLaw, typename AsTestTypes<Material>::type, );
+TYPED_TEST_SUITE(EveryLaw, typename AsTestTypes<LawList>::type, );
 
 TYPED_TEST(EveryLaw, RestIsEnergyAndStressFree) {
   EXPECT_NEAR(energyDensity(this->law, Mat3::Identity()), 0.0, 1e-12 * this->scale);

@@ -17,6 +17,7 @@
 #include "params.h"
 #include "sensor_msgs/JointState.h"
 #include "std_srvs/Trigger.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "tf2_msgs/TFMessage.h"
 #include "topics.h"
@@ -35,7 +36,7 @@ std::string trimmed(const std::string& text) {
 
 /// The rows of all tables below a heading, without their heads, by the first cell.
 std::map<std::string, Row> tablesBelow(const std::string& heading) {
-  std::istringstream page(test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/README.md"));
+  std::istringstream page(test::fileBytes(test::sourceFolder() + "/README.md"));
   std::map<std::string, Row> rows;
   bool here = false, head = true;
   for (std::string line; std::getline(page, line);) {

@@ -6,12 +6,13 @@
 #include <filesystem>
 
 #include "palpate/material/material.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 
 namespace palpate::scene {
 namespace {
 
-const std::string kSource = PALPATE_SOURCE_DIR;
+const std::string kSource = test::sourceFolder();
 
 TEST(Scene, EveryShippedOneIsRead) {
   int count = 0;

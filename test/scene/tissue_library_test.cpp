@@ -6,13 +6,14 @@
 #include <map>
 
 #include "palpate/scene/tissue_file.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "support/uniaxial.h"
 
 namespace palpate::scene {
 namespace {
 
-const std::string kFolder = std::string(PALPATE_SOURCE_DIR) + "/config/materials/";
+const std::string kFolder = test::sourceFolder() + "/config/materials/";
 
 material::Solid solidOf(const std::string& tissue) {
   MaterialConfig material;
@@ -93,8 +94,7 @@ TEST(TissueLibrary, BrainOfSurgeryRelaxes) {
 }
 
 TEST(TissuePage, CommittedPageIsTheGeneratedOne) {
-  EXPECT_EQ(test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/docs/tissues.md"),
-            tissuesMarkdown(kFolder))
+  EXPECT_EQ(test::fileBytes(test::sourceFolder() + "/docs/tissues.md"), tissuesMarkdown(kFolder))
       << "regenerate: palpate docs tissues > docs/tissues.md";
 }
 

@@ -8,6 +8,7 @@
 
 #include "palpate/scene/organ_loader.h"
 #include "palpate/sim/simulator.h"
+#include "support/source_folder.h"
 
 namespace palpate::sim {
 namespace {
@@ -36,7 +37,7 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   scene.instruments.resize(1);
   scene::InstrumentConfig& probe = scene.instruments[0];
   probe.name = "probe";
-  probe.urdf = std::string(PALPATE_SOURCE_DIR) + "/config/instruments/probe.urdf";
+  probe.urdf = test::sourceFolder() + "/config/instruments/probe.urdf";
   probe.control_frame = "tip";
   probe.base.position = Vec3(X.col(top)) + Vec3(0.0, 0.0, 0.015);  // the ball 10 mm above the top
 

@@ -13,6 +13,7 @@
 #include "palpate/sim/lockstep.h"
 #include "slab_scene.h"
 #include "support/contains.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 
 namespace palpate::sim {
@@ -23,7 +24,7 @@ using tissue::Merge;
 using tissue::Over;
 
 std::string sourceFile(const std::string& name) {
-  return test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/" + name);
+  return test::fileBytes(test::sourceFolder() + "/" + name);
 }
 
 struct MessageField {

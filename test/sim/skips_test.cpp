@@ -13,6 +13,7 @@
 #include "slab_scene.h"
 #include "support/contains.h"
 #include "support/input_error.h"
+#include "support/source_folder.h"
 
 namespace palpate::sim {
 namespace {
@@ -47,14 +48,12 @@ TEST(Skips, AreTheOnesThatTheArchitecturePageLists) {
     table += "| " + code("skipped_", skip.counter) + " | " + code("", skip.key) + " | " + skip.doc +
              " |\n";
   }
-  const std::string page =
-      test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/docs/architecture.md");
+  const std::string page = test::fileBytes(test::sourceFolder() + "/docs/architecture.md");
   EXPECT_NE(page.find(table + "\n"), std::string::npos) << "must have this table:\n" << table;
 }
 
 TEST(Skips, EveryCounterIsSummedAndInTheMessage) {
-  const std::string message =
-      test::fileBytes(std::string(PALPATE_SOURCE_DIR) + "/msg/StepReport.msg");
+  const std::string message = test::fileBytes(test::sourceFolder() + "/msg/StepReport.msg");
   tissue::SkipCounters ones, sum;
   std::int64_t total = 0;
   for (const tissue::Skip& skip : tissue::skips()) {

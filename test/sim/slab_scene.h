@@ -9,6 +9,7 @@
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/sim/simulator.h"
+#include "support/source_folder.h"
 #include "support/temp_folder.h"
 
 namespace palpate::test {
@@ -35,7 +36,7 @@ organs:
 )" + organ + R"(
 instruments:
   - name: probe
-    urdf: )" + PALPATE_SOURCE_DIR + R"(/config/instruments/probe.urdf
+    urdf: )" + test::sourceFolder() + R"(/config/instruments/probe.urdf
     base: {position: [0, 0, 0.1]}
     control_frame: tip
 )" + extra);

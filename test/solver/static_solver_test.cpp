@@ -24,10 +24,6 @@ std::vector<std::string> lawsWith(Right&& right) {
   return names;
 }
 bool isIsotropic(const material::Material& law) { return !material::needsFibres(law); }
-bool isFrameIndifferent(const material::Material& law) {
-  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::kFrameIndifferent; },
-                    law);
-}
 
 struct Body {
   mesh::TetMesh mesh;
@@ -133,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, ::testing::ValuesIn(material::materialN
 INSTANTIATE_TEST_SUITE_P(Laws, EveryIsotropicLaw, ::testing::ValuesIn(lawsWith(isIsotropic)),
                          [](const auto& law) { return law.param; });
 INSTANTIATE_TEST_SUITE_P(Laws, EveryFrameIndifferentLaw,
-                         ::testing::ValuesIn(lawsWith(isFrameIndifferent)),
+                         ::testing::ValuesIn(lawsWith(material::isFrameIndifferent)),
                          [](const auto& law) { return law.param; });
 
 TEST(StaticSolver, BalancesTractionAndPressureByTheSupports) {

@@ -32,14 +32,6 @@ struct Wrench {
 };
 
 /// Pose from a position [m] and roll, pitch, yaw about the fixed x, y, z axes [rad] (URDF order).
-inline Pose poseFromXyzRpy(const Vec3& xyz, const Vec3& rpy) {
-  Pose X = Pose::Identity();
-  X.linear() =
-      (Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
-       Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()))
-          .toRotationMatrix();
-  X.translation() = xyz;
-  return X;
-}
+Pose poseFromXyzRpy(const Vec3& xyz, const Vec3& rpy);
 
 }  // namespace palpate

@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "palpate/material/constants.h"
-#include "palpate/material/corotational.h"
-#include "palpate/material/demiray.h"
-#include "palpate/material/guccione.h"
-#include "palpate/material/holzapfel_gasser_ogden.h"
-#include "palpate/material/holzapfel_ogden.h"
-#include "palpate/material/linear.h"
-#include "palpate/material/mooney_rivlin.h"
-#include "palpate/material/neo_hookean.h"
-#include "palpate/material/ogden.h"
-#include "palpate/material/st_venant_kirchhoff.h"
-#include "palpate/material/stable_neo_hookean.h"
-#include "palpate/material/veronda_westmann.h"
-#include "palpate/material/yeoh.h"
 
 namespace palpate::material {
 
-/// Every material law. To add one: write its header, include it above, add it here. The name
-/// lookup, the dispatch in the assembly, the documentation and the property tests all read this
-/// list.
-///
-/// A law is a value type that derives from FiniteStrainLaw (law.h) and has
-///     static constexpr std::string_view kName;            its name in files
-///     static std::vector<std::string> constantNames();    what its constructor reads
-///     static Constants example();                         constants of some tissue, for tests
-///     explicit Law(const Constants&);                     throws std::invalid_argument
-///     Moduli moduli() const;                              at rest (of the matrix between fibres)
-///     double distortionalEnergy(const Mat3& F) const;     psi - kappa/2 theta^2 [J/m^3]
-///     Mat3 distortionalStress(const Mat3& F) const;       its derivative by F [Pa]
-///     Mat9 distortionalTangent(const Mat3& F) const;      its second one, by vec F, symmetric [Pa]
-using Material = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, Linear, Corotational,
-                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray, Ogden,
-                              HolzapfelGasserOgden, Guccione, HolzapfelOgden>;
+struct ListedLaw;  // law_list.h, which has the laws themselves
+
+/// A law of the list in law_list.h, with its constants. They never change, and copies share them.
+class Material {
+ public:
+  explicit Material(ListedLaw law);
+  const ListedLaw& listed() const { return *law_; }
+
+ private:
+  std::shared_ptr<const ListedLaw> law_;
+};
 
 /// The names in the list, in its order.
 std::vector<std::string> materialNames();
@@ -52,8 +34,14 @@ Material makeMaterial(const std::string& name, const Constants& constants);
 /// The law's Law::example(); empty for an unknown name.
 Constants exampleConstants(const std::string& name);
 
+/// The law's name in files.
+std::string lawName(const Material& material);
+
 /// Whether the law needs fibre directions.
 bool needsFibres(const Material& material);
+
+/// psi(R F) = psi(F) for every rotation R: the law is not for small rotations only.
+bool isFrameIndifferent(const Material& material);
 
 /// Moduli of the law at rest.
 Moduli moduli(const Material& material);

@@ -13,26 +13,14 @@ namespace palpate::solver {
 class Inertia final : public fem::EnergyTerm {
  public:
   /// Begins a step towards y, 3 x n [m], with the weights s m, n [kg/s^2].
-  void beginStep(const Points& y, double s, const Eigen::VectorXd& m) {
-    y_ = y;
-    weights_ = s * m;
-  }
+  void beginStep(const Points& y, double s, const Eigen::VectorXd& m);
 
   /// On each node at x, 3 x n [N]: minus mass times acceleration.
-  void forces(const Points& x, Points* f) const { f->noalias() = (y_ - x) * weights_.asDiagonal(); }
+  void forces(const Points& x, Points* f) const;
 
-  double value(const Points& x) const override {
-    return 0.5 * ((x - y_).colwise().squaredNorm().transpose().cwiseProduct(weights_)).sum();
-  }
-  double addGradient(const Points& x, Points* g) const override {
-    *g += (x - y_) * weights_.asDiagonal();
-    return value(x);
-  }
-  void addHessian(const Points&, fem::Tangent, fem::Stiffness* K) const override {
-    fem::BlockMatrix& blocks = K->blocks();
-    for (int i = 0; i < blocks.numNodes(); ++i)
-      blocks.block(blocks.diagonal(i)).diagonal().array() += weights_[i];
-  }
+  double value(const Points& x) const override;
+  double addGradient(const Points& x, Points* g) const override;
+  void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
 
  private:
   Eigen::VectorXd weights_;

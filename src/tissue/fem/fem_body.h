@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "../touch/touch.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
 #include "palpate/tissue/fem/drive.h"
 #include "palpate/tissue/fem/fem_tissue.h"
+#include "tissue/touch/touch.h"
 
 namespace palpate::tissue {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/tissue/fem/fem_tissue.h"
 
-#include "../touch/rest.h"
 #include "fem_body.h"
 #include "step_method.h"
+#include "tissue/touch/rest.h"
 
 namespace palpate::tissue {
 namespace {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does what docs/adding_a_law.md says, in a folder that is laid over include/.
 
-usage: apply_page.py PAGE MATERIAL_H OVERLAY
+usage: apply_page.py PAGE LAW_LIST_H OVERLAY
 
 The page's C++ blocks are the header, the line that includes it, and the entry in the list.
 """
@@ -11,7 +11,7 @@ import re
 import sys
 
 
-def main(page, material_h, overlay):
+def main(page, law_list_h, overlay):
     blocks = re.findall(r"^```cpp\n(.*?)^```$", pathlib.Path(page).read_text(), re.M | re.S)
     if len(blocks) != 3:
         sys.exit(f"{page}: has {len(blocks)} C++ blocks; a header, an include and an entry are wanted")
@@ -20,19 +20,19 @@ def main(page, material_h, overlay):
     if not path or not re.fullmatch(r"\w+,\n", entry):
         sys.exit(f"{page}: no include and entry: {include!r}, {entry!r}")
 
-    text = pathlib.Path(material_h).read_text()
+    text = pathlib.Path(law_list_h).read_text()
     for mark, addition in [('#include "palpate/material/', include), ("std::variant<", entry)]:
         if mark not in text:
-            sys.exit(f"{material_h}: has no {mark}")
+            sys.exit(f"{law_list_h}: has no {mark}")
         at = text.index(mark)
         if mark.startswith("std"):
-            at = text.index(mark, text.index("using Material")) + len(mark)
+            at = text.index(mark, text.index("using LawList")) + len(mark)
         text = text[:at] + addition + text[at:]
 
     room = pathlib.Path(overlay) / "palpate" / "material"
     room.mkdir(parents=True, exist_ok=True)
     (pathlib.Path(overlay) / path.group(1)).write_text(header)
-    (room / "material.h").write_text(text)
+    (room / "law_list.h").write_text(text)
 
 
 if __name__ == "__main__":
