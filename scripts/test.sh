@@ -34,10 +34,12 @@ if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
 fi
 
 if $sanitize; then
-  # ROS's own libraries are not instrumented, so the core and the command line only.
+  # ROS's own libraries are not instrumented, so the core and the command line only. Without
+  # precompiled headers, so that a source which lacks an include shows.
   export BUILD_DIR=build-sanitize BUILD_TYPE=RelWithDebInfo
   flags="-O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
-  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
+  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"
+  CMAKE_ARGS+=" -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
   export CMAKE_ARGS CXXFLAGS="$flags" UBSAN_OPTIONS=print_stacktrace=1
 fi
 export BUILD_DIR=${BUILD_DIR:-build}

@@ -38,7 +38,10 @@ QUIET = ["--quiet", "--extra-arg=-Wno-unknown-warning-option",
 
 def git(*arguments):
     """Lines of git's output, or None where it fails."""
-    done = subprocess.run(["git", *arguments], capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(["git", *arguments], capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return None
     return done.stdout.splitlines() if done.returncode == 0 else None
 
 
@@ -182,12 +185,17 @@ def chosen(build, includes, arguments):
 
 
 def batches(sources, build):
-    """Lists of sources with the same flags, neighbours together, one list at least a processor."""
+    """Lists of sources with the same flags, at least one list a processor. Sources of one room go
+    to different lists: they are who uses the same names in namespaces without a name."""
     groups = {}
     for source in sources:
         groups.setdefault(tuple(build.flags[source[0]]), []).append(source)
     size = max(1, min(BATCH, -(-len(sources) // (os.cpu_count() or 1))))
-    return [g[i:i + size] for g in groups.values() for i in range(0, len(g), size)]
+    lists = []
+    for group in groups.values():
+        count = -(-len(group) // size)
+        lists += [group[k::count] for k in range(count)]
+    return lists
 
 
 def main(program, folder, *arguments):
