@@ -8,6 +8,7 @@
 #include "formats/surface_samples.h"
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
+#include "palpate/base/error.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/formats/vtu_writer.h"
 #include "support/temp_folder.h"

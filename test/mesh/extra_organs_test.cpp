@@ -20,7 +20,7 @@ TEST(ExtraOrgans, ALiverWithAFoldIsMendedAndMeshed) {
   if (folder == nullptr)
     GTEST_SKIP() << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
   const std::string file = std::string(folder) + "/organs/liver-smooth.obj";
-  SurfaceMesh surface = readSurface(file);
+  SurfaceMesh surface = formats::readSurface(file);
   EXPECT_THROW(checkSize(surface.points, file, "scale"), InputError);
   surface.points *= 0.04;
   EXPECT_NO_THROW(checkSize(surface.points, file, "scale"));

@@ -15,7 +15,7 @@
 #include "palpate/solver/stiffness_factor.h"
 #include "solver/kept_stiffness.h"
 #include "support/random.h"
-#include "tissue/sparse_assembly.h"
+#include "tissue/fem/sparse_assembly.h"
 
 namespace palpate::solver {
 namespace {

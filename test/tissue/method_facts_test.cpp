@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/method_choice.h"
+#include "tissue/fem/method_choice.h"
 
 namespace palpate::tissue {
 namespace {
