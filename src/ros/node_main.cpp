@@ -77,7 +77,7 @@ int run() {
   diagnostics.setBlasWarning(checkBlas(scene));
   const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
   if (!params.initial_state.empty()) {
-    simulator->restore(io::readState(params.initial_state, organNames(*simulator)));
+    io::restoreState(params.initial_state, simulator.get());
   }
   sayHello(*simulator);
 

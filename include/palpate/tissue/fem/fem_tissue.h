@@ -25,6 +25,10 @@ struct FemSettings : ModelSettings {
   bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
 };
 
+/// What the state of such a body says it is: method, integrator, element,
+/// response to touches, and how many points.
+std::string stateKind(const FemSettings& settings, Eigen::Index num_points);
+
 /// How a cycle may be solved; the first is the default.
 std::vector<std::string> methodNames();
 
