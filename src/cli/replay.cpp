@@ -17,6 +17,7 @@
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
+#include "palpate/io/state_file.h"
 #include "palpate/io/trajectory.h"
 #include "palpate/sim/lockstep.h"
 #include "progress_line.h"
@@ -25,7 +26,7 @@ namespace palpate::cli {
 namespace {
 
 struct Options {
-  std::string scene, trajectory, out, vtu;
+  std::string scene, trajectory, out, vtu, initial_state, save_state;
   int every = 10;
   int threads = 0;
   bool profile = false;
@@ -78,6 +79,10 @@ int replay(const Options& options) {
   for (const std::string& note : simulator.notes()) std::cerr << "note: " << note << "\n";
 
   io::Replay run(&simulator, trajectory, options.trajectory);
+  if (!options.initial_state.empty()) {
+    io::restoreState(options.initial_state, &simulator);
+    run.resume();
+  }
   io::CsvWriter csv(options.out, run.columns());
   std::optional<std::filesystem::path> pictures;
   if (!options.vtu.empty()) pictures = makeFolder(options.vtu);
@@ -95,6 +100,7 @@ int replay(const Options& options) {
   }
   line.finish();
   csv.close();
+  if (!options.save_state.empty()) io::writeState(options.save_state, simulator.state());
   printSummary(run, step_ms);
   if (options.profile) printProfile(simulator, recorder.figures());
   return run.failedSteps() == 0 ? kOk : kNotConverged;
@@ -119,6 +125,9 @@ void addReplay(CLI::App& app, Action& action) {
       ->check(CLI::PositiveNumber);
   command->add_option("--threads", options->threads, "Instead of the scene's solver.threads")
       ->check(CLI::Range(1, 64));
+  command->add_option("--initial-state", options->initial_state,
+                      "Go on from a state that the first row of the trajectory had led to");
+  command->add_option("--save-state", options->save_state, "File for the state at the end");
   command->add_flag("--profile", options->profile,
                     "Say where the time went, and what to change if the scene is too heavy");
   command->callback([options, &action] { action = [options] { return replay(*options); }; });

@@ -65,4 +65,38 @@ void PronyHistory::relax(int e, int q, const Mat3& S) {
   point.S = S;
 }
 
+void PronyHistory::save(StateWriter* out) const {
+  out->put(static_cast<std::int64_t>(points_.size()));
+  if (points_.empty()) return;
+  out->put(factor_);
+  for (const std::vector<Term>& terms : terms_) {
+    for (const Term& term : terms) {
+      out->put(term.decay);
+      out->put(term.gain);
+    }
+  }
+  for (const Point& point : points_) {
+    out->put(point.S);
+    out->put(point.H);
+    for (const Mat3& Q : point.Q) out->put(Q);
+  }
+}
+
+void PronyHistory::restore(StateReader* in) {
+  if (in->count(1) != static_cast<std::int64_t>(points_.size())) StateReader::fail();
+  if (points_.empty()) return;
+  in->getSame(&factor_);
+  for (std::vector<Term>& terms : terms_) {
+    for (Term& term : terms) {
+      in->get(&term.decay);
+      in->get(&term.gain);
+    }
+  }
+  for (Point& point : points_) {
+    in->get(&point.S);
+    in->get(&point.H);
+    for (Mat3& Q : point.Q) in->get(&Q);
+  }
+}
+
 }  // namespace palpate::fem

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
 
@@ -34,6 +35,10 @@ class PronyHistory {
   void endStep(int e, int q, const Mat3& S);
   /// The point has had the stress `S` for ever.
   void relax(int e, int q, const Mat3& S);
+
+  void save(StateWriter* out) const;
+  /// @throws std::invalid_argument for the memory of another body.
+  void restore(StateReader* in);
 
  private:
   struct Term {

@@ -53,6 +53,8 @@ class SolidElasticity final : public Elasticity {
   void relax(const Points& x) override;
   std::unique_ptr<ViscousState> saveViscousState() const override;
   void restoreViscousState(const ViscousState* state) override;
+  void save(StateWriter* out) const override { history_.save(out); }
+  void restore(StateReader* in) override { history_.restore(in); }
 
  private:
   static constexpr int kPoints = RestShape<N>::kPoints;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/fem/stiffness.h"
 
+#include <algorithm>
+
 namespace palpate::fem {
 
 Stiffness::Stiffness(BlockMatrix pattern, VolumeStiffness volume)
@@ -70,6 +72,38 @@ void Stiffness::constrain(const Eigen::Matrix3Xd& free) {
     const double* mask = free.data() + 3 * static_cast<std::ptrdiff_t>(node[k]);
     if (mask[0] * mask[1] * mask[2] == 1.0) continue;
     for (int c = 0; c < 3; ++c) volume_.rows(c, static_cast<Eigen::Index>(k)) *= mask[c];
+  }
+}
+
+void Stiffness::save(StateWriter* out) const {
+  using Values = Eigen::Matrix<double, 9, Eigen::Dynamic>;
+  const Values values = Eigen::Map<const Values>(blocks_.values(), 9, blocks_.numBlocks());
+  out->put(values);
+  out->put(volume_.rows);
+  out->put(volume_.factor);
+  out->put(static_cast<std::int64_t>(couplings_.blocks().size()));
+  for (const Couplings::Block& block : couplings_.blocks()) {
+    out->put(block.i);
+    out->put(block.j);
+    out->put(block.values);
+  }
+}
+
+void Stiffness::restore(StateReader* in) {
+  Eigen::Matrix<double, 9, Eigen::Dynamic> values(9, blocks_.numBlocks());
+  in->getSame(&values);
+  std::copy(values.data(), values.data() + values.size(), blocks_.values());
+  in->getSame(&volume_.rows);
+  in->get(&volume_.factor);
+  couplings_.clear();
+  for (std::int64_t k = in->count(sizeof(Mat3)); k > 0; --k) {
+    int i = 0, j = 0;
+    Mat3 block;
+    in->get(&i);
+    in->get(&j);
+    in->get(&block);
+    if (i < 0 || j < 0 || i >= numNodes() || j >= numNodes()) StateReader::fail();
+    couplings_.add(i, j, block);
   }
 }
 

@@ -49,15 +49,24 @@ Replay::Replay(sim::Simulator* simulator, Trajectory trajectory, const std::stri
   if (!problems.empty()) throw InputError(file, problems);
 }
 
-const sim::StepResult& Replay::next() {
+std::vector<sim::LinkPoses> Replay::posesOf(std::size_t row) const {
   std::vector<sim::LinkPoses> poses;
   for (int i = 0; i < simulator_->numInstruments(); ++i) {
     const std::vector<int>& column = joint_column_[i];
     Eigen::VectorXd q(column.size());
-    for (std::size_t j = 0; j < column.size(); ++j) q[j] = trajectory_.values(column[j], row_);
+    for (std::size_t j = 0; j < column.size(); ++j) q[j] = trajectory_.values(column[j], row);
     poses.push_back(simulator_->linkPoses(i, q));
   }
-  const sim::StepResult& result = lockstep_.advance(trajectory_.t[row_], poses);
+  return poses;
+}
+
+void Replay::resume() {
+  lockstep_.resume(trajectory_.t.front(), posesOf(0));
+  row_ = 1;
+}
+
+const sim::StepResult& Replay::next() {
+  const sim::StepResult& result = lockstep_.advance(trajectory_.t[row_], posesOf(row_));
   ++row_;
   for (const sim::InstrumentResult& tool : result.instruments) {
     peak_force_ = std::max(peak_force_, tool.spatial.force.norm());

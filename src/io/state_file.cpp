@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/state_file.h"
 
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <fstream>
-#include <optional>
-#include <sstream>
+#include <iterator>
 #include <stdexcept>
 
-#include "csv_cells.h"
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
@@ -14,117 +16,84 @@
 namespace palpate::io {
 namespace {
 
-constexpr char kMagic[] = "# palpate state 1";
-constexpr char kTime[] = "# time = ";
-constexpr char kHeader[] = "organ,node,x,y,z,vx,vy,vz";
-constexpr char kEnd[] = "# end";
+constexpr char kFormat[] = "palpate state 2";
+constexpr char kOldFormat[] = "# palpate state 1";
+constexpr char kPayload[] = "payload: ";
 
-void writeTo(std::ostream& out, const std::vector<std::string>& organs,
-             const sim::SimulatorState& state) {
-  out << kMagic << '\n' << kTime << formatNumber(state.time) << '\n' << kHeader << '\n';
-  for (std::size_t i = 0; i < organs.size(); ++i) {
-    const Points& x = state.positions[i];
-    const Points& v = state.velocities[i];
-    for (Eigen::Index n = 0; n < x.cols(); ++n) {
-      out << organs[i] << ',' << n;
-      for (int k = 0; k < 3; ++k) out << ',' << formatNumber(x(k, n));
-      for (int k = 0; k < 3; ++k) out << ',' << formatNumber(v(k, n));
-      out << '\n';
-    }
-  }
-  out << kEnd << '\n';
+// What a name may have that would look like another line.
+std::string inOneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
-bool toNumber(std::string_view text, double* value) {
-  const std::optional<double> number = parseNumber(text);
-  if (number) *value = *number;
-  return number.has_value();
+std::string header(const sim::SimulatorState& state) {
+  std::string text = std::string(kFormat) + "\nscene: " + inOneLine(state.scene) +
+                     "\ntime: " + formatNumber(state.time) + " s\n";
+  for (const sim::ModelState& model : state.models) {
+    text += "organs: " + joinNames(model.organs) + "; model: " + model.model +
+            "; state: " + model.state.kind + "\n";
+  }
+  return text;
 }
 
-struct Row {
-  std::string organ;
-  std::string node;
-  double values[6];
-};
-
-bool parseRow(const std::string& line, Row* row) {
-  const std::vector<std::string_view> cells = csvCells(line);
-  if (cells.size() != 8) return false;
-  row->organ = cells[0];
-  row->node = cells[1];
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (!toNumber(cells[2 + i], &row->values[i])) return false;
+unsigned long checksum(const std::string& header, const std::string& payload) {
+  unsigned long sum = crc32(0L, Z_NULL, 0);
+  for (const std::string* part : {&header, &payload}) {
+    sum = crc32_z(sum, reinterpret_cast<const Bytef*>(part->data()), part->size());
   }
-  return true;
+  return sum;
 }
 
-Points toPoints(const std::vector<Row>& rows, int first) {
-  Points p(3, static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    for (int k = 0; k < 3; ++k) p(k, static_cast<Eigen::Index>(n)) = rows[n].values[first + k];
-  }
-  return p;
+// The line before the payload.
+std::string payloadLine(const std::string& header, const std::string& payload) {
+  char sum[16];
+  std::snprintf(sum, sizeof(sum), "%08lx", checksum(header, payload));
+  return kPayload + std::to_string(payload.size()) + " bytes, crc32 " + sum + "\n";
 }
 
 }  // namespace
 
-void writeState(const std::string& file, const std::vector<std::string>& organs,
-                const sim::SimulatorState& state) {
-  if (state.positions.size() != organs.size() || state.velocities.size() != organs.size()) {
-    throw std::runtime_error(file + ": the state has another number of organs than names");
-  }
-  for (std::size_t i = 0; i < organs.size(); ++i) {
-    if (!state.positions[i].allFinite() || !state.velocities[i].allFinite() ||
-        state.positions[i].cols() != state.velocities[i].cols()) {
-      throw std::runtime_error(file + ": the state of " + organs[i] + " is not finite");
-    }
-  }
-  std::ostringstream out;
-  writeTo(out, organs, state);
-  writeFileAtomically(file, out.str());
+void writeState(const std::string& file, const sim::SimulatorState& state) {
+  const std::string lines = header(state), payload = state.bytes();
+  writeFileAtomically(file, lines + payloadLine(lines, payload) + payload);
 }
 
-sim::SimulatorState readState(const std::string& file, const std::vector<std::string>& organs) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file, "", "", "cannot be opened");
-  int number = 0;
-  std::string line;
-  const auto next = [&] { return ++number, static_cast<bool>(std::getline(in, line)); };
-  const auto fail = [&](const std::string& allowed) {
-    throw InputError(file, "line " + std::to_string(number), line.substr(0, 60), allowed);
+sim::SimulatorState readState(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  const auto fail = [&](const std::string& value, const std::string& allowed) {
+    throw InputError(file, "", value.substr(0, 60), allowed);
   };
+  if (!in) fail("", "cannot be opened");
+  std::string line, lines;
+  std::getline(in, line);
+  if (line == kOldFormat) {
+    fail(line,
+         "holds positions and velocities only, as earlier versions wrote them; this one needs "
+         "all of the state: save it again");
+  }
+  if (line != kFormat) fail(line, std::string("is no state: must begin with '") + kFormat + "'");
+  while (in && line.rfind(kPayload, 0) != 0) {
+    lines += line + "\n";
+    std::getline(in, line);
+  }
+  const std::string payload{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (line + "\n" != payloadLine(lines, payload)) {
+    fail("", "is cut off or was changed: its checksum is not that of its bytes");
+  }
+  try {
+    return sim::SimulatorState::fromBytes(payload);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, "", "", error.what());
+  }
+}
 
-  sim::SimulatorState state;
-  if (!next() || line != kMagic) fail(std::string("must be '") + kMagic + "'");
-  if (!next() || line.rfind(kTime, 0) != 0 ||
-      !toNumber(line.substr(sizeof(kTime) - 1), &state.time) || state.time < 0.0) {
-    fail(std::string("must be '") + kTime + "<seconds, >= 0>'");
+void restoreState(const std::string& file, sim::Simulator* simulator) {
+  const sim::SimulatorState state = readState(file);
+  try {
+    simulator->restore(state);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, "", "", error.what());
   }
-  if (!next() || line != kHeader) fail(std::string("must be '") + kHeader + "'");
-
-  std::vector<std::vector<Row>> rows(organs.size());
-  std::size_t organ = 0;
-  bool ended = false;
-  while (!ended && next()) {
-    ended = line == kEnd;
-    if (ended) break;
-    Row row;
-    if (!parseRow(line, &row)) fail("must be an organ, a node number and six finite numbers");
-    while (organ < organs.size() && row.organ != organs[organ]) ++organ;
-    if (organ == organs.size()) {
-      fail("the organs must be those of the scene, in its order: " + joinNames(organs));
-    }
-    if (row.node != std::to_string(rows[organ].size())) {
-      fail("node numbers must count from 0; expected " + std::to_string(rows[organ].size()));
-    }
-    rows[organ].push_back(std::move(row));
-  }
-  if (!ended) fail(std::string("the file is cut off: the last line must be '") + kEnd + "'");
-  for (const std::vector<Row>& organ_rows : rows) {
-    state.positions.push_back(toPoints(organ_rows, 0));
-    state.velocities.push_back(toPoints(organ_rows, 3));
-  }
-  return state;
 }
 
 }  // namespace palpate::io

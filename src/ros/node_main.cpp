@@ -78,7 +78,7 @@ int run() {
   const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
   diagnostics.setBlasWarning(checkBlas(*simulator));
   if (!params.initial_state.empty()) {
-    simulator->restore(io::readState(params.initial_state, organNames(*simulator)));
+    io::restoreState(params.initial_state, simulator.get());
   }
   sayHello(*simulator);
 

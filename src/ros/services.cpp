@@ -17,7 +17,7 @@ namespace {
 constexpr double kPatience = 5.0;  ///< [s], for the cycle that runs.
 constexpr char kBusy[] = "the simulation did not come to it in 5 s; try again";
 
-/// "state-20240229T123456.789Z.csv"; a name that sorts by time.
+/// "state-20240229T123456.789Z.state"; a name that sorts by time.
 std::string stateFileName() {
   const auto now = std::chrono::system_clock::now();
   const std::time_t t = std::chrono::system_clock::to_time_t(now);
@@ -27,17 +27,11 @@ std::string stateFileName() {
   gmtime_r(&t, &utc);
   char date[32], name[64];
   std::strftime(date, sizeof(date), "%Y%m%dT%H%M%S", &utc);
-  std::snprintf(name, sizeof(name), "state-%s.%03dZ.csv", date, static_cast<int>(ms));
+  std::snprintf(name, sizeof(name), "state-%s.%03dZ.state", date, static_cast<int>(ms));
   return name;
 }
 
 }  // namespace
-
-std::vector<std::string> organNames(const sim::Simulator& simulator) {
-  std::vector<std::string> names;
-  for (int i = 0; i < simulator.numOrgans(); ++i) names.push_back(simulator.organName(i));
-  return names;
-}
 
 Services::Services(ros::NodeHandle handle, sim::Simulator* simulator, LiveCycle* cycle,
                    SimulationLoop* loop, const std::string& state_directory)
@@ -64,7 +58,7 @@ bool Services::saveState(Trigger::Request&, Trigger::Response& response) {
   try {
     std::filesystem::create_directories(state_directory_);
     const std::string file = (std::filesystem::path(state_directory_) / stateFileName()).string();
-    io::writeState(file, organNames(simulator_), *state);
+    io::writeState(file, *state);
     response.success = true;
     response.message = file;
   } catch (const std::exception& e) {

@@ -11,8 +11,6 @@
 
 namespace palpate::node {
 
-std::vector<std::string> organNames(const sim::Simulator& simulator);
-
 /// ~reset and ~save_state. Served from `handle`'s callback queue, which must be another than that
 /// of the inputs: a request waits for its turn in the simulation thread.
 class Services {

@@ -53,4 +53,10 @@ const StepResult& Lockstep::advance(double t, const std::vector<LinkPoses>& pose
   return result_;
 }
 
+void Lockstep::resume(double t, const std::vector<LinkPoses>& poses) {
+  started_ = true;
+  time_ = t;
+  poses_ = poses;
+}
+
 }  // namespace palpate::sim

@@ -5,23 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "palpate/contact/obstacle.h"
-#include "palpate/haptics/wrench_fade.h"
-#include "palpate/scene/loaded_scene.h"
 #include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/skips.h"
+#include "simulator_impl.h"
 
 namespace palpate::sim {
 namespace {
-
-bool allFinite(const std::vector<LinkPoses>& poses) {
-  for (const LinkPoses& links : poses) {
-    for (const Pose& X : links) {
-      if (!X.matrix().allFinite()) return false;
-    }
-  }
-  return true;
-}
 
 void addModel(const tissue::TissueStep& cycle, StepReport* report) {
   tissue::mergeFigures(tissue::Over::kOrgans, cycle, report);
@@ -35,91 +24,22 @@ void addModel(const tissue::TissueStep& cycle, StepReport* report) {
 
 }  // namespace
 
-struct Simulator::Impl {
-  scene::Scene scene;
-  scene::LoadedScene loaded;
-  std::vector<contact::Obstacle> bodies;
-  std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
-  std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
-  StepResult result;
-  std::vector<haptics::WrenchFade> fades;  // one an instrument
-  double time = 0.0;
-  solver::Interrupt interrupt;
-
-  Impl(const scene::Scene& s, const Progress& progress)
-      : scene(s), loaded(scene::loadScene(s, progress)) {
-    for (std::size_t i = 0; i < loaded.instruments.size(); ++i) {
-      const auto& shapes = loaded.instruments[i].bodies();
-      for (std::size_t b = 0; b < shapes.size(); ++b) {
-        bodies.push_back({&shapes[b].geometry, static_cast<int>(i), Pose(), Pose()});
-        body_source.emplace_back(i, b);
-      }
-    }
-    clear();
-  }
-
-  void clear() {
-    time = 0.0;
-    poses.clear();
-    result.clear(loaded.instruments.size());
-    fades.assign(loaded.instruments.size(), haptics::WrenchFade(scene.rates.ramp, 1.0));
-  }
-
-  bool accepts(const std::vector<LinkPoses>& next, double dt) const {
-    if (!(dt > 0.0) || !std::isfinite(dt) || next.size() != loaded.instruments.size()) return false;
-    for (std::size_t i = 0; i < next.size(); ++i) {
-      if (next[i].size() != loaded.instruments[i].linkNames().size()) return false;
-    }
-    return allFinite(next);
-  }
-
-  void moveBodies(const std::vector<LinkPoses>& next) {
-    const std::vector<LinkPoses>& from = poses.empty() ? next : poses;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const auto [i, b] = body_source[k];
-      const instrument::CollisionBody& shape = loaded.instruments[i].bodies()[b];
-      bodies[k].X_WG_begin = from[i][shape.link] * shape.X_LG;
-      bodies[k].X_WG_end = next[i][shape.link] * shape.X_LG;
-    }
-    poses = next;
-  }
-
-  void placeControlFrames() {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      result.instruments[i].X_WC = poses[i][loaded.control_links[i]];
+bool allFinite(const std::vector<LinkPoses>& poses) {
+  for (const LinkPoses& links : poses) {
+    for (const Pose& X : links) {
+      if (!X.matrix().allFinite()) return false;
     }
   }
+  return true;
+}
 
-  void sumWrenches(const tissue::TissueStep& cycle, const std::vector<int>& organs) {
-    for (const tissue::TissueContact& c : cycle.contacts) {
-      InstrumentResult& tool = result.instruments[c.instrument];
-      tool.spatial += Wrench{c.force_W, (c.p_W - tool.X_WC.translation()).cross(c.force_W)};
-      tool.max_penetration = std::max(tool.max_penetration, c.penetration);
-      ++tool.contacts;
-      const int organ = organs[static_cast<std::size_t>(c.organ)];
-      result.contacts.push_back({c.instrument, organ, c.p_W, c.force_W});
-    }
+bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) const {
+  if (!(dt > 0.0) || !std::isfinite(dt) || next.size() != loaded.instruments.size()) return false;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i].size() != loaded.instruments[i].linkNames().size()) return false;
   }
-
-  /// The hand feels solved states only; after a cycle that failed what it felt fades.
-  void fade(double dt) {
-    for (std::size_t i = 0; i < fades.size(); ++i) {
-      InstrumentResult& tool = result.instruments[i];
-      tool.spatial = fades[i].update(tool.spatial, result.report.usable(), dt);
-      tool.solved = fades[i].held();
-    }
-  }
-
-  void finish(double dt) {
-    fade(dt);
-    for (const InstrumentResult& tool : result.instruments) {
-      result.report.contacts += tool.contacts;
-      result.report.max_penetration = std::max(result.report.max_penetration, tool.max_penetration);
-    }
-    result.report.time = time;
-    result.report.step = dt;
-  }
-};
+  return allFinite(next);
+}
 
 Simulator::Simulator(const scene::Scene& scene, const Progress& progress)
     : impl_(std::make_unique<Impl>(scene, progress)) {}
@@ -171,35 +91,6 @@ void Simulator::place(int i, const Points& positions, const Points& velocities) 
                                 ", or not finite");
   }
   place.tissue->place(place.organ, positions, velocities);
-}
-
-SimulatorState Simulator::state() const {
-  SimulatorState state;
-  state.time = impl_->time;
-  for (const scene::OrganPlace& place : impl_->loaded.organs) {
-    state.positions.push_back(place.shape().positions);
-    state.velocities.push_back(place.shape().velocities);
-  }
-  return state;
-}
-
-void Simulator::restore(const SimulatorState& state) {
-  const std::vector<scene::OrganPlace>& organs = impl_->loaded.organs;
-  const auto fits = [](const Points& given, const Points& own) {
-    return given.cols() == own.cols() && given.allFinite();
-  };
-  bool ok = std::isfinite(state.time) && state.positions.size() == organs.size() &&
-            state.velocities.size() == organs.size();
-  for (std::size_t i = 0; ok && i < organs.size(); ++i) {
-    ok = fits(state.positions[i], organs[i].shape().positions) &&
-         fits(state.velocities[i], organs[i].shape().positions);
-  }
-  if (!ok) throw std::invalid_argument("the state is not one of this scene, or not finite");
-  impl_->clear();
-  impl_->time = state.time;
-  for (std::size_t i = 0; i < organs.size(); ++i) {
-    organs[i].tissue->place(organs[i].organ, state.positions[i], state.velocities[i]);
-  }
 }
 
 LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {

@@ -82,4 +82,19 @@ void Integrator::stop() {
   h_old_ = 0.0;
 }
 
+void Integrator::save(StateWriter* out) const {
+  for (const Points* p : {&x_, &v_, &g_, &x_old_, &v_old_, &g_old_}) out->put(*p);
+  out->put(h_old_);
+}
+
+void Integrator::restore(StateReader* in) {
+  for (Points* p : {&x_, &v_, &g_, &x_old_, &v_old_, &g_old_}) {
+    in->get(p);
+    const bool past = p == &x_old_ || p == &v_old_ || p == &g_old_;
+    if (p->cols() != masses_.size() && !(past && p->cols() == 0)) StateReader::fail();
+  }
+  in->get(&h_old_);
+  if (h_old_ > 0.0 && (x_old_.cols() == 0 || v_old_.cols() == 0)) StateReader::fail();
+}
+
 }  // namespace palpate::solver

@@ -55,10 +55,11 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
   }
   const bool kept = valid_ && near(x);
   if (!kept) {
-    potential.elasticity->hessian(x, tangent, &elastic_);
     x_ = x;
     valid_ = true;
   }
+  if (!kept || !assembled_) potential.elasticity->hessian(x_, fem::Tangent::kExact, &elastic_);
+  assembled_ = true;
   fem::BlockMatrix& blocks = A->blocks();
   const bool in_matrix = kept && inMatrix(potential);
   if (in_matrix) {
@@ -80,6 +81,18 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
   }
   in_matrix_ = true;
   return {kept, in_matrix ? &changed_ : nullptr};
+}
+
+void KeptStiffness::save(StateWriter* out) const {
+  out->put(valid_);
+  if (valid_) out->put(x_);
+}
+
+void KeptStiffness::restore(StateReader* in) {
+  in->get(&valid_);
+  if (valid_) in->get(&x_);
+  if (valid_ && x_.cols() != elastic_.numNodes()) StateReader::fail();
+  assembled_ = in_matrix_ = false;
 }
 
 }  // namespace palpate::solver

@@ -29,6 +29,10 @@ class KeptStiffness {
   /// Somebody else has written into A.
   void matrixWasOverwritten() { in_matrix_ = false; }
 
+  /// Where the elastic part was assembled, from which it can be assembled again.
+  void save(StateWriter* out) const;
+  void restore(StateReader* in);
+
  private:
   bool near(const Points& x) const;
   bool inMatrix(const Potential& potential) const;
@@ -39,6 +43,7 @@ class KeptStiffness {
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
   Points x_;
   bool valid_ = false;
+  bool assembled_ = true;   // elastic_ is that of x_; false after a restore
   bool in_matrix_ = false;  // A is elastic_, scaled and constrained, and what terms added
   double scale_ = 1.0;
   fem::FreeMask free_;

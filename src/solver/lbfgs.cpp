@@ -37,6 +37,42 @@ void Lbfgs::restart() {
   wasted_ = 0.0;
 }
 
+void Lbfgs::save(StateWriter* out) const {
+  factor_->save(out);
+  if (factor_->ready()) out->put(elastic_diagonal_);
+  out->put(wasted_);
+  out->put(newest_);
+  out->put(num_pairs_);
+  for (int k = 0; k < num_pairs_; ++k) {
+    const Pair& p = pair(k);
+    out->put(p.s);
+    out->put(p.y);
+    out->put(p.sy);
+  }
+}
+
+void Lbfgs::restore(StateReader* in) {
+  num_pairs_ = 0;
+  factor_->restore(in);
+  if (factor_->ready()) in->get(&elastic_diagonal_);
+  if (factor_->ready() && elastic_diagonal_.size() != factor_->diagonal().size()) {
+    StateReader::fail();
+  }
+  in->get(&wasted_);
+  in->get(&newest_);
+  int pairs = 0;
+  in->get(&pairs);
+  if (newest_ < 0 || newest_ >= kPairs || pairs < 0 || pairs > kPairs) StateReader::fail();
+  for (int k = 0; k < pairs; ++k) {
+    Pair& p = pair(k);
+    in->get(&p.s);
+    in->get(&p.y);
+    in->get(&p.sy);
+    if (p.s.cols() != A_.numNodes() || p.y.cols() != A_.numNodes()) StateReader::fail();
+  }
+  num_pairs_ = pairs;
+}
+
 // The projected tangent: always positive definite where masses or supports hold the body.
 SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes* phases) {
   {

@@ -45,6 +45,20 @@ void Newton::restart() {
   linear_->restart();
 }
 
+void Newton::save(StateWriter* out) const {
+  out->put(elastic_ != nullptr);
+  if (elastic_) elastic_->save(out);
+  linear_->save(out);
+}
+
+void Newton::restore(StateReader* in) {
+  bool keeps = false;
+  in->get(&keeps);
+  if (keeps != (elastic_ != nullptr)) StateReader::fail();
+  if (elastic_) elastic_->restore(in);
+  linear_->restore(in);
+}
+
 // A_ at x, without what is held, about to be solved with. True: its elastic part is kept from an
 // earlier x.
 bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent) {

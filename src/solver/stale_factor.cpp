@@ -32,9 +32,23 @@ SolveStatus StaleFactor::factorize(const fem::Stiffness& A) {
   const SolveStatus status = factor_.factorize(A);
   ready_ = status == SolveStatus::kConverged;
   if (!ready_) return status;
+  matrix_ = A;
   A.diagonal(&diagonal_);
   inverse_scale_.assign(diagonal_.size(), Mat3::Identity());
   return status;
+}
+
+void StaleFactor::save(StateWriter* out) const {
+  out->put(ready_);
+  if (ready_) matrix_.save(out);
+}
+
+void StaleFactor::restore(StateReader* in) {
+  in->get(&ready_);
+  if (!ready_) return;
+  ready_ = false;
+  matrix_.restore(in);
+  if (factorize(fem::Stiffness(matrix_)) != SolveStatus::kConverged) StateReader::fail();
 }
 
 bool StaleFactor::scaleTo(const std::vector<Mat3>& diagonal) {

@@ -12,9 +12,15 @@ namespace palpate::solver {
 /// one matrix to the next, and it is mostly on the diagonal. Always positive definite.
 class StaleFactor {
  public:
-  void analyze(const fem::Stiffness& A) { factor_.analyze(A); }
+  void analyze(const fem::Stiffness& A) {
+    factor_.analyze(A);
+    matrix_ = A;
+  }
   /// Makes F = A. kNotPositiveDefinite, kNonFinite: there is no factor.
   SolveStatus factorize(const fem::Stiffness& A);
+  /// F, if there is a factor, of the pattern that was analysed.
+  void save(StateWriter* out) const;
+  void restore(StateReader* in);
   bool ready() const { return ready_; }
   void forget() { ready_ = false; }
 
@@ -29,6 +35,7 @@ class StaleFactor {
 
  private:
   CholmodFactor factor_;
+  fem::Stiffness matrix_;  // F, to make the factor again after a restore
   bool ready_ = false;
   std::vector<Mat3> diagonal_, inverse_scale_;  // S^-1
   Points scaled_;

@@ -27,6 +27,7 @@ StalePcg::StalePcg(const fem::Stiffness& A, int max_iterations, bool own_thread)
       background_(std::make_unique<Background>(own_thread)) {
   used_->analyze(A);
   next_->analyze(A);
+  flops_ = next_->factor().flops();
 }
 
 StalePcg::~StalePcg() = default;
@@ -36,6 +37,32 @@ void StalePcg::restart() {
   used_->forget();
   most_iterations_ = 0;
   wanted_ = true;
+}
+
+void StalePcg::save(StateWriter* out) const {
+  out->put(cycle_);
+  out->put(take_at_);
+  out->put(dt_);
+  out->put(most_iterations_);
+  out->put(wanted_);
+  used_->save(out);
+  out->put(background_->underWay());
+  if (background_->underWay()) snapshot_.save(out);
+}
+
+void StalePcg::restore(StateReader* in) {
+  background_->wait();
+  in->get(&cycle_);
+  in->get(&take_at_);
+  in->get(&dt_);
+  in->get(&most_iterations_);
+  in->get(&wanted_);
+  used_->restore(in);
+  bool under_way = false;
+  in->get(&under_way);
+  if (!under_way) return;
+  snapshot_.restore(in);
+  factoriseSnapshot();
 }
 
 void StalePcg::prepare(const fem::Stiffness& A) {
@@ -56,11 +83,15 @@ void StalePcg::beginCycle(double dt) {
 }
 
 void StalePcg::beginFactor(const fem::Stiffness& A) {
-  const double seconds = kLeeway * factorizationSeconds(next_->factor().flops());
+  const double seconds = kLeeway * factorizationSeconds(flops_);
   take_at_ = cycle_ + 1 + static_cast<long>(std::ceil(std::min(seconds / dt_, 1e6)));
   snapshot_ = A;
-  background_->begin([this] { next_->factorize(snapshot_); });
+  factoriseSnapshot();
   wanted_ = false;
+}
+
+void StalePcg::factoriseSnapshot() {
+  background_->begin([this] { next_->factorize(snapshot_); });
 }
 
 bool StalePcg::scaleFactor(const fem::Stiffness& A) {

@@ -65,6 +65,39 @@ TEST_F(ReplayCommand, SameInputsSameBytesWhateverTheThreads) {
   EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 152);
 }
 
+// In another process, from the row at which the first one ended.
+TEST_F(ReplayCommand, GoesOnFromASavedStateWithTheSameBytes) {
+  ASSERT_EQ(replay("whole.csv", "--save-state '" + file("whole.state") + "'").status, 0);
+  const io::Trajectory all = io::readTrajectory(file("T.csv"));
+  const std::size_t cut = 60, size = all.t.size();
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    io::Trajectory some;
+    some.columns = all.columns;
+    some.t.assign(all.t.begin() + static_cast<std::ptrdiff_t>(begin),
+                  all.t.begin() + static_cast<std::ptrdiff_t>(end));
+    some.values = all.values.middleCols(static_cast<Eigen::Index>(begin),
+                                        static_cast<Eigen::Index>(end - begin));
+    io::writeTrajectory(file("T.csv"), some);
+  };
+  part(0, cut + 1);
+  ASSERT_EQ(replay("first.csv", "--save-state '" + file("cut.state") + "'").status, 0);
+  part(cut, size);
+  ASSERT_EQ(replay("second.csv", "--initial-state '" + file("cut.state") + "' --save-state '" +
+                                     file("end.state") + "'")
+                .status,
+            0);
+  const std::string first = withoutTimes(test::fileBytes(file("first.csv")));
+  const std::string second = withoutTimes(test::fileBytes(file("second.csv")));
+  EXPECT_EQ(first + second.substr(second.find('\n') + 1),
+            withoutTimes(test::fileBytes(file("whole.csv"))));
+  EXPECT_EQ(test::fileBytes(file("end.state")), test::fileBytes(file("whole.state")));
+
+  slab.folder().write("bad.state", "nonsense");
+  const test::CliResult refused = replay("bad.csv", "--initial-state '" + file("bad.state") + "'");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(contains(refused.err, "is no state")) << refused.err;
+}
+
 TEST_F(ReplayCommand, ProfileSaysWhereTheTimeWentAndWhetherTheSceneIsTooHeavy) {
   const test::CliResult plain = replay("a.csv");
   EXPECT_FALSE(contains(plain.out, "too heavy"));

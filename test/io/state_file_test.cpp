@@ -2,98 +2,143 @@
 #include "palpate/io/state_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <limits>
-#include <sstream>
 
 #include "palpate/base/error.h"
+#include "sim/slab_scene.h"
+#include "support/contains.h"
 
 namespace palpate::io {
 namespace {
 
-namespace fs = std::filesystem;
+using test::contains;
 
 class StateFile : public ::testing::Test {
  protected:
-  StateFile() : folder_(fs::temp_directory_path() / ("state_file_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-    state_.time = 0.1 + 0.2;
-    for (const int n : {4, 2}) {
-      state_.positions.push_back(Points::Random(3, n));
-      state_.velocities.push_back(Points::Random(3, n) * 1e-9);
+  StateFile() {
+    const Eigen::VectorXd touching = test::SlabScene::press()[40];
+    for (int k = 0; k < 3; ++k) {
+      simulator_.step({simulator_.linkPoses(0, touching)}, 0.01);
     }
   }
-  ~StateFile() override { fs::remove_all(folder_); }
-
-  std::string file() const { return (folder_ / "state.csv").string(); }
-  std::string text() const {
-    std::ifstream in(file());
-    std::stringstream s;
-    s << in.rdbuf();
-    return s.str();
-  }
-  std::string errorOf(const std::string& content) const {
-    std::ofstream(file()) << content;
+  std::string file() const { return slab_.folder().path("a.state"); }
+  // What is said of a file with these bytes; "" if it is accepted.
+  std::string errorOf(const std::string& bytes) {
+    slab_.folder().write("a.state", bytes);
     try {
-      readState(file(), names_);
-    } catch (const InputError& e) {
-      return e.what();
+      restoreState(file(), &simulator_);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.file(), file());
+      return error.what();
+    }
+    return "";
+  }
+  // What a simulator of a changed scene says of the state.
+  template <class Change>
+  std::string errorOfAnother(const Change& change) {
+    writeState(file(), simulator_.state());
+    scene::Scene scene = slab_.scene();
+    change(&scene);
+    sim::Simulator other(scene);
+    const sim::SimulatorState before = other.state();
+    try {
+      restoreState(file(), &other);
+    } catch (const InputError& error) {
+      EXPECT_TRUE(other.state() == before);
+      return error.what();
     }
     return "";
   }
 
-  const std::vector<std::string> names_ = {"liver", "gall"};
-  fs::path folder_;
-  sim::SimulatorState state_;
+  test::SlabScene slab_;
+  sim::Simulator simulator_{slab_.scene()};
 };
 
-TEST_F(StateFile, GivesTheSameBitsBack) {
-  writeState(file(), names_, state_);
-  const sim::SimulatorState read = readState(file(), names_);
-  EXPECT_EQ(read.time, state_.time);
-  ASSERT_EQ(read.positions.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(read.positions[i], state_.positions[i]);
-    EXPECT_EQ(read.velocities[i], state_.velocities[i]);
+TEST_F(StateFile, GivesTheSameStateBack) {
+  const sim::SimulatorState state = simulator_.state();
+  writeState(file(), state);
+  EXPECT_TRUE(readState(file()) == state);
+  EXPECT_FALSE(std::filesystem::exists(file() + ".part"));
+  const std::string bytes = test::fileBytes(file());
+  for (const char* line : {"palpate state 2\n", "\nscene: slab\n", "\ntime: 0.03 s\n",
+                           "\norgans: slab; model: fem; state: fem implicit_pcg backward_euler anp "
+                           "penalty, 196 points\n",
+                           "\npayload: "}) {
+    EXPECT_TRUE(contains(bytes, line)) << line;
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
-TEST_F(StateFile, EveryTruncationIsAnErrorAndNoCrash) {
-  writeState(file(), names_, state_);
-  const std::string whole = text();
-  for (std::size_t n = 0; n + 1 < whole.size(); n += 7) {
+TEST_F(StateFile, EveryTruncationAndChangedByteIsRefused) {
+  writeState(file(), simulator_.state());
+  const std::string whole = test::fileBytes(file());
+  const sim::SimulatorState before = simulator_.state();
+  for (std::size_t n = 0; n < whole.size(); n += n < 300 ? 1 : 997) {
     EXPECT_NE(errorOf(whole.substr(0, n)), "") << n;
+    std::string changed = whole;
+    changed[n] = static_cast<char>(changed[n] ^ 1);
+    EXPECT_NE(errorOf(changed), "") << n;
   }
+  EXPECT_TRUE(contains(errorOf(whole.substr(0, whole.size() - 1)), "is cut off or was changed"));
+  EXPECT_NE(errorOf(whole + "x"), "");
+  EXPECT_TRUE(simulator_.state() == before);
   EXPECT_EQ(errorOf(whole), "");
 }
 
-TEST_F(StateFile, SaysWhatIsWrongAndWhere) {
-  writeState(file(), names_, state_);
-  const std::string whole = text();
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string s = whole;
-    s.replace(s.find(from), from.size(), to);
-    return errorOf(s);
-  };
-  EXPECT_NE(with("palpate state 1", "palpate state 9").find("line 1"), std::string::npos);
-  EXPECT_NE(with("time = ", "time = nan").find("line 2"), std::string::npos);
-  EXPECT_NE(with("liver,0,", "liver,1,").find("expected 0"), std::string::npos);
-  EXPECT_NE(with("liver,0,", "lung,0,").find("liver, gall"), std::string::npos);
-  EXPECT_NE(with("liver,0,", "liver,0,inf,").find("finite"), std::string::npos);
-  EXPECT_THROW(readState((folder_ / "none").string(), names_), InputError);
+TEST_F(StateFile, SaysWhatAFileIsThatIsNone) {
+  EXPECT_TRUE(contains(errorOf("# palpate state 1\n# time = 1\n"), "save it again"));
+  EXPECT_TRUE(contains(errorOf("t,x,y\n1,2,3\n"), "is no state"));
+  EXPECT_TRUE(contains(errorOf(""), "is no state"));
+  std::filesystem::remove(file());
+  EXPECT_THROW(readState(file()), InputError);
 }
 
-TEST_F(StateFile, RefusesToWriteWhatIsNotFiniteOrWhereItCannot) {
-  sim::SimulatorState bad = state_;
-  bad.velocities[1](0, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(writeState(file(), names_, bad), std::runtime_error);
-  EXPECT_FALSE(fs::exists(file()));
-  EXPECT_THROW(writeState((folder_ / "no/such/state.csv").string(), names_, state_),
+TEST_F(StateFile, IsRefusedByAnotherScene) {
+  EXPECT_EQ(errorOfAnother([](scene::Scene*) {}), "");
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) { s->name = "other"; }),
+                       "of another scene: 'slab', not 'other'"));
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) { s->organs[0].name = "liver"; }),
+                       "it has organ slab where this has liver"));
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) {
+                         s->organs.push_back(s->organs[0]);
+                         s->organs[1].name = "second";
+                       }),
+                       "other organs"));
+  EXPECT_TRUE(
+      contains(errorOfAnother([](scene::Scene* s) { s->solver.method = "lbfgs"; }),
+               "organ slab: the state is one of 'fem implicit_pcg backward_euler anp penalty, 196 "
+               "points', not of 'fem lbfgs"));
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) { s->solver.integrator = "bdf2"; }),
+                       "backward_euler"));
+  EXPECT_TRUE(
+      contains(errorOfAnother([](scene::Scene* s) { s->organs[0].element = "tet10"; }), "tet10"));
+  // Of the same kind, but with another memory.
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) {
+                         s->organs[0].material.viscoelastic = {{0.3, 0.1}};
+                       }),
+                       "not one of this scene"));
+  EXPECT_TRUE(
+      contains(errorOfAnother([](scene::Scene* s) { s->instruments.clear(); }), "not one of"));
+}
+
+TEST_F(StateFile, IsNotWrittenWhereItCannotBe) {
+  EXPECT_THROW(writeState(slab_.folder().path("no/such/a.state"), simulator_.state()),
                std::runtime_error);
+}
+
+// Not even a state that fits at first leaves a simulator half restored.
+TEST_F(StateFile, ARestoreThatFailsLeavesAllAsItWas) {
+  const sim::SimulatorState before = simulator_.state();
+  sim::SimulatorState bad = before;
+  bad.models[0].state.bytes.pop_back();
+  EXPECT_THROW(simulator_.restore(bad), std::invalid_argument);
+  EXPECT_TRUE(simulator_.state() == before);
+  bad = before;
+  bad.models[0].state.bytes[40] = '\x7f';
+  bad.models[0].state.bytes[41] = '\xf0';
+  bad.tools.pop_back();
+  EXPECT_THROW(simulator_.restore(bad), std::invalid_argument);
+  EXPECT_TRUE(simulator_.state() == before);
 }
 
 }  // namespace

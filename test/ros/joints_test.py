@@ -155,12 +155,12 @@ class Joints(unittest.TestCase):
         saved = rospy.ServiceProxy("/palpate/save_state", Trigger)()
         self.assertTrue(saved.success, saved.message)
         self.assertTrue(os.path.isfile(saved.message), saved.message)
-        with open(saved.message) as f:
-            lines = f.read().splitlines()
+        with open(saved.message, "rb") as f:
+            lines = f.read().split(b"\n")
         os.remove(saved.message)
         os.rmdir(os.path.dirname(saved.message))
-        self.assertEqual(lines[0], "# palpate state 1")
-        self.assertTrue(lines[3].startswith("block,0,"))
+        self.assertEqual(lines[0], b"palpate state 2")
+        self.assertTrue(lines[3].startswith(b"organs: block; model: fem; state: "), lines[3])
         self.hand.stop()
         self.assertIsNotNone(self.reports.wait(lambda m: m.state == "PAUSED", 3.0))
         self.assertTrue(rospy.ServiceProxy("/palpate/reset", Trigger)().success)

@@ -52,10 +52,10 @@ class Parameters(unittest.TestCase):
         self.refused(["arrow_scale"], scene, "_arrow_scale:=-1.0")
 
     def test_bad_state_file(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as f:
+        with tempfile.NamedTemporaryFile("w", suffix=".state") as f:
             f.write("nonsense\n")
             f.flush()
-            self.refused([f.name, "line 1"], "_scene:=" + os.path.join(SCENES, "block.yaml"),
+            self.refused([f.name, "is no state"], "_scene:=" + os.path.join(SCENES, "block.yaml"),
                          "_initial_state:=" + f.name)
 
     def test_sets_what_the_libraries_read_before_main(self):

@@ -67,6 +67,21 @@ TEST_F(ChangingMesh, IsWrittenAsTheSurfaceThatItHasThen) {
   }
 }
 
+// The mesh comes back with the state, and says that it is another one.
+TEST_F(ChangingMesh, ComesBackWithTheState) {
+  simulator.step(poses, 0.01);
+  const SimulatorState state = simulator.state();
+  const Points x = simulator.positions(0);
+  const Eigen::Matrix3Xi triangles = simulator.shape(0).triangles;
+  simulator.step(poses, 0.01);
+  const std::uint64_t revision = simulator.shape(0).revision;
+  simulator.restore(state);
+  EXPECT_EQ(simulator.positions(0), x);
+  EXPECT_EQ(simulator.shape(0).triangles, triangles);
+  EXPECT_GT(simulator.shape(0).revision, revision);
+  EXPECT_TRUE(simulator.state() == state);
+}
+
 TEST_F(ChangingMesh, HasALoadThatCanBeJudged) {
   const SceneFacts facts = sceneFacts(simulator, 2);
   EXPECT_EQ(facts.nodes, simulator.positions(0).cols() + simulator.positions(1).cols());

@@ -26,20 +26,20 @@ TEST_F(LockstepOnSlab, StepsToEachInputsTime) {
 
 TEST_F(LockstepOnSlab, CutsLongGapsIntoEqualParts) {
   lockstep.advance(0.0, at(0));
-  const double begin = simulator.state().time;
+  const double begin = simulator.time();
   EXPECT_NEAR(lockstep.advance(0.035, at(60)).report.step, 0.035 / 4, 1e-12);
   EXPECT_EQ(lockstep.parts(), 4);
-  EXPECT_NEAR(simulator.state().time - begin, 0.035, 1e-12);
+  EXPECT_NEAR(simulator.time() - begin, 0.035, 1e-12);
   EXPECT_NEAR(lockstep.result().instruments[0].X_WC.translation().z(), 0.1 + press[60][2], 1e-12);
 }
 
 TEST_F(LockstepOnSlab, TheSameTimeAgainDoesNothing) {
   lockstep.advance(0.0, at(0));
   const Vec3 place = lockstep.advance(0.01, at(40)).instruments[0].X_WC.translation();
-  const double time = simulator.state().time;
+  const double time = simulator.time();
   EXPECT_EQ(lockstep.advance(0.01, at(60)).instruments[0].X_WC.translation(), place);
   EXPECT_EQ(lockstep.parts(), 0);
-  EXPECT_EQ(simulator.state().time, time);
+  EXPECT_EQ(simulator.time(), time);
 }
 
 TEST_F(LockstepOnSlab, TimeThatGoesBackBeginsAnew) {

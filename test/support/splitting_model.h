@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/tissue/model_list.h"
 
 namespace palpate::test {
@@ -54,6 +55,26 @@ class SplittingModel final : public tissue::TissueModel {
   void place(int organ, const Points& positions, const Points& velocities) override {
     now_[static_cast<std::size_t>(organ)].x = positions;
     now_[static_cast<std::size_t>(organ)].v = velocities;
+  }
+  tissue::State state() const override {
+    StateWriter out;
+    for (const Organ& organ : now_) {
+      out.put(organ.x);
+      out.put(organ.v);
+      out.put(organ.triangles);
+    }
+    return {"splitting", out.bytes()};
+  }
+  void restore(const tissue::State& state) override {
+    tissue::checkKind(state, "splitting");
+    StateReader in(state.bytes);
+    for (Organ& organ : now_) {
+      in.get(&organ.x);
+      in.get(&organ.v);
+      in.get(&organ.triangles);
+    }
+    in.finish();
+    ++revision_;
   }
 
  private:

@@ -67,6 +67,13 @@ class StateReader {
     values->resize(rows, cols);
     take(values->data(), sizeof(T) * static_cast<std::size_t>(values->size()));
   }
+  /// A matrix or array of just the size that it has already.
+  template <class Values>
+  void getSame(Values* values) {
+    const auto size = values->size();
+    get(values);
+    if (values->size() != size) fail();
+  }
   void get(std::string* bytes) {
     const std::int64_t size = count(1);
     bytes->assign(left_.substr(0, static_cast<std::size_t>(size)));
@@ -74,7 +81,8 @@ class StateReader {
   }
   template <class T>
   void get(std::vector<T>* values) {
-    values->assign(static_cast<std::size_t>(count(1)), T());
+    values->clear();
+    values->resize(static_cast<std::size_t>(count(1)));
     for (T& value : *values) get(&value);
   }
   /// A number of things that take at least `least` bytes each of what is left.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
@@ -78,6 +79,11 @@ class Elasticity {
   /// Null for a body that is not viscous.
   virtual std::unique_ptr<ViscousState> saveViscousState() const = 0;
   virtual void restoreViscousState(const ViscousState* state) = 0;
+
+  /// All memory: what viscous solids went through, and the step that was begun.
+  virtual void save(StateWriter* out) const = 0;
+  /// @throws std::invalid_argument for the memory of another body.
+  virtual void restore(StateReader* in) = 0;
 };
 
 /// Names that makeElasticity() knows; the first is the default.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/fem/block_matrix.h"
 #include "palpate/fem/couplings.h"
 #include "palpate/fem/pressure_metric.h"
@@ -85,6 +86,10 @@ class Stiffness {
     blocks_.constrain(free);
     couplings_.constrain(free);
   }
+
+  void save(StateWriter* out) const;
+  /// @throws std::invalid_argument for the values of another pattern.
+  void restore(StateReader* in);
 
  private:
   BlockMatrix blocks_;

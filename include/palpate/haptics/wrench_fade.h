@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/base/types.h"
 
 namespace palpate::haptics {
@@ -23,6 +24,17 @@ class WrenchFade {
     const double change = ramp_ > dt ? dt / ramp_ : 1.0;
     gain_ = live ? std::min(1.0, gain_ + change) : std::max(0.0, gain_ - change);
     return gain_ * held_;
+  }
+
+  void save(StateWriter* out) const {
+    out->put(gain_);
+    out->put(held_.force);
+    out->put(held_.torque);
+  }
+  void restore(StateReader* in) {
+    in->get(&gain_);
+    in->get(&held_.force);
+    in->get(&held_.torque);
   }
 
   double gain() const { return gain_; }

@@ -18,6 +18,8 @@ class Replay {
   /// @throws InputError for a joint without a column or a column without a joint.
   Replay(sim::Simulator* simulator, Trajectory trajectory, const std::string& file);
 
+  /// The simulator was restored to where the first row had left it: goes on with the second one.
+  void resume();
   bool hasNext() const { return row_ < trajectory_.t.size(); }
   /// Steps to the next row's time.
   const sim::StepResult& next();
@@ -36,6 +38,8 @@ class Replay {
   int failedSteps() const { return failed_steps_; }
 
  private:
+  std::vector<sim::LinkPoses> posesOf(std::size_t row) const;
+
   sim::Simulator* simulator_;
   sim::Lockstep lockstep_;
   Trajectory trajectory_;

@@ -2,28 +2,30 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "palpate/sim/simulator.h"
 
 namespace palpate::io {
 
-/// Writes a simulator's state as text, in a way that a reader never sees half a file:
+/// Writes a simulator's state in a way that a reader never sees half a file: lines for the eye,
+/// then the bytes of the state,
 ///
-///     # palpate state 1
-///     # time = 12.5
-///     organ,node,x,y,z,vx,vy,vz
-///     liver,0,0.01,...                       positions [m] and velocities [m/s], world
+///     palpate state 2
+///     scene: liver palpation
+///     time: 12.5 s
+///     organs: liver; model: fem; state: fem implicit_pcg backward_euler anp penalty, 1020 points
+///     payload: 123456 bytes, crc32 0123abcd
 ///
-/// Numbers have as many digits as bring back the same bits. `organs`: one name an organ.
-/// @throws std::runtime_error naming the file if it cannot be written, or if a number is not
-/// finite.
-void writeState(const std::string& file, const std::vector<std::string>& organs,
-                const sim::SimulatorState& state);
+/// with a checksum of all that stands in the file beside it.
+/// @throws InputError if it cannot be written.
+void writeState(const std::string& file, const sim::SimulatorState& state);
 
-/// Reads what writeState() wrote. `organs` must be the names in the file, in that order.
-/// @throws InputError: missing, another format, truncated, a number that is not finite, other
-/// organs.
-sim::SimulatorState readState(const std::string& file, const std::vector<std::string>& organs);
+/// Reads what writeState() wrote.
+/// @throws InputError: missing, of another format, cut off or changed.
+sim::SimulatorState readState(const std::string& file);
+
+/// The simulator goes on from a state file.
+/// @throws InputError as readState(), or naming what the state is of if that is not this scene.
+void restoreState(const std::string& file, sim::Simulator* simulator);
 
 }  // namespace palpate::io

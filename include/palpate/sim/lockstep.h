@@ -20,6 +20,10 @@ class Lockstep {
   /// parts, see reportFigures().
   const StepResult& advance(double t, const std::vector<LinkPoses>& poses);
 
+  /// The simulator was restored to where the input `poses` of time `t` [s] had left it, and goes on
+  /// from there.
+  void resume(double t, const std::vector<LinkPoses>& poses);
+
   const StepResult& result() const { return result_; }
   /// Simulated steps that the last advance() was cut into; 0 if it made none.
   int parts() const { return parts_; }

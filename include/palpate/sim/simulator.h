@@ -12,6 +12,7 @@
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/scene/scene.h"
+#include "palpate/sim/simulator_state.h"
 #include "palpate/sim/step_report.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/tissue/tissue_model.h"
@@ -54,12 +55,6 @@ struct StepResult {
     contacts.clear();
     report = StepReport();
   }
-};
-
-/// Everything that a simulator must remember to go on later, for ~save_state.
-struct SimulatorState {
-  double time = 0.0;
-  std::vector<Points> positions, velocities;  ///< One an organ, 3 x n, world [m], [m/s].
 };
 
 /// Told while loading takes long: what is done, and a fraction in [0, 1].
@@ -116,8 +111,13 @@ class Simulator {
   /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
   void place(int i, const Points& positions, const Points& velocities);
 
+  double time() const;  ///< Simulated so far [s].
+
+  /// All memory. To take it changes nothing.
   SimulatorState state() const;
-  /// @throws std::invalid_argument if the sizes are not this scene's or a number is not finite.
+  /// Goes on as the simulator would have whose state() it is.
+  /// @throws std::invalid_argument that says what is wrong, if it is one of another scene, of other
+  /// models or methods, or not whole; this simulator is then as it was.
   void restore(const SimulatorState& state);
 
  private:

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/fem/loads.h"
 #include "palpate/solver/inertia.h"
 #include "palpate/solver/potential.h"
@@ -62,6 +63,11 @@ class Integrator {
   const Eigen::VectorXd& masses() const { return masses_; }
   /// Inertial and mass damping forces on the nodes at x, 3 x n [N].
   void inertiaForces(const Points& x, Points* f) const { inertia_.forces(x, f); }
+
+  /// All memory between two steps.
+  void save(StateWriter* out) const;
+  /// @throws std::invalid_argument for the memory of another body.
+  void restore(StateReader* in);
 
  private:
   bool two_step_, massless_;

@@ -33,6 +33,8 @@ class Lbfgs final : public Minimizer {
     renew(potential, x, nullptr);
   }
   void restart() override;
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
 
  private:
   static constexpr int kPairs = 5;
@@ -48,6 +50,7 @@ class Lbfgs final : public Minimizer {
   void learn(const Potential& potential, const Points& x);
   /// The k-th newest pair.
   Pair& pair(int k) { return pairs_[(newest_ + kPairs - k) % kPairs]; }
+  const Pair& pair(int k) const { return pairs_[(newest_ + kPairs - k) % kPairs]; }
 
   fem::Stiffness A_;
   std::unique_ptr<StaleFactor> factor_;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/fem/stiffness.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/status.h"
@@ -38,6 +39,10 @@ class LinearSolver {
   virtual void beginCycle(double /*dt*/) {}
   /// Forgets what it learnt from earlier systems: from here on it does what a new one would.
   virtual void restart() {}
+  /// All that it learnt; nothing, for most.
+  virtual void save(StateWriter* /*out*/) const {}
+  /// @throws std::invalid_argument for the memory of another kind or of another body.
+  virtual void restore(StateReader* /*in*/) {}
   /// Cycles that began with waiting for work that was done beside; the only figure that depends on
   /// how fast it was.
   virtual int waits() const { return 0; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/base/phase_times.h"
+#include "palpate/base/state_bytes.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/solver/potential.h"
 #include "palpate/solver/status.h"
@@ -59,6 +60,10 @@ class Minimizer {
   virtual void beginCycle(double /*dt*/) {}
   /// Forgets what it learnt: from here on it does what a new one would.
   virtual void restart() {}
+  /// All that it learnt. Work that is being done beside goes on; it is saved as what it is done on.
+  virtual void save(StateWriter* out) const = 0;
+  /// @throws std::invalid_argument for the memory of another kind or of another body.
+  virtual void restore(StateReader* in) = 0;
   /// Cycles that began with waiting for work that was done beside; the only figure that depends on
   /// how fast it was.
   virtual int waits() const { return 0; }

@@ -28,6 +28,8 @@ class Newton final : public Minimizer {
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override { linear_->beginCycle(dt); }
   void restart() override;
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
   int waits() const override { return linear_->waits(); }
 
  private:

@@ -30,13 +30,18 @@ class StalePcg final : public LinearSolver {
   void prepare(const fem::Stiffness& A) override;
   void beginCycle(double dt) override;
   void restart() override;
+  /// The matrices of the factor in use and of the one that is being made; it is made again.
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
   int waits() const override { return waits_; }
 
  private:
   void beginFactor(const fem::Stiffness& A);
+  void factoriseSnapshot();
   bool scaleFactor(const fem::Stiffness& A);
 
   int max_iterations_;
+  double flops_ = 0.0;  // of a factorisation without couplings: how long one may take
   BlockPcg plain_;
   std::unique_ptr<StaleFactor> used_, next_;
   fem::Stiffness snapshot_;

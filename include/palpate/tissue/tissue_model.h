@@ -12,6 +12,7 @@
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/solver/interrupt.h"
 #include "palpate/tissue/figures.h"
+#include "palpate/tissue/state.h"
 
 namespace palpate::tissue {
 
@@ -49,7 +50,7 @@ struct TissueStep : StepFigures {
   }
 };
 
-/// What there is of an organ now. The references hold until its model steps, is reset or placed.
+/// What there is of an organ now. The references hold until its model steps, is reset or restored.
 struct Shape {
   const Points& positions;            ///< World, 3 x n [m]; always finite.
   const Points& velocities;           ///< World, 3 x n [m/s].
@@ -93,6 +94,13 @@ class TissueModel {
   virtual void reset() = 0;
   /// Goes on from there without a past. Sizes as positions(organ), all finite: the caller's duty.
   virtual void place(int organ, const Points& positions, const Points& velocities) = 0;
+
+  /// All memory. To take it changes nothing.
+  virtual State state() const = 0;
+  /// Goes on as the model would have of which this is the state(), to the bit.
+  /// @throws std::invalid_argument for a state of another kind, or bytes that are cut off; the
+  /// model must then be reset or restored before it goes on.
+  virtual void restore(const State& state) = 0;
 };
 
 }  // namespace palpate::tissue

@@ -116,6 +116,18 @@ void CriticalStep::follow(const Points& x) {
   }
 }
 
+void CriticalStep::save(StateWriter* out) const {
+  out->put(square_);
+  out->put(mode_);
+  out->put(looked_at_);
+}
+
+void CriticalStep::restore(StateReader* in) {
+  in->get(&square_);
+  in->getSame(&mode_);
+  in->getSame(&looked_at_);
+}
+
 double CriticalStep::seconds() const {
   return square_ > 0.0 ? 2.0 / std::sqrt(square_) : std::numeric_limits<double>::infinity();
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 
@@ -27,6 +28,10 @@ class CriticalStep {
   void begin(const Points& X);
   /// Follows the body to x, 3 x n [m], if it has moved noticeably since the last look.
   void follow(const Points& x);
+
+  void save(StateWriter* out) const;
+  /// After begin(), of the same body.
+  void restore(StateReader* in);
 
   /// [s]; infinity if nothing is free.
   double seconds() const;

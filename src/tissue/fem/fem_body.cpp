@@ -105,6 +105,31 @@ void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
   support_force = support_forces.norm();
 }
 
+void FemBody::save(StateWriter* out) const {
+  out->put(x);
+  out->put(v);
+  elasticity->save(out);
+  contact.save(out);
+  out->put(elastic_energy.has_value());
+  if (elastic_energy) out->put(*elastic_energy);
+  out->put(contact_force);
+  out->put(support_force);
+}
+
+void FemBody::restore(StateReader* in) {
+  in->getSame(&x);
+  in->getSame(&v);
+  if (!x.allFinite() || !v.allFinite()) throw std::invalid_argument("the state is not finite");
+  elasticity->restore(in);
+  contact.restore(in);
+  bool known = false;
+  in->get(&known);
+  elastic_energy.reset();
+  if (known) in->get(&elastic_energy.emplace());
+  in->get(&contact_force);
+  in->get(&support_force);
+}
+
 Points settleUnderGravity(FemBody* body) {
   Points settled = body->mesh.points;
   if (body->settings.gravity.isZero()) return settled;

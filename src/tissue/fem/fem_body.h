@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
 #include "palpate/tissue/fem/drive.h"
@@ -33,6 +34,11 @@ struct FemBody {
   bool heldWay(double s, Points* way) const;
   /// Sums what the supports exert, given the gradient of all energies at x (3 x n [N]).
   void reportSupport(const Points& gradient, TissueStep* out);
+
+  /// All memory from one cycle to the next.
+  void save(StateWriter* out) const;
+  /// @throws std::invalid_argument for the memory of another body, or one that is not finite.
+  void restore(StateReader* in);
 
   FemSettings settings;
   mesh::TetMesh mesh;

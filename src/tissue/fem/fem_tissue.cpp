@@ -47,6 +47,24 @@ class FemTissue final : public TissueModel {
     out_.clear();
   }
 
+  State state() const override {
+    StateWriter out;
+    body_.save(&out);
+    method_->save(&out);
+    rest_.save(&out);
+    return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
+  }
+
+  void restore(const State& state) override {
+    checkKind(state, stateKind(body_.settings, body_.x.cols()));
+    StateReader in(state.bytes);
+    body_.restore(&in);
+    method_->restore(&in);
+    rest_.restore(&in);
+    in.finish();
+    out_.clear();
+  }
+
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     out_.clear();
     body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
@@ -102,6 +120,11 @@ class FemTissue final : public TissueModel {
 };
 
 }  // namespace
+
+std::string stateKind(const FemSettings& settings, Eigen::Index num_points) {
+  return "fem " + settings.method + " " + settings.integrator + " " + settings.element + " " +
+         settings.contact.model + ", " + std::to_string(num_points) + " points";
+}
 
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,

@@ -35,6 +35,18 @@ void ImplicitMethod::restart() {
   }
 }
 
+void ImplicitMethod::save(StateWriter* out) const {
+  out->put(prepared_);
+  integrator_.save(out);
+  minimizer_->save(out);
+}
+
+void ImplicitMethod::restore(StateReader* in) {
+  in->get(&prepared_);
+  integrator_.restore(in);
+  minimizer_->restore(in);
+}
+
 // The cycle in one step, or, where that fails, in more and shorter ones.
 bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_ = out;

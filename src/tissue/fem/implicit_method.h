@@ -22,6 +22,8 @@ class ImplicitMethod final : public StepMethod {
   const Eigen::VectorXd& masses() const override { return integrator_.masses(); }
   void restart() override;
   void stop() override { integrator_.stop(); }
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
 
  private:
   bool timeStep(double begin, double end, double h);

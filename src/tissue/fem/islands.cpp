@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/base/vector_text.h"
 #include "palpate/mesh/tet_parts.h"
 #include "palpate/tissue/skips.h"
@@ -48,8 +49,10 @@ void addIsland(const TissueStep& island, TissueStep* out) {
 
 class Islands final : public TissueModel {
  public:
-  Islands(const mesh::TetMesh& mesh, std::vector<Island> islands)
+  Islands(const mesh::TetMesh& mesh, std::vector<Island> islands, const FemSettings& settings)
       : mesh_(mesh),
+        kind_(stateKind(settings, mesh.numPoints()) + " in " + std::to_string(islands.size()) +
+              " parts"),
         triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
         islands_(std::move(islands)),
         x_(mesh.points),
@@ -116,6 +119,30 @@ class Islands final : public TissueModel {
     out_.clear();
   }
 
+  State state() const override {
+    StateWriter out;
+    for (const Island& island : islands_) {
+      const State part = island.tissue->state();
+      out.put(part.kind);
+      out.put(part.bytes);
+    }
+    return {kind_, out.bytes()};
+  }
+
+  void restore(const State& state) override {
+    checkKind(state, kind_);
+    StateReader in(state.bytes);
+    for (const Island& island : islands_) {
+      State part;
+      in.get(&part.kind);
+      in.get(&part.bytes);
+      island.tissue->restore(part);
+      take(island);
+    }
+    in.finish();
+    out_.clear();
+  }
+
  private:
   void take(const Island& island) {
     scatter(island.tissue->positions(), island.nodes, &x_);
@@ -123,6 +150,7 @@ class Islands final : public TissueModel {
   }
 
   mesh::TetMesh mesh_;
+  std::string kind_;
   Eigen::Matrix3Xi triangles_;
   std::vector<Island> islands_;
   Points x_, v_;
@@ -164,7 +192,7 @@ std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
       throw std::runtime_error(name + error.what());
     }
   }
-  return std::make_unique<Islands>(mesh, std::move(islands));
+  return std::make_unique<Islands>(mesh, std::move(islands), settings);
 }
 
 }  // namespace palpate::tissue

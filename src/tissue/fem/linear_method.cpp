@@ -39,6 +39,18 @@ void LinearMethod::restart() {
   energy_ = 0.5 * u_.cwiseProduct(g_).sum();
 }
 
+void LinearMethod::save(StateWriter* out) const {
+  out->put(force_);
+  out->put(residual_);
+  out->put(energy_);
+}
+
+void LinearMethod::restore(StateReader* in) {
+  in->getSame(&force_);
+  in->get(&residual_);
+  in->get(&energy_);
+}
+
 bool LinearMethod::advance(double dt, TissueStep* out) {
   x_begin_ = body_.x;
   force_begin_ = force_;

@@ -28,6 +28,8 @@ class LinearMethod final : public StepMethod {
   void settle(Points* x) override;
   void restart() override;
   void stop() override {}
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
 
  private:
   solver::NewtonReport solveStage(bool on_the_way, TissueStep* out);

@@ -29,6 +29,16 @@ void NewtonMethod::restart() {
   residual_ = gradient();
 }
 
+void NewtonMethod::save(StateWriter* out) const {
+  contact_.save(out);
+  out->put(residual_);
+}
+
+void NewtonMethod::restore(StateReader* in) {
+  contact_.restore(in);
+  in->get(&residual_);
+}
+
 // g at x; its norm where nothing is held.
 double NewtonMethod::gradient() {
   const double value = body_.elasticity->gradient(body_.x, &g_);

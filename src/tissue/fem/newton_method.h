@@ -28,6 +28,8 @@ class NewtonMethod final : public StepMethod {
   const Eigen::VectorXd& masses() const override { return body_.elasticity->masses(); }
   void restart() override;
   void stop() override {}
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
 
  private:
   bool sweep(int parts, TissueStep* out);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fem_body.h"
+#include "palpate/base/state_bytes.h"
 
 namespace palpate::tissue {
 
@@ -34,6 +35,12 @@ class StepMethod {
   virtual void restart() = 0;
   /// body.v was set to zero, and x is at rest.
   virtual void stop() = 0;
+
+  /// All memory beside the body's own.
+  virtual void save(StateWriter* out) const = 0;
+  /// The body's own is that of the same moment.
+  /// @throws std::invalid_argument for the memory of another method or of another body.
+  virtual void restore(StateReader* in) = 0;
 };
 
 /// `name`: one of methodNames(); body.method becomes it, or what `auto` took.

@@ -47,6 +47,21 @@ void TledMethod::stop() {
   inertia_.setZero();
 }
 
+void TledMethod::save(StateWriter* out) const {
+  for (const Points* p : {&g_, &contact_g_, &inertia_}) out->put(*p);
+  out->put(potential_);
+  out->put(caution_);
+  critical_.save(out);
+}
+
+void TledMethod::restore(StateReader* in) {
+  update_.clear();
+  for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
+  in->get(&potential_);
+  in->get(&caution_);
+  critical_.restore(in);
+}
+
 // Gradient and energy of all but contact, at body_.x.
 void TledMethod::forces(double h) {
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(h);

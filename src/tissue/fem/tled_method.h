@@ -33,6 +33,8 @@ class TledMethod final : public StepMethod {
   const Eigen::VectorXd& masses() const override { return masses_; }
   void restart() override;
   void stop() override;
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
 
  private:
   int subSteps(double dt, TissueStep* out);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rest.h"
 
+#include "step_bytes.h"
+
 namespace palpate::tissue {
 
 bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) const {
@@ -22,6 +24,16 @@ void Rest::report(TissueStep* out) const {
   out->newton_iterations = out->linear_iterations = out->factor_waits = 0;
   out->inertia_force.setZero();
   out->sweep_stages = 1;
+}
+
+void Rest::save(StateWriter* out) const {
+  out->put(asleep_);
+  if (asleep_) putStep(last_, out);
+}
+
+void Rest::restore(StateReader* in) {
+  in->get(&asleep_);
+  if (asleep_) getStep(in, &last_);
 }
 
 }  // namespace palpate::tissue

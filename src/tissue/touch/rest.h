@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/tissue/tissue_model.h"
 #include "touch.h"
 
@@ -38,6 +39,9 @@ class Rest {
   /// What report() will say, if it came to rest.
   void remember(const TissueStep& out) { last_ = out; }
   void wake() { asleep_ = false; }
+
+  void save(StateWriter* out) const;
+  void restore(StateReader* in);
 
  private:
   double motion_;

@@ -27,6 +27,10 @@ struct FemSettings : ModelSettings {
   bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
 };
 
+/// What the state of such a body says it is: method, integrator, element,
+/// response to touches, and how many points.
+std::string stateKind(const FemSettings& settings, Eigen::Index num_points);
+
 /// Nonlinear finite elements, stepped by one of several methods. When tools move far within a
 /// cycle, the motion is swept in stages short against the thinnest tool, each solved before the
 /// next, so that no tool passes through (sweep.h).

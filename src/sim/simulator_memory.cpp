@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <stdexcept>
+
+#include "palpate/base/error.h"
+#include "simulator_impl.h"
+
+namespace palpate::sim {
+
+void Simulator::Impl::checkScene(const SimulatorState& state) const {
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw std::invalid_argument("the state is of another scene: " + what);
+  };
+  require(state.scene == scene.name, "'" + state.scene + "', not '" + scene.name + "'");
+  require(state.models.size() == loaded.models.size(), "it has other organs or models");
+  for (std::size_t k = 0; k < loaded.models.size(); ++k) {
+    const ModelState& given = state.models[k];
+    const std::vector<std::string> organs = organNames(loaded.models[k]);
+    const std::string model = modelName(loaded.models[k]);
+    require(given.organs == organs,
+            "it has organ " + joinNames(given.organs) + " where this has " + joinNames(organs));
+    require(given.model == model,
+            "model " + given.model + " of organ " + organs.front() + ", which here is " + model);
+  }
+  require(std::isfinite(state.time), "its time is not finite");
+}
+
+void Simulator::Impl::restore(const SimulatorState& state) {
+  clear();
+  for (std::size_t k = 0; k < loaded.models.size(); ++k) {
+    try {
+      loaded.models[k].tissue->restore(state.models[k].state);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("organ " + joinNames(state.models[k].organs) + ": " +
+                                  error.what());
+    }
+  }
+  StateReader tools(state.tools);
+  restoreTools(&tools);
+  time = result.report.time = state.time;
+}
+
+void Simulator::Impl::saveTools(StateWriter* out) const {
+  out->put(static_cast<std::int64_t>(poses.size()));
+  for (const LinkPoses& links : poses) {
+    out->put(static_cast<std::int64_t>(links.size()));
+    for (const Pose& X : links) out->put(X.matrix());
+  }
+  for (const InstrumentResult& tool : result.instruments) {
+    out->put(tool.spatial.force);
+    out->put(tool.spatial.torque);
+    out->put(tool.contacts);
+    out->put(tool.max_penetration);
+  }
+  for (const haptics::WrenchFade& fade : fades) fade.save(out);
+}
+
+void Simulator::Impl::restoreTools(StateReader* in) {
+  const std::int64_t instruments = in->count(1);
+  if (instruments != 0 && instruments != static_cast<std::int64_t>(loaded.instruments.size())) {
+    StateReader::fail();
+  }
+  for (std::int64_t i = 0; i < instruments; ++i) {
+    LinkPoses links(loaded.instruments[static_cast<std::size_t>(i)].linkNames().size());
+    if (in->count(1) != static_cast<std::int64_t>(links.size())) StateReader::fail();
+    for (Pose& X : links) in->get(&X.matrix());
+    poses.push_back(std::move(links));
+  }
+  if (!allFinite(poses)) StateReader::fail();
+  placeControlFrames();
+  for (InstrumentResult& tool : result.instruments) {
+    in->get(&tool.spatial.force);
+    in->get(&tool.spatial.torque);
+    in->get(&tool.contacts);
+    in->get(&tool.max_penetration);
+  }
+  for (std::size_t i = 0; i < fades.size(); ++i) {
+    fades[i].restore(in);
+    result.instruments[i].solved = fades[i].held();
+  }
+  in->finish();
+}
+
+double Simulator::time() const { return impl_->time; }
+
+SimulatorState Simulator::state() const {
+  SimulatorState state;
+  state.scene = impl_->scene.name;
+  state.time = impl_->time;
+  for (const scene::LoadedModel& model : impl_->loaded.models) {
+    state.models.push_back(
+        {impl_->modelName(model), impl_->organNames(model), model.tissue->state()});
+  }
+  StateWriter tools;
+  impl_->saveTools(&tools);
+  state.tools = tools.bytes();
+  return state;
+}
+
+void Simulator::restore(const SimulatorState& state) {
+  impl_->checkScene(state);
+  const SimulatorState before = this->state();
+  try {
+    impl_->restore(state);
+  } catch (const std::invalid_argument&) {
+    impl_->restore(before);
+    throw;
+  }
+}
+
+}  // namespace palpate::sim

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/tissue/tissue_model.h"
+
+namespace palpate::tissue {
+
+/// What a cycle did, without what depends on how fast it was: times, and waits for a factor.
+void putStep(const TissueStep& step, StateWriter* out);
+/// @throws std::invalid_argument for bytes that are cut off.
+void getStep(StateReader* in, TissueStep* step);
+
+}  // namespace palpate::tissue
