@@ -165,7 +165,7 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
     const TouchForce f = response_->force(touch);
     // Eigen multiplies the matrix first: in the last bit not what addGradient() gets.
     const Vec3 normal_force = f.normal * (touch.R_WG * touch.normal_G);
-    contacts->push_back({touch, normal_force + f.other_W});
+    contacts->emplace_back(touch, normal_force + f.other_W);
   });
 }
 
@@ -188,27 +188,34 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   return touch;
 }
 
-void ContactPotential::touches(const Points& x, std::vector<Touch>* touches) const {
-  touches->clear();
-  forEach(x, true, true, [&](const Touch& touch) { touches->push_back(touch); });
-}
-
 void ContactPotential::beginStep(const Points& x) {
   for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
   if (response_->followsMotion()) x_begin_ = x;
   if (!response_->remembers()) return;
-  touches(x, &touches_);
+  touches_.clear();
+  forEach(x, true, true, [&](const Touch& touch) { touches_.push_back(touch); });
   response_->beginStep(touches_);
 }
 
 void ContactPotential::endStep(const Points& x) {
   if (!response_->remembers()) return;
-  touches(x, &touches_);
+  collect(x, &at_end_);
+  touches_.clear();
+  for (const Contact& contact : at_end_) touches_.push_back(contact.touch);
   response_->endStep(touches_);
+}
+
+void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* contacts) const {
+  if (response_->remembers()) {
+    *contacts = at_end_;
+  } else {
+    collect(x, contacts);
+  }
 }
 
 void ContactPotential::forget() {
   x_begin_.resize(3, 0);
+  at_end_.clear();
   response_->forget();
 }
 

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "palpate/contact/signed_distance.h"
-
 namespace palpate::contact {
 
 Eigen::Matrix<double, 3, 2> tangents(const Vec3& n) {
@@ -31,18 +29,6 @@ void PlacedObstacle::move(const Obstacle& obstacle) {
 void PlacedObstacle::beginHere() {
   obstacle_.X_WG_begin = obstacle_.X_WG_end;
   X_GW_begin_ = X_GW_;
-}
-
-double PlacedObstacle::gap(const Vec3& p_W) const {
-  return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W);
-}
-
-void PlacedObstacle::measureGap(const Vec3& p_W, Touch* touch) const {
-  touch->p_W = p_W;
-  touch->p_G = X_GW_ * p_W;
-  touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G);
-  touch->radius = radius_;
-  touch->number = obstacle_.number;
 }
 
 void PlacedObstacle::measureFrame(Touch* touch) const {

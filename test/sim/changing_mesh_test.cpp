@@ -83,7 +83,7 @@ TEST_F(ChangingMesh, ComesBackWithTheState) {
 }
 
 TEST_F(ChangingMesh, HasALoadThatCanBeJudged) {
-  const SceneFacts facts = sceneFacts(simulator, 2);
+  const advice::SceneFacts facts = advice::sceneFacts(simulator, 2);
   EXPECT_EQ(facts.nodes, simulator.positions(0).cols() + simulator.positions(1).cols());
   EXPECT_GT(facts.edge_length, 0.005);
   EXPECT_LT(facts.edge_length, 0.05);

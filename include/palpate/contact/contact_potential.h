@@ -13,6 +13,8 @@ namespace palpate::contact {
 
 /// A touch that is answered.
 struct Contact {
+  Contact(const Touch& t, const Vec3& f_W) : touch(t), force_W(f_W) {}
+
   Touch touch;
   Vec3 force_W;  ///< What the tissue does to the obstacle, at touch.p_W [N].
 };
@@ -82,6 +84,8 @@ class ContactPotential final : public fem::EnergyTerm {
   void beginStep(const Points& x);
   /// It has ended at x.
   void endStep(const Points& x);
+  /// The contacts at x, where the last step ended, as they were before that became memory.
+  void collectAtEnd(const Points& x, std::vector<Contact>* contacts) const;
   /// Nothing has touched yet.
   void forget();
   /// What is remembered from step to step, and back to it; empty where nothing is.
@@ -98,7 +102,6 @@ class ContactPotential final : public fem::EnergyTerm {
   };
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
-  void touches(const Points& x, std::vector<Touch>* touches) const;
 
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
@@ -106,7 +109,8 @@ class ContactPotential final : public fem::EnergyTerm {
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;
-  Points x_begin_;  // of the step, where the response follows motions
+  Points x_begin_;               // of the step, where the response follows motions
+  std::vector<Contact> at_end_;  // of the last step, where the response remembers
   std::vector<Touch> touches_;
 };
 

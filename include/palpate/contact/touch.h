@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "palpate/contact/obstacle.h"
+#include "palpate/contact/signed_distance.h"
 
 namespace palpate::contact {
 
@@ -56,9 +57,17 @@ class PlacedObstacle {
   Vec3 toObstacle(const Vec3& p_W) const { return X_GW_ * p_W; }
 
   /// Signed distance of a point that is given in world [m].
-  double gap(const Vec3& p_W) const;
+  double gap(const Vec3& p_W) const {
+    return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W);
+  }
   /// Fills p_W, p_G, gap, radius and number.
-  void measureGap(const Vec3& p_W, Touch* touch) const;
+  void measureGap(const Vec3& p_W, Touch* touch) const {
+    touch->p_W = p_W;
+    touch->p_G = X_GW_ * p_W;
+    touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G);
+    touch->radius = radius_;
+    touch->number = obstacle_.number;
+  }
   /// Fills the frame; the gap is measured.
   void measureFrame(Touch* touch) const;
   /// Fills the motion of a sample that was at `p_begin_W` [m] when the way began; the gap is

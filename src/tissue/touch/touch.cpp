@@ -26,7 +26,7 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
 
 double Touch::report(const Points& x, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
-  contact.collect(x, &contacts_);
+  contact.collectAtEnd(x, &contacts_);
   nodal_.setZero(3, x.cols());
   for (const contact::Contact& c : contacts_) {
     const contact::Touch& touch = c.touch;
