@@ -10,7 +10,7 @@
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/replay_table.h"
 #include "palpate/io/state_file.h"
-#include "palpate/tissue/fem/fem_tissue.h"
+#include "palpate/tissue/method_facts.h"
 #include "sim/slab_scene.h"
 
 namespace palpate::io {
@@ -172,7 +172,7 @@ std::vector<Case> cases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Resume, ::testing::ValuesIn(cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& method) { return method.param.name; });
 
 // Memory of each kind is really there when a case above saves it.
 TEST(ResumeCases, AreSavedAsleepAndInContact) {
