@@ -80,8 +80,8 @@ TEST(Touch, SlipsBackwardsOnATranslatingObstacle) {
   EXPECT_LT((touch.motion_W - motion).norm(), 1e-16);
   const Vec3 n = obstacle.X_WG_end.linear().col(2);
   EXPECT_LT((touch.normal_W - n).norm(), 1e-15);
-  EXPECT_LT((touch.slip_W() - (motion - n * n.dot(motion))).norm(), 1e-16);
-  EXPECT_LT((touch.tangents_W() * touch.slip() - touch.slip_W()).norm(), 1e-16);
+  EXPECT_LT((touch.slipInWorld() - (motion - n * n.dot(motion))).norm(), 1e-16);
+  EXPECT_LT((touch.frameTangents() * touch.slip() - touch.slipInWorld()).norm(), 1e-16);
 }
 
 // At (r, 0, 0) of a ball that turns about z by an angle, a sample at rest goes past the way
@@ -95,7 +95,7 @@ TEST(Touch, SlipsOnARotatingObstacle) {
   const Touch touch = measure(obstacle, p_W, p_W);
   const Vec3 motion(r * (1.0 - std::cos(angle)), -r * std::sin(angle), 0.0);
   EXPECT_LT((touch.motion_W - motion).norm(), 1e-16);
-  EXPECT_LT((touch.slip_W() - Vec3(0.0, motion.y(), 0.0)).norm(), 1e-16);
+  EXPECT_LT((touch.slipInWorld() - Vec3(0.0, motion.y(), 0.0)).norm(), 1e-16);
   EXPECT_NEAR(touch.slip().norm(), r * std::sin(angle), 1e-16);
 }
 
@@ -109,7 +109,7 @@ TEST(Touch, SlipTurnsWithTheWorld) {
     const Points p = randomPoints(&rng, 2, 0.01);
     const Touch a = measure(here, p.col(0), p.col(1)),
                 b = measure(there, X * p.col(0), X * p.col(1));
-    EXPECT_LT((X.linear() * a.slip_W() - b.slip_W()).norm(), 1e-15) << name;
+    EXPECT_LT((X.linear() * a.slipInWorld() - b.slipInWorld()).norm(), 1e-15) << name;
     EXPECT_NEAR(a.gap, b.gap, 1e-15) << name;
   }
 }

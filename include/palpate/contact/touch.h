@@ -36,10 +36,10 @@ struct Touch {
   Vec3 motion_W;
 
   double penetration() const { return -gap; }
-  Eigen::Matrix<double, 3, 2> tangents_W() const { return tangents(normal_W); }
-  /// The tangential part of the motion: in world, and along tangents_W() [m].
-  Vec3 slip_W() const { return motion_W - normal_W * normal_W.dot(motion_W); }
-  Eigen::Vector2d slip() const { return tangents_W().transpose() * motion_W; }
+  Eigen::Matrix<double, 3, 2> frameTangents() const { return tangents(normal_W); }
+  /// The tangential part of the motion: in world, and along frameTangents() [m].
+  Vec3 slipInWorld() const { return motion_W - normal_W * normal_W.dot(motion_W); }
+  Eigen::Vector2d slip() const { return frameTangents().transpose() * motion_W; }
 };
 
 /// An obstacle where its way ends, and from where touches with it are measured.

@@ -8,6 +8,7 @@
 #include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
+#include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -34,7 +35,8 @@ struct OrganDescription {
   /// What the organ is made of where no region says otherwise.
   std::function<material::Solid()> solid;
 
-  std::string element = "anp";  ///< One of fem::elementNames(), for models of finite elements.
+  std::string element =
+      fem::elementNames().front();  ///< One of fem::elementNames(), for models of finite elements.
   solver::RayleighDamping damping;
 };
 

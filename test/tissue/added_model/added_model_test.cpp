@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/sim/simulator.h"
 #include "palpate/tissue/model_list.h"
@@ -44,7 +45,10 @@ TEST_F(AddedModel, IsPressedAndLetGo) {
   for (const Eigen::VectorXd& q : press) {
     const sim::StepResult result = step(&simulator, q);
     ASSERT_TRUE(result.report.ok());
-    EXPECT_LT(result.report.imbalance, 1e-9);
+    // Asleep, forces within the tolerance are let be.
+    const bool asleep = result.report.skipped.sleeping_organs > 0;
+    const double nodes = static_cast<double>(simulator.positions(0).cols());
+    EXPECT_LT(result.report.imbalance, asleep ? std::sqrt(nodes) * result.report.tolerance : 1e-9);
     peak = std::max(peak, result.instruments[0].spatial.force.z());
     deepest = std::max(deepest, result.report.max_penetration);
   }
@@ -62,7 +66,9 @@ TEST_F(AddedModel, SleepsUntilItIsTouched) {
     slept += static_cast<int>(step(&simulator, press[0]).report.skipped.sleeping_organs);
   }
   EXPECT_GE(slept, 8);
-  EXPECT_LT((simulator.positions(0) - begin).cwiseAbs().maxCoeff(), 1e-8);
+  // Of the two cycles before it sleeps, each moves less than a millionth of the organ's size.
+  const double size = (begin.rowwise().maxCoeff() - begin.rowwise().minCoeff()).norm();
+  EXPECT_LT((simulator.positions(0) - begin).cwiseAbs().maxCoeff(), 2e-6 * size);
   bool touched = false;
   for (int k = 0; k < 60; ++k) {
     const sim::StepReport report = step(&simulator, press[static_cast<std::size_t>(k)]).report;
