@@ -10,6 +10,7 @@ namespace {
 
 std::vector<std::string> namesOf(const std::vector<ResponseEntry>& table) {
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const ResponseEntry& entry : table) names.push_back(entry.name);
   return names;
 }
