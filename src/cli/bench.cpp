@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "bench_report.h"
+#include "command.h"
 #include "commands.h"
 #include "files.h"
 #include "options.h"
@@ -143,19 +144,18 @@ int run(const Options& options) {
 }  // namespace
 
 void addBench(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "bench", "Run one of several fixed scenes and measure it; without --scene, list them");
+  Command command(app, "bench",
+                  "Run one of several fixed scenes and measure it; without --scene, list them");
   const auto options = std::make_shared<Options>();
-  command->add_option("--scene", options->scene, "One of the list");
-  command->add_flag("--small", options->small, "Small versions of the scenes, in seconds");
-  command->add_option("--tets", options->choice.tets, "About so many tetrahedra (boxes)")
-      ->check(CLI::Range(6, 2000000));
-  command->add_option("--edge-length", options->choice.edge_length,
-                      "Of the tetrahedra [m] (livers)");
-  command->add_option("--poisson-ratio", options->choice.poisson_ratio, "Of the soft material");
-  command->add_option("--element", options->choice.element, "Finite element");
+  command.option("--scene", &options->scene, "One of the list");
+  command.flag("--small", &options->small, "Small versions of the scenes, in seconds");
+  command.option("--tets", &options->choice.tets, "About so many tetrahedra (boxes)")
+      .between(6, 2000000);
+  command.option("--edge-length", &options->choice.edge_length, "Of the tetrahedra [m] (livers)");
+  command.option("--poisson-ratio", &options->choice.poisson_ratio, "Of the soft material");
+  command.option("--element", &options->choice.element, "Finite element");
   const auto shorthand = [&](const char* option, const char* key, const char* what) {
-    command->add_option_function<std::string>(
+    command.option(
         option, [options, key](const std::string& value) { options->shorthands[key] = value; },
         what);
   };
@@ -166,17 +166,16 @@ void addBench(CLI::App& app, Action& action) {
   shorthand("--linear-tolerance", "solver.linear_tolerance", "Of the linear solver, relative");
   shorthand("--max-newton", "solver.max_newton_iterations", "Newton iterations in a cycle");
   shorthand("--threads", "solver.threads", "Threads that share the work");
-  command->add_option("--set", options->sets,
-                      "KEY=VALUE: any key of the scene's sections solver and contact");
-  command->add_option("--duration", options->duration, "Simulated time [s]");
-  command->add_option("--frame", options->frame, "Displacements are kept this far apart [s]");
-  command->add_option("--repeat", options->repeats, "Runs from the start; times are of all of them")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--seconds", options->seconds, "Begin no other repeat after so long");
-  command->add_option(
-      "--out", options->out,
-      "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command.option("--set", &options->sets,
+                 "KEY=VALUE: any key of the scene's sections solver and contact");
+  command.option("--duration", &options->duration, "Simulated time [s]");
+  command.option("--frame", &options->frame, "Displacements are kept this far apart [s]");
+  command.option("--repeat", &options->repeats, "Runs from the start; times are of all of them")
+      .between(1, 1000);
+  command.option("--seconds", &options->seconds, "Begin no other repeat after so long");
+  command.option("--out", &options->out,
+                 "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");
+  command.onUse([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace palpate::cli

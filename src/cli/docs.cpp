@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "command.h"
 #include "commands.h"
 #include "palpate/analysis/case.h"
 #include "palpate/base/error.h"
@@ -30,17 +31,15 @@ std::string textOf(const std::string& page) {
 }  // namespace
 
 void addDocs(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "docs", "Print a page of documentation that is generated from the program");
+  Command command(app, "docs", "Print a page of documentation that is generated from the program");
   const auto page = std::make_shared<std::string>();
   command
-      ->add_option(
-          "page", *page,
-          "scene_format: keys of scene files; case_format: keys of case files; tissues: the "
-          "materials in config/materials")
-      ->required()
-      ->check(CLI::IsMember({"scene_format", "case_format", "tissues"}));
-  command->callback([page, &action] {
+      .option("page", page.get(),
+              "scene_format: keys of scene files; case_format: keys of case files; tissues: the "
+              "materials in config/materials")
+      .required()
+      .oneOf({"scene_format", "case_format", "tissues"});
+  command.onUse([page, &action] {
     action = [page] {
       std::cout << textOf(*page);
       return kOk;

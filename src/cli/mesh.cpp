@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "command.h"
 #include "commands.h"
 #include "options.h"
 #include "palpate/formats/surface_io.h"
@@ -90,20 +91,19 @@ int run(const Options& options) {
 }  // namespace
 
 void addMesh(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("mesh", "Fill a closed surface with tetrahedra");
+  Command command(app, "mesh", "Fill a closed surface with tetrahedra");
   const auto options = std::make_shared<Options>();
-  command->add_option("surface", options->surface, "File: .obj, .off, .stl, .ply or .wrl")
-      ->required();
+  command.option("surface", &options->surface, "File: .obj, .off, .stl, .ply or .wrl").required();
   command
-      ->add_option("--edge-length", options->edge_length,
-                   "Mean edge of the tetrahedra [m], after scaling")
-      ->required();
-  command->add_option("--out", options->out, "File to write, .vtu")->required();
-  command->add_option("--scale", options->scale,
-                      "Metres in one unit of the file, 0.001 for millimetres; 1 if not given");
-  command->add_flag("--no-cache", options->no_cache,
-                    "Mesh anew and remember nothing, whatever is in the cache");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+      .option("--edge-length", &options->edge_length,
+              "Mean edge of the tetrahedra [m], after scaling")
+      .required();
+  command.option("--out", &options->out, "File to write, .vtu").required();
+  command.option("--scale", &options->scale,
+                 "Metres in one unit of the file, 0.001 for millimetres; 1 if not given");
+  command.flag("--no-cache", &options->no_cache,
+               "Mesh anew and remember nothing, whatever is in the cache");
+  command.onUse([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "command.h"
 #include "commands.h"
 #include "options.h"
 #include "palpate/base/error.h"
@@ -32,14 +33,13 @@ int run(const Options& options) {
 }  // namespace
 
 void addOrgan(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("organ", "Make the surface of an organ");
+  Command command(app, "organ", "Make the surface of an organ");
   const auto options = std::make_shared<Options>();
-  command->add_option("name", options->name, "One of " + joinNames(organs::organNames()))
-      ->required();
-  command->add_option("--edge-length", options->edge_length, "Mean edge of the triangles [m]")
-      ->required();
-  command->add_option("--out", options->out, "File to write, .off or .obj")->required();
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command.option("name", &options->name, "One of " + joinNames(organs::organNames())).required();
+  command.option("--edge-length", &options->edge_length, "Mean edge of the triangles [m]")
+      .required();
+  command.option("--out", &options->out, "File to write, .off or .obj").required();
+  command.onUse([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace palpate::cli

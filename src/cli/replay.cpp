@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "blas_check.h"
+#include "command.h"
 #include "commands.h"
 #include "files.h"
 #include "palpate/advice/scene_verdict.h"
@@ -109,28 +110,25 @@ int replay(const Options& options) {
 }  // namespace
 
 void addReplay(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "replay", "Drive a scene by a table of joint positions, as fast as it goes");
+  Command command(app, "replay", "Drive a scene by a table of joint positions, as fast as it goes");
   const auto options = std::make_shared<Options>();
-  command->add_option("scene", options->scene, "Scene file, see docs/scene_format.md")->required();
+  command.option("scene", &options->scene, "Scene file, see docs/scene_format.md").required();
   command
-      ->add_option("--trajectory", options->trajectory,
-                   "CSV: t [s] and a column a joint [m or rad]; instrument/joint where the scene "
-                   "has several instruments")
-      ->required();
-  command->add_option("--out", options->out, "CSV with wrenches and what each step did")
-      ->required();
-  command->add_option("--vtu", options->vtu, "Folder for pictures of the organs");
-  command->add_option("--every", options->every, "A picture every so many rows")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--threads", options->threads, "Instead of the scene's solver.threads")
-      ->check(CLI::Range(1, 64));
-  command->add_option("--initial-state", options->initial_state,
-                      "Go on from a state that the first row of the trajectory had led to");
-  command->add_option("--save-state", options->save_state, "File for the state at the end");
-  command->add_flag("--profile", options->profile,
-                    "Say where the time went, and what to change if the scene is too heavy");
-  command->callback([options, &action] { action = [options] { return replay(*options); }; });
+      .option("--trajectory", &options->trajectory,
+              "CSV: t [s] and a column a joint [m or rad]; instrument/joint where the scene "
+              "has several instruments")
+      .required();
+  command.option("--out", &options->out, "CSV with wrenches and what each step did").required();
+  command.option("--vtu", &options->vtu, "Folder for pictures of the organs");
+  command.option("--every", &options->every, "A picture every so many rows").positive();
+  command.option("--threads", &options->threads, "Instead of the scene's solver.threads")
+      .between(1, 64);
+  command.option("--initial-state", &options->initial_state,
+                 "Go on from a state that the first row of the trajectory had led to");
+  command.option("--save-state", &options->save_state, "File for the state at the end");
+  command.flag("--profile", &options->profile,
+               "Say where the time went, and what to change if the scene is too heavy");
+  command.onUse([options, &action] { action = [options] { return replay(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "command.h"
 #include "commands.h"
 #include "files.h"
 #include "palpate/analysis/case_solver.h"
@@ -56,19 +57,19 @@ int solve(const Options& options) {
 }  // namespace
 
 void addSolve(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "solve", "Solve a case file: static or dynamic finite elements with loads and supports");
+  Command command(app, "solve",
+                  "Solve a case file: static or dynamic finite elements with loads and supports");
   const auto options = std::make_shared<Options>();
-  command->add_option("case", options->case_file, "Case file, see docs/case_format.md")->required();
+  command.option("case", &options->case_file, "Case file, see docs/case_format.md").required();
   command
-      ->add_option("--out", options->out,
-                   "Folder for result.json, result.vtu and, of a dynamic case, probes.csv")
-      ->required();
+      .option("--out", &options->out,
+              "Folder for result.json, result.vtu and, of a dynamic case, probes.csv")
+      .required();
   command
-      ->add_option("--threads", options->threads,
-                   "Threads that share the work; the results are the same bits for any")
-      ->check(CLI::Range(1, 64));
-  command->callback([options, &action] { action = [options] { return solve(*options); }; });
+      .option("--threads", &options->threads,
+              "Threads that share the work; the results are the same bits for any")
+      .between(1, 64);
+  command.onUse([options, &action] { action = [options] { return solve(*options); }; });
 }
 
 }  // namespace palpate::cli
