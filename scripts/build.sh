@@ -12,10 +12,10 @@ build_dir=${BUILD_DIR:-build}
 build_type=${BUILD_TYPE:-Release}
 if [ $# -eq 0 ]; then set -- all; fi
 
-# CGAL's meshing needs up to 2 GB a compiler: not more jobs than memory carries.
+# One source, CGAL's meshing, needs 3.4 GB to compile: not more jobs than memory carries.
 if [ -z "${JOBS:-}" ]; then
   JOBS=$(nproc)
-  memory_jobs=$(awk '/MemAvailable/ {print int($2 / 2097152)}' /proc/meminfo 2>/dev/null || echo 1)
+  memory_jobs=$(awk '/MemAvailable/ {print int($2 / 3145728)}' /proc/meminfo 2>/dev/null || echo 1)
   if [ "${memory_jobs:-1}" -lt "$JOBS" ]; then JOBS=$memory_jobs; fi
   if [ "$JOBS" -lt 1 ]; then JOBS=1; fi
 fi

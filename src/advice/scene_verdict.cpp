@@ -38,10 +38,10 @@ std::string milliseconds(double seconds) {
   return text.str();
 }
 
-std::string whatCosts(const SceneVerdict& load) {
+std::string whatCosts(const SceneVerdict& verdict) {
   std::ostringstream text;
-  text << std::setprecision(2) << 100.0 * load.share << " % of the slowest cycles is "
-       << toString(load.costliest);
+  text << std::setprecision(2) << 100.0 * verdict.share << " % of the slowest cycles is "
+       << toString(verdict.costliest);
   return text.str();
 }
 
@@ -71,50 +71,50 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
 }
 
 SceneVerdict judgeScene(const SceneFacts& facts, const CycleCosts& figures) {
-  SceneVerdict load;
-  load.rate_wanted = facts.rates.simulation;
-  if (figures.cycles == 0 || !(figures.cycle_p99 > 0.0)) return load;
-  load.rate_possible = 1.0 / figures.cycle_p99;
-  load.rate_typical = figures.cycle_median > 0.0 ? 1.0 / figures.cycle_median : 0.0;
-  load.too_heavy = load.rate_possible < load.rate_wanted;
+  SceneVerdict verdict;
+  verdict.rate_wanted = facts.rates.simulation;
+  if (figures.cycles == 0 || !(figures.cycle_p99 > 0.0)) return verdict;
+  verdict.rate_possible = 1.0 / figures.cycle_p99;
+  verdict.rate_typical = figures.cycle_median > 0.0 ? 1.0 / figures.cycle_median : 0.0;
+  verdict.too_heavy = verdict.rate_possible < verdict.rate_wanted;
   for (std::size_t k = 0; k < kNumCyclePhases; ++k) {
     const Phase phase = static_cast<Phase>(k);
-    if (figures.slow[phase] > figures.slow[load.costliest]) load.costliest = phase;
+    if (figures.slow[phase] > figures.slow[verdict.costliest]) verdict.costliest = phase;
   }
   const double slow = figures.slow.cycle();
-  load.share = slow > 0.0 ? figures.slow[load.costliest] / slow : 0.0;
-  if (load.too_heavy && slow > 0.0) load.advice = adviseOn(facts, figures);
-  return load;
+  verdict.share = slow > 0.0 ? figures.slow[verdict.costliest] / slow : 0.0;
+  if (verdict.too_heavy && slow > 0.0) verdict.advice = adviseOn(facts, figures);
+  return verdict;
 }
 
-std::string shortText(const SceneVerdict& load) {
-  if (load.rate_possible == 0.0) return "no cycle was measured";
+std::string shortText(const SceneVerdict& verdict) {
+  if (verdict.rate_possible == 0.0) return "no cycle was measured";
   std::ostringstream text;
-  text << std::setprecision(3) << "99 of 100 cycles hold " << load.rate_possible << " Hz, "
-       << load.rate_wanted << " Hz are wanted";
-  if (load.too_heavy) text << "; " << whatCosts(load);
-  if (!load.advice.empty()) text << "; " << load.advice.front().text;
+  text << std::setprecision(3) << "99 of 100 cycles hold " << verdict.rate_possible << " Hz, "
+       << verdict.rate_wanted << " Hz are wanted";
+  if (verdict.too_heavy) text << "; " << whatCosts(verdict);
+  if (!verdict.advice.empty()) text << "; " << verdict.advice.front().text;
   return text.str();
 }
 
-std::string longText(const SceneVerdict& load) {
-  if (load.rate_possible == 0.0) return "no cycle was measured\n";
+std::string longText(const SceneVerdict& verdict) {
+  if (verdict.rate_possible == 0.0) return "no cycle was measured\n";
   std::ostringstream text;
-  text << std::setprecision(3) << "is the scene too heavy for " << load.rate_wanted << " Hz?  ";
-  if (load.too_heavy) {
-    text << "yes, by a factor of " << load.rate_wanted / load.rate_possible << "\n";
+  text << std::setprecision(3) << "is the scene too heavy for " << verdict.rate_wanted << " Hz?  ";
+  if (verdict.too_heavy) {
+    text << "yes, by a factor of " << verdict.rate_wanted / verdict.rate_possible << "\n";
   } else {
     text << "no\n";
   }
-  text << "  rate possible: " << load.rate_possible << " Hz in 99 of 100 cycles, "
-       << load.rate_typical << " Hz in half of them\n"
-       << "  costliest: " << whatCosts(load) << "\n";
-  if (!load.advice.empty()) {
+  text << "  rate possible: " << verdict.rate_possible << " Hz in 99 of 100 cycles, "
+       << verdict.rate_typical << " Hz in half of them\n"
+       << "  costliest: " << whatCosts(verdict) << "\n";
+  if (!verdict.advice.empty()) {
     text << "  what to change, with the estimated time of the slowest cycles (now "
-         << milliseconds(1.0 / load.rate_possible) << ", wanted "
-         << milliseconds(1.0 / load.rate_wanted) << "):\n";
+         << milliseconds(1.0 / verdict.rate_possible) << ", wanted "
+         << milliseconds(1.0 / verdict.rate_wanted) << "):\n";
   }
-  for (const Advice& advice : load.advice) {
+  for (const Advice& advice : verdict.advice) {
     text << "    " << milliseconds(advice.cycle) << ": " << advice.text << "\n";
   }
   return text.str();

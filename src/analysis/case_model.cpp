@@ -12,7 +12,7 @@
 namespace palpate::analysis {
 namespace {
 
-mesh::TetMesh loadMesh(const Case& problem) {
+mesh::TetMesh readMesh(const Case& problem) {
   mesh::TetMesh mesh;
   if (problem.mesh.box) {
     mesh = mesh::boxMesh(problem.mesh.box->size, problem.mesh.box->cells);
@@ -40,7 +40,7 @@ std::unique_ptr<fem::Elasticity> makeBody(const Case& problem, const mesh::TetMe
 }  // namespace
 
 CaseModel::CaseModel(const Case& problem, ThreadPool* pool)
-    : mesh_(loadMesh(problem)),
+    : mesh_(readMesh(problem)),
       surface_(mesh::boundaryFaces(mesh_)),
       composition_(scene::composeBody(problem, mesh_, Mat3::Identity(), problem.file, "")),
       elasticity_(makeBody(problem, mesh_, composition_, pool)) {

@@ -55,9 +55,9 @@ void printSummary(const io::Replay& replay, const std::vector<double>& step_ms) 
 
 void printProfile(const sim::Simulator& simulator, const advice::CycleCosts& figures) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const advice::SceneVerdict load =
+  const advice::SceneVerdict verdict =
       advice::judgeScene(advice::sceneFacts(simulator, cores), figures);
-  std::printf("\n%s\n%s", advice::profileTable(figures).c_str(), advice::longText(load).c_str());
+  std::printf("\n%s\n%s", advice::profileTable(figures).c_str(), advice::longText(verdict).c_str());
 }
 
 // Where the organs' methods need a fast BLAS, or the user asks where the time goes.

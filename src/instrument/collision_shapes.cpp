@@ -48,7 +48,7 @@ Geometry hullOfMesh(const urdf::Mesh& urdf, const std::string& folder) {
 }
 
 Geometry toGeometry(const urdf::Geometry& urdf, const std::string& folder,
-                    const LoadOptions& options) {
+                    const InstrumentOptions& options) {
   switch (urdf.type) {
     case urdf::Geometry::SPHERE:
       return Sphere{static_cast<const urdf::Sphere&>(urdf).radius};
@@ -73,7 +73,7 @@ std::string meshName(const urdf::Geometry& urdf) {
 }
 
 void readCollisions(const urdf::Link& link, int index, const std::string& folder,
-                    const LoadOptions& options, Shapes* shapes) {
+                    const InstrumentOptions& options, Shapes* shapes) {
   for (const auto& collision : link.collision_array) {
     const std::string name =
         collision->name.empty() ? link.name : link.name + "/" + collision->name;
@@ -117,7 +117,7 @@ void lookForVisuals(const urdf::Link& link, const std::string& folder, Shapes* s
 }  // namespace
 
 Shapes readShapes(const urdf::ModelInterface& model, const std::vector<std::string>& links,
-                  const std::string& folder, const LoadOptions& options) {
+                  const std::string& folder, const InstrumentOptions& options) {
   Shapes shapes;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const urdf::Link& link = *model.getLink(links[i]);

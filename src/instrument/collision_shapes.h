@@ -21,6 +21,6 @@ struct Shapes {
 /// The collision bodies of the links, by name in the order given, and a look at whether the meshes
 /// of the visuals exist. `folder` is where relative mesh files start.
 Shapes readShapes(const urdf::ModelInterface& model, const std::vector<std::string>& links,
-                  const std::string& folder, const LoadOptions& options);
+                  const std::string& folder, const InstrumentOptions& options);
 
 }  // namespace palpate::instrument

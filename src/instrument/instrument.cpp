@@ -64,7 +64,7 @@ void Instrument::linkPoses(const Eigen::VectorXd& q, std::vector<Pose>* X_BL) co
   }
 }
 
-Instrument loadInstrument(const std::string& urdf_file, const LoadOptions& options) {
+Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions& options) {
   const std::string text = readTextFile(urdf_file, kMaxBytes);
   UrdfOutline outline = readOutline(urdf_file, text);
   checkTopology(&outline);

@@ -23,7 +23,7 @@ bool isQuoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 }  // namespace
 
-YAML::Node loadYamlMap(const std::string& file) {
+YAML::Node readYamlMap(const std::string& file) {
   const std::string text = readTextFile(file, kMaxBytes);
   std::vector<YAML::Node> documents;
   try {

@@ -10,7 +10,7 @@ namespace palpate::keys {
 
 /// The one document of a YAML file, a map.
 /// @throws InputError if the file is anything else.
-YAML::Node loadYamlMap(const std::string& file);
+YAML::Node readYamlMap(const std::string& file);
 
 /// What stands at "key" or "key[1].name" below a map, if anything.
 std::optional<YAML::Node> findPath(const YAML::Node& map, const std::string& path);

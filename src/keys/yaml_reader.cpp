@@ -7,7 +7,7 @@
 namespace palpate::keys {
 
 void readYaml(const std::string& file, const std::function<void(FieldVisitor&)>& fields) {
-  const YAML::Node root = loadYamlMap(file);
+  const YAML::Node root = readYamlMap(file);
   std::vector<Problem> problems;
   try {
     YamlVisitor visitor(root);

@@ -67,7 +67,7 @@ struct Statistics {
   double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
   double sim_speed = 0.0;                                    ///< Simulated over real time.
-  advice::SceneVerdict load;  ///< Whether the scene is too heavy; unknown while no cycle solves.
+  advice::SceneVerdict verdict;  ///< Whether the scene is too heavy; unknown while no cycle solves.
   long cycles = 0, unsolved = 0, resets = 0;
   tissue::SkipCounters skipped;      ///< Work that the cycles could leave out, since the start.
   long unwatched_pictures = 0;       ///< Pictures not made because nobody subscribes.

@@ -110,7 +110,7 @@ void LiveCycle::step(Steady::time_point start) {
   result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
   cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
   cycle_times_.push_back(cycle_ms_);
-  load_.add(result_->report, 1e-3 * cycle_ms_);
+  costs_.add(result_->report, 1e-3 * cycle_ms_);
 
   facts_.stepped = true;
   facts_.solved = result_->report.usable();

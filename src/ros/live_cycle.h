@@ -70,7 +70,7 @@ class LiveCycle {
   long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, unwatched_pictures_ = 0;
   tissue::SkipCounters skipped_;
   std::vector<double> cycle_times_;  // of this second [ms]
-  advice::CostRecorder load_;        // likewise
+  advice::CostRecorder costs_;       // likewise
   advice::SceneFacts scene_facts_;
   long window_ticks_ = 0, window_steps_ = 0;
   Steady::time_point window_start_ = Steady::now();

@@ -15,7 +15,7 @@ std::string slowAdvice(const Statistics& s) {
   std::ostringstream text;
   text << std::setprecision(3) << "the simulation reaches " << s.rate_reached << " of "
        << s.rate_wanted << " Hz (median cycle " << s.cycle_p50 << " ms), so simulated time runs at "
-       << s.sim_speed << " of real time; " << advice::shortText(s.load);
+       << s.sim_speed << " of real time; " << advice::shortText(s.verdict);
   return text.str();
 }
 
@@ -35,7 +35,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.cycle_p50 = p.p50;
   s.cycle_p99 = p.p99;
   s.cycle_max = p.max;
-  s.load = advice::judgeScene(scene_facts_, load_.figures());
+  s.verdict = advice::judgeScene(scene_facts_, costs_.figures());
   s.cycles = steps_;
   s.unsolved = unsolved_;
   s.resets = resets_;
@@ -59,7 +59,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   window_start_ = now;
   window_ticks_ = window_steps_ = 0;
   cycle_times_.clear();
-  load_.clear();
+  costs_.clear();
 }
 
 void LiveCycle::warnWaiting(const Statistics& s) {

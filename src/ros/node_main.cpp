@@ -29,8 +29,8 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted while loading") {}
 };
 
-/// Loads, and says on the way what takes so long. Meshing can take minutes the first time.
-std::unique_ptr<sim::Simulator> load(const scene::Scene& scene, Diagnostics* diagnostics) {
+/// Makes it, and says on the way what takes so long. Meshing can take minutes the first time.
+std::unique_ptr<sim::Simulator> makeSimulator(const scene::Scene& scene, Diagnostics* diagnostics) {
   Throttle said(1.0);
   std::string last;
   auto simulator =
@@ -75,7 +75,7 @@ int run() {
   const NodeParams params = readParams(private_handle);
   const scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
   diagnostics.loading(scene.file);
-  const std::unique_ptr<sim::Simulator> simulator = load(scene, &diagnostics);
+  const std::unique_ptr<sim::Simulator> simulator = makeSimulator(scene, &diagnostics);
   diagnostics.setBlasWarning(checkBlas(*simulator));
   if (!params.initial_state.empty()) {
     io::restoreState(params.initial_state, simulator.get());

@@ -34,9 +34,9 @@ bool allFinite(const std::vector<LinkPoses>& poses) {
 }
 
 bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) const {
-  if (!(dt > 0.0) || !std::isfinite(dt) || next.size() != loaded.instruments.size()) return false;
+  if (!(dt > 0.0) || !std::isfinite(dt) || next.size() != parts.instruments.size()) return false;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (next[i].size() != loaded.instruments[i].linkNames().size()) return false;
+    if (next[i].size() != parts.instruments[i].linkNames().size()) return false;
   }
   return allFinite(next);
 }
@@ -57,7 +57,7 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
 
   s.moveBodies(poses);
   s.placeControlFrames();
-  for (const scene::LoadedModel& model : s.loaded.models) {
+  for (const scene::ModelPart& model : s.parts.models) {
     const tissue::TissueStep& cycle = model.tissue->step(s.bodies, dt);
     addModel(cycle, &s.result.report);
     s.sumWrenches(cycle, model.organs);
@@ -71,18 +71,18 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
 
 void Simulator::setInterrupt(solver::Interrupt interrupt) {
   impl_->interrupt = std::move(interrupt);
-  for (const scene::LoadedModel& model : impl_->loaded.models) {
+  for (const scene::ModelPart& model : impl_->parts.models) {
     model.tissue->setInterrupt(impl_->interrupt ? &impl_->interrupt : nullptr);
   }
 }
 
 void Simulator::reset() {
-  for (const scene::LoadedModel& model : impl_->loaded.models) model.tissue->reset();
+  for (const scene::ModelPart& model : impl_->parts.models) model.tissue->reset();
   impl_->clear();
 }
 
 void Simulator::place(int i, const Points& positions, const Points& velocities) {
-  const scene::OrganPlace& place = impl_->loaded.organs[static_cast<std::size_t>(i)];
+  const scene::OrganPlace& place = impl_->parts.organs[static_cast<std::size_t>(i)];
   const auto fits = [&](const Points& given) {
     return given.cols() == place.shape().positions.cols() && given.allFinite();
   };
@@ -102,24 +102,24 @@ LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {
 }
 
 const scene::Scene& Simulator::scene() const { return impl_->scene; }
-const std::vector<std::string>& Simulator::warnings() const { return impl_->loaded.warnings; }
-const std::vector<std::string>& Simulator::notes() const { return impl_->loaded.notes; }
-int Simulator::numInstruments() const { return static_cast<int>(impl_->loaded.instruments.size()); }
+const std::vector<std::string>& Simulator::warnings() const { return impl_->parts.warnings; }
+const std::vector<std::string>& Simulator::notes() const { return impl_->parts.notes; }
+int Simulator::numInstruments() const { return static_cast<int>(impl_->parts.instruments.size()); }
 const instrument::Instrument& Simulator::instrument(int i) const {
-  return impl_->loaded.instruments[i];
+  return impl_->parts.instruments[i];
 }
-int Simulator::numOrgans() const { return static_cast<int>(impl_->loaded.organs.size()); }
+int Simulator::numOrgans() const { return static_cast<int>(impl_->parts.organs.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
-tissue::Shape Simulator::shape(int i) const { return impl_->loaded.organs[i].shape(); }
+tissue::Shape Simulator::shape(int i) const { return impl_->parts.organs[i].shape(); }
 const Points& Simulator::positions(int i) const { return shape(i).positions; }
 mesh::CellMesh Simulator::cells(int i) const {
-  const scene::OrganPlace& place = impl_->loaded.organs[i];
+  const scene::OrganPlace& place = impl_->parts.organs[i];
   mesh::CellMesh cells = place.tissue->cells(place.organ);
   if (cells.numCells() == 0) cells.cells = place.shape().triangles;
   return cells;
 }
 std::vector<std::string> Simulator::methods(int i) const {
-  return impl_->loaded.organs[i].tissue->methods();
+  return impl_->parts.organs[i].tissue->methods();
 }
 bool Simulator::wantsFastBlas() const {
   for (int i = 0; i < numOrgans(); ++i) {

@@ -9,7 +9,7 @@
 #include "palpate/base/state_bytes.h"
 #include "palpate/contact/obstacle.h"
 #include "palpate/haptics/wrench_fade.h"
-#include "palpate/scene/loaded_scene.h"
+#include "palpate/scene/scene_parts.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::sim {
@@ -18,7 +18,7 @@ bool allFinite(const std::vector<LinkPoses>& poses);
 
 struct Simulator::Impl {
   scene::Scene scene;
-  scene::LoadedScene loaded;
+  scene::SceneParts parts;
   std::vector<contact::Obstacle> bodies;
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
@@ -28,9 +28,9 @@ struct Simulator::Impl {
   solver::Interrupt interrupt;
 
   Impl(const scene::Scene& s, const Progress& progress)
-      : scene(s), loaded(scene::loadScene(s, progress)) {
-    for (std::size_t i = 0; i < loaded.instruments.size(); ++i) {
-      const auto& shapes = loaded.instruments[i].bodies();
+      : scene(s), parts(scene::assembleScene(s, progress)) {
+    for (std::size_t i = 0; i < parts.instruments.size(); ++i) {
+      const auto& shapes = parts.instruments[i].bodies();
       for (std::size_t b = 0; b < shapes.size(); ++b) {
         bodies.push_back({&shapes[b].geometry, static_cast<int>(i), Pose(), Pose()});
         body_source.emplace_back(i, b);
@@ -42,8 +42,8 @@ struct Simulator::Impl {
   void clear() {
     time = 0.0;
     poses.clear();
-    result.clear(loaded.instruments.size());
-    fades.assign(loaded.instruments.size(), haptics::WrenchFade(scene.rates.ramp, 1.0));
+    result.clear(parts.instruments.size());
+    fades.assign(parts.instruments.size(), haptics::WrenchFade(scene.rates.ramp, 1.0));
   }
 
   bool accepts(const std::vector<LinkPoses>& next, double dt) const;
@@ -51,7 +51,7 @@ struct Simulator::Impl {
     const std::vector<LinkPoses>& from = poses.empty() ? next : poses;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const auto [i, b] = body_source[k];
-      const instrument::CollisionBody& shape = loaded.instruments[i].bodies()[b];
+      const instrument::CollisionBody& shape = parts.instruments[i].bodies()[b];
       bodies[k].X_WG_begin = from[i][shape.link] * shape.X_LG;
       bodies[k].X_WG_end = next[i][shape.link] * shape.X_LG;
     }
@@ -60,7 +60,7 @@ struct Simulator::Impl {
 
   void placeControlFrames() {
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      result.instruments[i].X_WC = poses[i][loaded.control_links[i]];
+      result.instruments[i].X_WC = poses[i][parts.control_links[i]];
     }
   }
 
@@ -75,10 +75,10 @@ struct Simulator::Impl {
     }
   }
 
-  std::string modelName(const scene::LoadedModel& model) const {
+  std::string modelName(const scene::ModelPart& model) const {
     return scene.organs[static_cast<std::size_t>(model.organs.front())].model;
   }
-  std::vector<std::string> organNames(const scene::LoadedModel& model) const {
+  std::vector<std::string> organNames(const scene::ModelPart& model) const {
     std::vector<std::string> names;
     for (int i : model.organs) names.push_back(scene.organs[static_cast<std::size_t>(i)].name);
     return names;

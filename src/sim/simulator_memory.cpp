@@ -12,11 +12,11 @@ void Simulator::Impl::checkScene(const SimulatorState& state) const {
     if (!holds) throw std::invalid_argument("the state is of another scene: " + what);
   };
   require(state.scene == scene.name, "'" + state.scene + "', not '" + scene.name + "'");
-  require(state.models.size() == loaded.models.size(), "it has other organs or models");
-  for (std::size_t k = 0; k < loaded.models.size(); ++k) {
+  require(state.models.size() == parts.models.size(), "it has other organs or models");
+  for (std::size_t k = 0; k < parts.models.size(); ++k) {
     const ModelState& given = state.models[k];
-    const std::vector<std::string> organs = organNames(loaded.models[k]);
-    const std::string model = modelName(loaded.models[k]);
+    const std::vector<std::string> organs = organNames(parts.models[k]);
+    const std::string model = modelName(parts.models[k]);
     require(given.organs == organs,
             "it has organ " + joinNames(given.organs) + " where this has " + joinNames(organs));
     require(given.model == model,
@@ -27,9 +27,9 @@ void Simulator::Impl::checkScene(const SimulatorState& state) const {
 
 void Simulator::Impl::restore(const SimulatorState& state) {
   clear();
-  for (std::size_t k = 0; k < loaded.models.size(); ++k) {
+  for (std::size_t k = 0; k < parts.models.size(); ++k) {
     try {
-      loaded.models[k].tissue->restore(state.models[k].state);
+      parts.models[k].tissue->restore(state.models[k].state);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("organ " + joinNames(state.models[k].organs) + ": " +
                                   error.what());
@@ -57,11 +57,11 @@ void Simulator::Impl::saveTools(StateWriter* out) const {
 
 void Simulator::Impl::restoreTools(StateReader* in) {
   const std::int64_t instruments = in->count(1);
-  if (instruments != 0 && instruments != static_cast<std::int64_t>(loaded.instruments.size())) {
+  if (instruments != 0 && instruments != static_cast<std::int64_t>(parts.instruments.size())) {
     StateReader::fail();
   }
   for (std::int64_t i = 0; i < instruments; ++i) {
-    LinkPoses links(loaded.instruments[static_cast<std::size_t>(i)].linkNames().size());
+    LinkPoses links(parts.instruments[static_cast<std::size_t>(i)].linkNames().size());
     if (in->count(1) != static_cast<std::int64_t>(links.size())) StateReader::fail();
     for (Pose& X : links) in->get(&X.matrix());
     poses.push_back(std::move(links));
@@ -87,7 +87,7 @@ SimulatorState Simulator::state() const {
   SimulatorState state;
   state.scene = impl_->scene.name;
   state.time = impl_->time;
-  for (const scene::LoadedModel& model : impl_->loaded.models) {
+  for (const scene::ModelPart& model : impl_->parts.models) {
     state.models.push_back(
         {impl_->modelName(model), impl_->organNames(model), model.tissue->state()});
   }

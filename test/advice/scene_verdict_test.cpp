@@ -37,8 +37,8 @@ SceneFacts usualFacts() {
   return facts;
 }
 
-bool advises(const SceneVerdict& load, const std::string& word) {
-  for (const Advice& advice : load.advice) {
+bool advises(const SceneVerdict& verdict, const std::string& word) {
+  for (const Advice& advice : verdict.advice) {
     if (contains(advice.text, word)) return true;
   }
   return false;
@@ -80,34 +80,34 @@ TEST(CostRecorder, ASumOverPartsIsThatManyCycles) {
 }
 
 TEST(SceneVerdict, ALightSceneNeedsNoAdvice) {
-  const SceneVerdict load = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 3e-3)));
-  EXPECT_FALSE(load.too_heavy);
-  EXPECT_NEAR(load.rate_possible, 1.0 / 3.5e-3, 1.0);
-  EXPECT_EQ(load.costliest, Phase::kAssembly);
-  EXPECT_NEAR(load.share, 3.0 / 3.5, 1e-9);
-  EXPECT_TRUE(load.advice.empty());
-  EXPECT_TRUE(contains(longText(load), "too heavy for 100 Hz?  no"));
-  EXPECT_TRUE(contains(shortText(load), "286 Hz, 100 Hz are wanted"));
+  const SceneVerdict verdict = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 3e-3)));
+  EXPECT_FALSE(verdict.too_heavy);
+  EXPECT_NEAR(verdict.rate_possible, 1.0 / 3.5e-3, 1.0);
+  EXPECT_EQ(verdict.costliest, Phase::kAssembly);
+  EXPECT_NEAR(verdict.share, 3.0 / 3.5, 1e-9);
+  EXPECT_TRUE(verdict.advice.empty());
+  EXPECT_TRUE(contains(longText(verdict), "too heavy for 100 Hz?  no"));
+  EXPECT_TRUE(contains(shortText(verdict), "286 Hz, 100 Hz are wanted"));
 }
 
 TEST(SceneVerdict, KnowsNothingWithoutCycles) {
-  const SceneVerdict load = judgeScene(usualFacts(), CycleCosts());
-  EXPECT_FALSE(load.too_heavy);
-  EXPECT_EQ(load.rate_possible, 0.0);
-  EXPECT_EQ(shortText(load), "no cycle was measured");
-  EXPECT_NE(longText(load), "");
+  const SceneVerdict verdict = judgeScene(usualFacts(), CycleCosts());
+  EXPECT_FALSE(verdict.too_heavy);
+  EXPECT_EQ(verdict.rate_possible, 0.0);
+  EXPECT_EQ(shortText(verdict), "no cycle was measured");
+  EXPECT_NE(longText(verdict), "");
 }
 
 TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
   SceneFacts facts = usualFacts();
-  const SceneVerdict load = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
-  ASSERT_TRUE(load.too_heavy);
-  EXPECT_EQ(load.costliest, Phase::kLinearSolve);
-  ASSERT_TRUE(advises(load, "raise edge_length of organ liver, whose edges are now 0.01 m to "));
-  EXPECT_TRUE(contains(load.advice.front().text, "edge_length"));  // the most effective
-  EXPECT_NEAR(load.advice.front().cycle, 1.0 / facts.rates.simulation, 1e-4);
+  const SceneVerdict verdict = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));
+  ASSERT_TRUE(verdict.too_heavy);
+  EXPECT_EQ(verdict.costliest, Phase::kLinearSolve);
+  ASSERT_TRUE(advises(verdict, "raise edge_length of organ liver, whose edges are now 0.01 m to "));
+  EXPECT_TRUE(contains(verdict.advice.front().text, "edge_length"));  // the most effective
+  EXPECT_NEAR(verdict.advice.front().cycle, 1.0 / facts.rates.simulation, 1e-4);
   // (30 / 9.8)^(1/4) = 1.32 times as long edges
-  EXPECT_TRUE(contains(load.advice.front().text, "to 0.013 m"));
+  EXPECT_TRUE(contains(verdict.advice.front().text, "to 0.013 m"));
   // Assembly shrinks with the nodes only: (30 / 9.8)^(1/3) = 1.45.
   const SceneVerdict assembly = judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3)));
   EXPECT_TRUE(contains(assembly.advice.front().text, "to 0.015 m"));
@@ -153,10 +153,10 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
 }
 
 TEST(SceneVerdict, ALongerStepAlwaysHelpsAndStandsLast) {
-  const SceneVerdict load = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 30e-3)));
-  EXPECT_TRUE(contains(load.advice.back().text, "solver.step: 0.031, rates.simulation: 32"));
-  EXPECT_TRUE(contains(longText(load), "yes, by a factor of 3.05"));
-  EXPECT_TRUE(contains(longText(load), "30.5 ms: or leave the scene"));
+  const SceneVerdict verdict = judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 30e-3)));
+  EXPECT_TRUE(contains(verdict.advice.back().text, "solver.step: 0.031, rates.simulation: 32"));
+  EXPECT_TRUE(contains(longText(verdict), "yes, by a factor of 3.05"));
+  EXPECT_TRUE(contains(longText(verdict), "30.5 ms: or leave the scene"));
   EXPECT_FALSE(
       advises(judgeScene(usualFacts(), figuresOf(report(Phase::kAssembly, 0.2))), "solver.step"));
 }

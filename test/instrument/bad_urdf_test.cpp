@@ -21,7 +21,7 @@ std::string problemOf(const std::string& text) {
   const TempFolder temp;
   const std::string file = temp.write("bad.urdf", text);
   try {
-    loadInstrument(file);
+    readInstrument(file);
   } catch (const InputError& error) {
     EXPECT_EQ(error.file(), file);
     return error.what();
@@ -38,9 +38,9 @@ std::string problemOf(const std::string& text) {
 
 TEST(BadUrdf, FileMissingFolderOrEmpty) {
   const TempFolder temp;
-  EXPECT_THROW(loadInstrument(temp.path("none.urdf")), InputError);
-  EXPECT_THROW(loadInstrument(temp.path("")), InputError);
-  EXPECT_THROW(loadInstrument(""), InputError);
+  EXPECT_THROW(readInstrument(temp.path("none.urdf")), InputError);
+  EXPECT_THROW(readInstrument(temp.path("")), InputError);
+  EXPECT_THROW(readInstrument(""), InputError);
   EXPECT_PROBLEM("", "is empty");
   EXPECT_PROBLEM(" \n\t\n", "is empty");
 }
@@ -72,7 +72,7 @@ TEST(BadUrdf, RandomDamageIsRefusedOrLoadsButNeverCrashes) {
       text[rng() % text.size()] = static_cast<char>(rng() % 256);
     }
     try {
-      const Instrument instrument = loadInstrument(temp.write("damaged.urdf", text));
+      const Instrument instrument = readInstrument(temp.write("damaged.urdf", text));
       std::vector<Pose> poses;
       instrument.linkPoses(
           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(instrument.joints().size())), &poses);
@@ -224,7 +224,7 @@ TEST(BadUrdf, CollisionMeshMissingEmptyFlatOrInNoPackage) {
     const std::string file =
         temp.write("a.urdf", robot(link("a", collision("<mesh filename=\"" + name + "\"/>"))));
     try {
-      loadInstrument(file);
+      readInstrument(file);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -242,7 +242,7 @@ TEST(BadUrdf, IsSilent) {
   ::testing::internal::CaptureStdout();
   problemOf(robot("<material name=\"m\"/><material name=\"m\"/>" + link("a")));
   const TempFolder temp;
-  loadInstrument(temp.write("inertia.urdf",
+  readInstrument(temp.write("inertia.urdf",
                             robot(link("a",
                                        "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" "
                                        "ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>"))));

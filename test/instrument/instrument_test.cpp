@@ -20,9 +20,9 @@ using test::TempFolder;
 
 constexpr double kPi = 3.14159265358979323846;
 
-Instrument load(const std::string& text, const LoadOptions& options = {}) {
+Instrument readText(const std::string& text, const InstrumentOptions& options = {}) {
   const TempFolder temp;
-  return loadInstrument(temp.write("a.urdf", text), options);
+  return readInstrument(temp.write("a.urdf", text), options);
 }
 
 const std::string kTetrahedronObj =
@@ -30,7 +30,7 @@ const std::string kTetrahedronObj =
 
 TEST(Instrument, LinksAndJointsComeDepthFirstInTheFilesOrder) {
   // Sorted by name, joints and links would come the other way round.
-  const Instrument instrument = load(robot(
+  const Instrument instrument = readText(robot(
       link("c") + link("z") + link("y") + link("x") + joint("z2", "continuous", "z", "x") +
       joint("z1", "prismatic", "c", "z", limit()) + joint("a1", "revolute", "c", "y", limit())));
   EXPECT_EQ(instrument.name(), "r");
@@ -47,7 +47,7 @@ TEST(Instrument, LinksAndJointsComeDepthFirstInTheFilesOrder) {
 }
 
 TEST(Instrument, MovesAsItsJointsSay) {
-  const Instrument instrument = load(robot(
+  const Instrument instrument = readText(robot(
       link("base") + link("slide") + link("arm") + link("hand") +
       joint("s", "prismatic", "base", "slide",
             limit() +
@@ -65,7 +65,7 @@ TEST(Instrument, MovesAsItsJointsSay) {
 
 TEST(Instrument, JointWithoutAxisTurnsAboutX) {
   const Instrument instrument =
-      load(robot(link("a") + link("b") + joint("j", "continuous", "a", "b")));
+      readText(robot(link("a") + link("b") + joint("j", "continuous", "a", "b")));
   std::vector<Pose> X;
   instrument.linkPoses(Eigen::VectorXd::Constant(1, 0.5 * kPi), &X);
   EXPECT_LT((X[1].linear() * Vec3::UnitY() - Vec3::UnitZ()).norm(), 1e-15);
@@ -77,10 +77,10 @@ TEST(Instrument, MimicsFollowAlsoInChainsAndAcrossKinds) {
   const std::string follows_third =
       limit() + "<axis xyz=\"1 0 0\"/><mimic joint=\"j3\" multiplier=\"0.5\" offset=\"1\"/>";
   const Instrument instrument =
-      load(robot(link("a") + link("b") + link("c") + link("d") +
-                 joint("j1", "prismatic", "a", "b", follows_second) +
-                 joint("j2", "prismatic", "a", "c", follows_third) +
-                 joint("j3", "revolute", "a", "d", limit() + "<axis xyz=\"1 0 0\"/>")));
+      readText(robot(link("a") + link("b") + link("c") + link("d") +
+                     joint("j1", "prismatic", "a", "b", follows_second) +
+                     joint("j2", "prismatic", "a", "c", follows_third) +
+                     joint("j3", "revolute", "a", "d", limit() + "<axis xyz=\"1 0 0\"/>")));
   EXPECT_EQ(instrument.jointNames(), std::vector<std::string>{"j3"});
   std::vector<Pose> X;
   instrument.linkPoses(Eigen::VectorXd::Constant(1, 0.6), &X);
@@ -90,9 +90,9 @@ TEST(Instrument, MimicsFollowAlsoInChainsAndAcrossKinds) {
 }
 
 TEST(Instrument, MimicWithoutMultiplierCopies) {
-  const Instrument instrument =
-      load(robot(link("a") + link("b") + link("c") + joint("j", "prismatic", "a", "b", limit()) +
-                 joint("k", "prismatic", "a", "c", limit() + "<mimic joint=\"j\"/>")));
+  const Instrument instrument = readText(
+      robot(link("a") + link("b") + link("c") + joint("j", "prismatic", "a", "b", limit()) +
+            joint("k", "prismatic", "a", "c", limit() + "<mimic joint=\"j\"/>")));
   std::vector<Pose> X;
   instrument.linkPoses(Eigen::VectorXd::Constant(1, 0.25), &X);
   EXPECT_EQ(X[1].translation(), X[2].translation());
@@ -101,7 +101,7 @@ TEST(Instrument, MimicWithoutMultiplierCopies) {
 
 TEST(Instrument, PosesHaveTheSameBitsOnEveryThread) {
   const Instrument instrument =
-      loadInstrument(test::sourceFolder() + "/config/instruments/grasper.urdf");
+      readInstrument(test::sourceFolder() + "/config/instruments/grasper.urdf");
   const auto n = static_cast<Eigen::Index>(instrument.joints().size());
   const auto run = [&](std::vector<Pose>* X) {
     for (int i = 0; i < 2000; ++i) instrument.linkPoses(Eigen::VectorXd::Constant(n, 1e-3 * i), X);
@@ -119,14 +119,14 @@ TEST(Instrument, PosesHaveTheSameBitsOnEveryThread) {
 
 TEST(Instrument, RefusesAnotherNumberOfPositions) {
   const Instrument instrument =
-      load(robot(link("a") + link("b") + joint("j", "continuous", "a", "b")));
+      readText(robot(link("a") + link("b") + joint("j", "continuous", "a", "b")));
   std::vector<Pose> X;
   EXPECT_THROW(instrument.linkPoses(Eigen::VectorXd::Zero(2), &X), std::invalid_argument);
   EXPECT_THROW(instrument.linkPoses(Eigen::VectorXd::Zero(0), &X), std::invalid_argument);
 }
 
 TEST(CollisionShapes, SphereBoxAndCylinder) {
-  const Instrument instrument = load(robot(
+  const Instrument instrument = readText(robot(
       link("a", collision("<sphere radius=\"0.5\"/>") + collision("<box size=\"1 2 3\"/>", "b")) +
       link("c", collision("<cylinder radius=\"0.1\" length=\"2\"/>")) +
       joint("j", "fixed", "a", "c")));
@@ -144,18 +144,18 @@ TEST(CollisionShapes, SphereBoxAndCylinder) {
 
 TEST(CollisionShapes, OriginPlacesTheShape) {
   const Instrument instrument =
-      load(robot(link("a",
-                      "<collision><origin xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\"/><geometry><sphere "
-                      "radius=\"1\"/></geometry></collision>")));
+      readText(robot(link("a",
+                          "<collision><origin xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\"/><geometry><sphere "
+                          "radius=\"1\"/></geometry></collision>")));
   const Pose expected = poseFromXyzRpy(Vec3(1.0, 2.0, 3.0), Vec3(0.1, 0.2, 0.3));
   EXPECT_LT((instrument.bodies()[0].X_LG.matrix() - expected.matrix()).norm(), 1e-15);
 }
 
 TEST(CollisionShapes, CylinderCanBeAPrism) {
   const std::string text = robot(link("a", collision("<cylinder radius=\"0.1\" length=\"2\"/>")));
-  LoadOptions options;
+  InstrumentOptions options;
   options.cylinder_as_capsule = false;
-  const Instrument instrument = load(text, options);
+  const Instrument instrument = readText(text, options);
   const auto& hull = std::get<ConvexHull>(instrument.bodies()[0].geometry);
   EXPECT_EQ(hull.surface.points.cols(), 48);
   EXPECT_NEAR(hull.surface.points.row(2).maxCoeff(), 1.0, 1e-15);
@@ -165,7 +165,7 @@ TEST(CollisionShapes, CylinderCanBeAPrism) {
 
 TEST(CollisionShapes, ShortCylinderIsABallAndSaysSo) {
   const Instrument instrument =
-      load(robot(link("a", collision("<cylinder radius=\"0.1\" length=\"0.1\"/>"))));
+      readText(robot(link("a", collision("<cylinder radius=\"0.1\" length=\"0.1\"/>"))));
   EXPECT_EQ(std::get<Capsule>(instrument.bodies()[0].geometry).half_length, 0.0);
   ASSERT_EQ(instrument.warnings().size(), 1u);
   EXPECT_NE(instrument.warnings()[0].find("shorter than thick"), std::string::npos);
@@ -179,7 +179,7 @@ TEST(CollisionShapes, MeshesByEveryKindOfNameWithScale) {
                                   std::string("package://arm_description/meshes/t.obj")}) {
     const std::string shape = "<mesh filename=\"" + name + "\" scale=\"0.1 0.2 -0.3\"/>";
     const Instrument instrument =
-        loadInstrument(temp.write("arm/urdf/a.urdf", robot(link("a", collision(shape)))));
+        readInstrument(temp.write("arm/urdf/a.urdf", robot(link("a", collision(shape)))));
     const auto& hull = std::get<ConvexHull>(instrument.bodies()[0].geometry);
     EXPECT_EQ(hull.surface.points.rowwise().maxCoeff(), Vec3(0.1, 0.2, 0.0)) << name;
     EXPECT_EQ(hull.surface.points.rowwise().minCoeff(), Vec3(0.0, 0.0, -0.3)) << name;
@@ -188,7 +188,7 @@ TEST(CollisionShapes, MeshesByEveryKindOfNameWithScale) {
 }
 
 TEST(CollisionShapes, MissingVisualMeshIsAWarning) {
-  const Instrument instrument = load(robot(
+  const Instrument instrument = readText(robot(
       link("a",
            "<visual><geometry><mesh filename=\"none.stl\"/></geometry></visual>"
            "<visual><geometry><mesh filename=\"package://no_such/n.stl\"/></geometry></visual>"

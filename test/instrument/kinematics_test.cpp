@@ -66,7 +66,7 @@ TEST(Kinematics, AgreesWithKdlsRecursiveSolver) {
   std::mt19937 rng{9};
   std::uniform_real_distribution<double> u(-2.0, 2.0);
   for (const std::string& file : urdfFiles()) {
-    const Instrument instrument = loadInstrument(file);
+    const Instrument instrument = readInstrument(file);
     const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file);
     for (auto& [name, link] : model->links_) link->inertial.reset();
     KDL::Tree tree;
@@ -95,7 +95,7 @@ TEST(Kinematics, AgreesWithKdlsRecursiveSolver) {
 
 #ifdef PALPATE_COUNTS_ALLOCATIONS
 TEST(Kinematics, AndMappingDoNotAllocateInSteadyState) {
-  const Instrument instrument = loadInstrument(urdfFiles()[1]);
+  const Instrument instrument = readInstrument(urdfFiles()[1]);
   const std::vector<std::string> names = instrument.jointNames();
   const std::vector<double> positions(names.size(), 0.1);
   JointMapper mapper(names);

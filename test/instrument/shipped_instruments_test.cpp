@@ -17,7 +17,7 @@ namespace {
 class Shipped : public ::testing::Test {
  protected:
   explicit Shipped(const std::string& name)
-      : instrument(loadInstrument(test::sourceFolder() + "/config/instruments/" + name)) {}
+      : instrument(readInstrument(test::sourceFolder() + "/config/instruments/" + name)) {}
 
   Pose pose(const std::string& link, const std::map<std::string, double>& positions = {}) const {
     const std::vector<std::string> names = instrument.jointNames();
@@ -179,7 +179,7 @@ TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
   if (extraData().empty())
     GTEST_SKIP()
         << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
-  const Instrument psm = loadInstrument(extraData() + "/instruments/psm/psm.urdf");
+  const Instrument psm = readInstrument(extraData() + "/instruments/psm/psm.urdf");
   EXPECT_GT(psm.warnings().size(), 5u);
   EXPECT_GE(psm.bodies().size(), 4u);
   int hulls = 0;
@@ -216,7 +216,7 @@ TEST(ExtraInstruments, OmniIsAnArmWithoutCollisionShapes) {
   if (extraData().empty())
     GTEST_SKIP()
         << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
-  const Instrument omni = loadInstrument(extraData() + "/instruments/omni.urdf");
+  const Instrument omni = readInstrument(extraData() + "/instruments/omni.urdf");
   EXPECT_EQ(omni.joints().size(), 6u);
   EXPECT_TRUE(omni.bodies().empty());
   EXPECT_EQ(omni.warnings().size(), 7u);  // one a visual mesh

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "palpate/scene/organ_loader.h"
+#include "palpate/scene/organ_assembly.h"
 #include "palpate/sim/simulator.h"
 #include "support/source_folder.h"
 
@@ -28,7 +28,7 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   organ.edge_length = 0.02;
   organ.material.constants = {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}};
   std::vector<std::string> warnings;
-  const Points X = scene::loadOrganMesh(organ, scene.file, {}, &warnings).points;
+  const Points X = scene::readOrganMesh(organ, scene.file, {}, &warnings).points;
   const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
   organ.supports = {{mesh::BoxRegion{low, Vec3(high.x(), high.y(), low.z() + 0.03)}}};
 

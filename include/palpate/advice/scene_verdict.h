@@ -10,7 +10,7 @@
 
 namespace palpate::advice {
 
-/// What a scene asks for and consists of, as far as its load depends on it. Of the organ with the
+/// What a scene asks for and consists of, as far as its cost depends on it. Of the organ with the
 /// most nodes where one is meant.
 struct SceneFacts {
   scene::RatesConfig rates;      ///< As the scene says it,
@@ -51,9 +51,9 @@ struct SceneVerdict {
 SceneVerdict judgeScene(const SceneFacts& facts, const CycleCosts& figures);
 
 /// The answer in a sentence, with the first advice: "holds 31 of 100 Hz; ...".
-std::string shortText(const SceneVerdict& load);
+std::string shortText(const SceneVerdict& verdict);
 /// The answer in lines, with all advice.
-std::string longText(const SceneVerdict& load);
+std::string longText(const SceneVerdict& verdict);
 /// Times by phase, iterations and skipped work, as a table in lines.
 std::string profileTable(const CycleCosts& figures);
 

@@ -12,7 +12,7 @@
 namespace palpate::instrument {
 
 /// How URDF shapes become collision bodies.
-struct LoadOptions {
+struct InstrumentOptions {
   bool cylinder_as_capsule = true;  ///< A capsule of the same total length; else its convex hull.
 };
 
@@ -47,7 +47,7 @@ class Instrument {
   void linkPoses(const Eigen::VectorXd& q, std::vector<Pose>* X_BL) const;
 
  private:
-  friend Instrument loadInstrument(const std::string&, const LoadOptions&);
+  friend Instrument readInstrument(const std::string&, const InstrumentOptions&);
   struct Impl;
   explicit Instrument(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
@@ -56,6 +56,6 @@ class Instrument {
 /// Reads a URDF file. Mesh URIs may be package://, file:// or relative to the file.
 /// @throws InputError: file missing, not XML, a joint loop, a mimic of an unknown joint, a joint
 /// type that is not supported, a collision mesh that is missing or empty.
-Instrument loadInstrument(const std::string& urdf_file, const LoadOptions& options = {});
+Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions& options = {});
 
 }  // namespace palpate::instrument

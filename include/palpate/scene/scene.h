@@ -54,7 +54,7 @@ struct InstrumentConfig {
   std::string joint_topic;       ///< Empty: <name>/measured_js.
   std::string tf_prefix;         ///< Put before link names when looking up tf frames.
   std::string control_frame;     ///< Link where the wrench is given.
-  bool cylinder_as_capsule = instrument::LoadOptions().cylinder_as_capsule;
+  bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
 };
 
 struct ContactConfig : contact::ResponseSettings {

@@ -6,11 +6,11 @@
 #include "linear_method.h"
 #include "method_choice.h"
 #include "method_refusal.h"
-#include "newton_method.h"
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
 #include "palpate/tissue/method_facts.h"
 #include "step_method.h"
+#include "sticking_newton.h"
 #include "tled_method.h"
 
 namespace palpate::tissue {
@@ -32,7 +32,7 @@ std::unique_ptr<StepMethod> linearPrecomputed(FemBody* body) {
 }
 
 std::unique_ptr<StepMethod> newtonBicgstab(FemBody* body) {
-  return std::make_unique<NewtonMethod>(body);
+  return std::make_unique<StickingNewton>(body);
 }
 
 std::unique_ptr<StepMethod> automatic(FemBody* body) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/scene/organ_loader.h"
+#include "palpate/scene/organ_assembly.h"
 
 #include <filesystem>
 #include <memory>
@@ -41,7 +41,7 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
 }
 
 mesh::TetMesh meshSurface(const OrganConfig& organ, const std::string& file,
-                          const std::string& scene_file, const LoadProgress& progress,
+                          const std::string& scene_file, const Progress& progress,
                           std::vector<std::string>* warnings) {
   const mesh::SurfaceMesh surface = readOrganSurface(organ, file, scene_file, warnings);
   mesh::MeshingOptions options;
@@ -105,7 +105,7 @@ tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
 std::string keyOf(int organ) { return "organs[" + std::to_string(organ) + "]"; }
 
 // The functions refer to all that is given here.
-tissue::OrganDescription describeOrgan(const Scene& scene, int index, const LoadProgress& progress,
+tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Progress& progress,
                                        std::vector<std::string>* warnings) {
   const OrganConfig& organ = scene.organs[static_cast<std::size_t>(index)];
   const std::string key = keyOf(index);
@@ -115,10 +115,10 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Load
   description.element = organ.element;
   description.damping = organ.damping;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
-    return loadOrganMesh(organ, scene.file, progress, warnings);
+    return readOrganMesh(organ, scene.file, progress, warnings);
   };
   description.surface = [&scene, &organ, warnings] {
-    return loadOrganSurface(organ, scene.file, warnings);
+    return readOrganSurface(organ, scene.file, warnings);
   };
   description.free = [&scene, &organ, key](const Points& X) {
     return supportMask(organ, X, scene.file, key);
@@ -134,8 +134,8 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Load
 
 }  // namespace
 
-mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_file,
-                            const LoadProgress& progress, std::vector<std::string>* warnings) {
+mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_file,
+                            const Progress& progress, std::vector<std::string>* warnings) {
   if (!organ.surface.empty()) {
     const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
     return meshSurface(organ, file, scene_file, progress, warnings);
@@ -143,7 +143,7 @@ mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_f
   return readTetrahedra(organ, scene_file);
 }
 
-mesh::SurfaceMesh loadOrganSurface(const OrganConfig& organ, const std::string& scene_file,
+mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& scene_file,
                                    std::vector<std::string>* warnings) {
   if (organ.surface.empty()) {
     const mesh::TetMesh mesh = readTetrahedra(organ, scene_file);
@@ -153,10 +153,11 @@ mesh::SurfaceMesh loadOrganSurface(const OrganConfig& organ, const std::string& 
   return readOrganSurface(organ, file, scene_file, warnings);
 }
 
-std::unique_ptr<tissue::TissueModel> loadModel(const Scene& scene, const std::vector<int>& organs,
-                                               double sample_spacing, ThreadPool* pool,
-                                               const LoadProgress& progress,
-                                               std::vector<std::string>* warnings) {
+std::unique_ptr<tissue::TissueModel> assembleModel(const Scene& scene,
+                                                   const std::vector<int>& organs,
+                                                   double sample_spacing, ThreadPool* pool,
+                                                   const Progress& progress,
+                                                   std::vector<std::string>* warnings) {
   tissue::ModelDescription description;
   for (int i : organs) {
     description.organs.push_back(describeOrgan(scene, i, progress, warnings));

@@ -7,14 +7,14 @@
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/instrument/instrument.h"
-#include "palpate/scene/organ_loader.h"
+#include "palpate/scene/organ_assembly.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::scene {
 
 /// A tissue model and the organs that it owns, by their places in the scene.
-struct LoadedModel {
+struct ModelPart {
   std::unique_ptr<tissue::TissueModel> tissue;
   std::vector<int> organs;
 };
@@ -28,17 +28,17 @@ struct OrganPlace {
 };
 
 /// What a scene's files hold.
-struct LoadedScene {
+struct SceneParts {
   std::unique_ptr<ThreadPool> pool;  // first: outlives the models
   std::vector<instrument::Instrument> instruments;
-  std::vector<int> control_links;   ///< Link index of each instrument's control frame.
-  std::vector<LoadedModel> models;  ///< In the order of their first organs.
-  std::vector<OrganPlace> organs;   ///< In the scene's order.
+  std::vector<int> control_links;  ///< Link index of each instrument's control frame.
+  std::vector<ModelPart> models;   ///< In the order of their first organs.
+  std::vector<OrganPlace> organs;  ///< In the scene's order.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;  ///< What the models decided, with the organ's name.
 };
 
 /// @throws InputError
-LoadedScene loadScene(const Scene& scene, const LoadProgress& progress);
+SceneParts assembleScene(const Scene& scene, const Progress& progress);
 
 }  // namespace palpate::scene

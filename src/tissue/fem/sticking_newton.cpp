@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "newton_method.h"
+#include "sticking_newton.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
@@ -19,35 +19,35 @@ constexpr double kOnSurface = 1e-9;
 
 }  // namespace
 
-NewtonMethod::NewtonMethod(FemBody* body)
+StickingNewton::StickingNewton(FemBody* body)
     : body_(*body), contact_(body), stiffness_(body->elasticity->makeMatrix()) {
   assembleSparse(stiffness_);  // throws for what cannot be assembled
 }
 
-void NewtonMethod::restart() {
+void StickingNewton::restart() {
   contact_.clear();
   residual_ = gradient();
 }
 
-void NewtonMethod::save(StateWriter* out) const {
+void StickingNewton::save(StateWriter* out) const {
   contact_.save(out);
   out->put(residual_);
 }
 
-void NewtonMethod::restore(StateReader* in) {
+void StickingNewton::restore(StateReader* in) {
   contact_.restore(in);
   in->get(&residual_);
 }
 
 // g at x; its norm where nothing is held.
-double NewtonMethod::gradient() {
+double StickingNewton::gradient() {
   const double value = body_.elasticity->gradient(body_.x, &g_);
   body_.addLoads(body_.x, &g_);
   const double norm = g_.cwiseProduct(contact_.free()).norm();
   return std::isfinite(value) ? norm : value;
 }
 
-bool NewtonMethod::advance(double dt, TissueStep* out) {
+bool StickingNewton::advance(double dt, TissueStep* out) {
   x_begin_ = body_.x;
   out->tolerance = body_.tolerance();
   const PrescribedContact begin = contact_;
@@ -70,7 +70,7 @@ bool NewtonMethod::advance(double dt, TissueStep* out) {
 }
 
 // The tools' way in at least `parts` parts.
-bool NewtonMethod::sweep(int parts, TissueStep* out) {
+bool StickingNewton::sweep(int parts, TissueStep* out) {
   out->sweep_stages = 0;
   body_.sweep.place(0.0);
   for (double s = 0.0; s < 1.0;) {
@@ -87,7 +87,7 @@ bool NewtonMethod::sweep(int parts, TissueStep* out) {
 }
 
 // Newton's iteration with the points held that are, until these are the right ones.
-void NewtonMethod::solveStage(TissueStep* out) {
+void StickingNewton::solveStage(TissueStep* out) {
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
     contact_.beginStage();
@@ -109,7 +109,7 @@ void NewtonMethod::solveStage(TissueStep* out) {
   }
 }
 
-void NewtonMethod::newton(TissueStep* out) {
+void StickingNewton::newton(TissueStep* out) {
   for (int k = 0;; ++k) {
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
@@ -131,7 +131,7 @@ void NewtonMethod::newton(TissueStep* out) {
 }
 
 // x += move - K^-1 (g + K move), the second part where nothing is held.
-bool NewtonMethod::iterate(TissueStep* out) {
+bool StickingNewton::iterate(TissueStep* out) {
   const Eigen::SparseMatrix<double> A = assemble(out);
   if (!solve(A, out)) {
     out->status = solver::SolveStatus::kNotPositiveDefinite;
@@ -149,7 +149,7 @@ bool NewtonMethod::iterate(TissueStep* out) {
 }
 
 // K and the right side at x, without what is held.
-Eigen::SparseMatrix<double> NewtonMethod::assemble(TissueStep* out) {
+Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kAssembly);
   body_.elasticity->hessian(body_.x, fem::Tangent::kExact, &stiffness_);
   stiffness_.multiply(move_, &right_);
@@ -159,7 +159,7 @@ Eigen::SparseMatrix<double> NewtonMethod::assemble(TissueStep* out) {
 }
 
 // The step, moves included; false if it is not finite.
-bool NewtonMethod::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
+bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
   Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
   solver.setTolerance(body_.settings.linear_tolerance);
@@ -174,7 +174,7 @@ bool NewtonMethod::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) 
   return step_.allFinite();
 }
 
-void NewtonMethod::reportForces(TissueStep* out) {
+void StickingNewton::reportForces(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.reportSupport(g_, out);
   contact_.report(body_.x, g_, out);

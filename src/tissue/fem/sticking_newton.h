@@ -17,10 +17,10 @@ namespace palpate::tissue {
 /// is left. The contact stiffness of the settings has no effect.
 ///
 /// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
-class NewtonMethod final : public StepMethod {
+class StickingNewton final : public StepMethod {
  public:
   /// @throws std::invalid_argument for element p1p1.
-  explicit NewtonMethod(FemBody* body);
+  explicit StickingNewton(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;

@@ -14,24 +14,25 @@
 
 namespace palpate::scene {
 
-using LoadProgress = std::function<void(const std::string& what, double fraction)>;
+using Progress = std::function<void(const std::string& what, double fraction)>;
 
 /// Tetrahedra of an organ in its own frame, scaled to metres: read, or meshed from its surface
 /// (through the user's cache). Adds what was repaired to `warnings`.
 /// @throws InputError
-mesh::TetMesh loadOrganMesh(const OrganConfig& organ, const std::string& scene_file,
-                            const LoadProgress& progress, std::vector<std::string>* warnings);
+mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_file,
+                            const Progress& progress, std::vector<std::string>* warnings);
 
 /// Its closed surface, likewise: read and repaired, or the boundary of its tetrahedra.
 /// @throws InputError
-mesh::SurfaceMesh loadOrganSurface(const OrganConfig& organ, const std::string& scene_file,
+mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& scene_file,
                                    std::vector<std::string>* warnings);
 
 /// The tissue model of the organs at these places in the scene, which all name the same one.
 /// @throws InputError
-std::unique_ptr<tissue::TissueModel> loadModel(const Scene& scene, const std::vector<int>& organs,
-                                               double sample_spacing, ThreadPool* pool,
-                                               const LoadProgress& progress,
-                                               std::vector<std::string>* warnings);
+std::unique_ptr<tissue::TissueModel> assembleModel(const Scene& scene,
+                                                   const std::vector<int>& organs,
+                                                   double sample_spacing, ThreadPool* pool,
+                                                   const Progress& progress,
+                                                   std::vector<std::string>* warnings);
 
 }  // namespace palpate::scene

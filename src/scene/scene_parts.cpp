@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/scene/loaded_scene.h"
+#include "palpate/scene/scene_parts.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace palpate::scene {
 namespace {
 
-void loadInstruments(const Scene& scene, LoadedScene* loaded) {
+void readInstruments(const Scene& scene, SceneParts* parts) {
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     const InstrumentConfig& config = scene.instruments[i];
     const std::string key = "instruments[" + std::to_string(i) + "]";
@@ -24,11 +24,11 @@ void loadInstruments(const Scene& scene, LoadedScene* loaded) {
     } catch (const std::invalid_argument& error) {
       throw InputError(scene.file, key + ".urdf", config.urdf, error.what());
     }
-    instrument::LoadOptions options;
+    instrument::InstrumentOptions options;
     options.cylinder_as_capsule = config.cylinder_as_capsule;
-    loaded->instruments.push_back(instrument::loadInstrument(file, options));
-    const instrument::Instrument& tool = loaded->instruments.back();
-    for (const std::string& warning : tool.warnings()) loaded->warnings.push_back(warning);
+    parts->instruments.push_back(instrument::readInstrument(file, options));
+    const instrument::Instrument& tool = parts->instruments.back();
+    for (const std::string& warning : tool.warnings()) parts->warnings.push_back(warning);
     const int link = tool.linkIndex(config.control_frame);
     if (link < 0) {
       const std::string nearest = nearestName(config.control_frame, tool.linkNames());
@@ -37,15 +37,15 @@ void loadInstruments(const Scene& scene, LoadedScene* loaded) {
                            (nearest.empty() ? "" : " (did you mean " + nearest + "?)") +
                            "; it has " + joinNames(tool.linkNames()));
     }
-    loaded->control_links.push_back(link);
+    parts->control_links.push_back(link);
   }
 }
 
 // Samples so close that the thinnest tool cannot push its way between them.
-double sampleSpacing(const Scene& scene, const LoadedScene& loaded) {
+double sampleSpacing(const Scene& scene, const SceneParts& parts) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
   double spacing = std::numeric_limits<double>::infinity();
-  for (const instrument::Instrument& tool : loaded.instruments) {
+  for (const instrument::Instrument& tool : parts.instruments) {
     for (const instrument::CollisionBody& body : tool.bodies()) {
       spacing = std::min(spacing, 0.5 * contact::inscribedRadius(body.geometry));
     }
@@ -71,33 +71,33 @@ std::string namesOf(const Scene& scene, const std::vector<int>& organs) {
   return text;
 }
 
-void loadModels(const Scene& scene, const LoadProgress& progress, LoadedScene* loaded) {
-  const double spacing = sampleSpacing(scene, *loaded);
-  loaded->organs.resize(scene.organs.size(), {nullptr, 0});
+void assembleModels(const Scene& scene, const Progress& progress, SceneParts* parts) {
+  const double spacing = sampleSpacing(scene, *parts);
+  parts->organs.resize(scene.organs.size(), {nullptr, 0});
   for (std::size_t i = 0; i < scene.organs.size(); ++i) {
-    if (loaded->organs[i].tissue) continue;
-    LoadedModel model{nullptr, organsOfModel(scene, i)};
+    if (parts->organs[i].tissue) continue;
+    ModelPart model{nullptr, organsOfModel(scene, i)};
     model.tissue =
-        loadModel(scene, model.organs, spacing, loaded->pool.get(), progress, &loaded->warnings);
+        assembleModel(scene, model.organs, spacing, parts->pool.get(), progress, &parts->warnings);
     for (std::size_t k = 0; k < model.organs.size(); ++k) {
-      loaded->organs[static_cast<std::size_t>(model.organs[k])] = {model.tissue.get(),
-                                                                   static_cast<int>(k)};
+      parts->organs[static_cast<std::size_t>(model.organs[k])] = {model.tissue.get(),
+                                                                  static_cast<int>(k)};
     }
     for (const std::string& note : model.tissue->notes()) {
-      loaded->notes.push_back(namesOf(scene, model.organs) + ": " + note);
+      parts->notes.push_back(namesOf(scene, model.organs) + ": " + note);
     }
-    loaded->models.push_back(std::move(model));
+    parts->models.push_back(std::move(model));
   }
 }
 
 }  // namespace
 
-LoadedScene loadScene(const Scene& scene, const LoadProgress& progress) {
-  LoadedScene loaded;
-  if (scene.solver.threads > 1) loaded.pool = std::make_unique<ThreadPool>(scene.solver.threads);
-  loadInstruments(scene, &loaded);
-  loadModels(scene, progress, &loaded);
-  return loaded;
+SceneParts assembleScene(const Scene& scene, const Progress& progress) {
+  SceneParts parts;
+  if (scene.solver.threads > 1) parts.pool = std::make_unique<ThreadPool>(scene.solver.threads);
+  readInstruments(scene, &parts);
+  assembleModels(scene, progress, &parts);
+  return parts;
 }
 
 }  // namespace palpate::scene
