@@ -64,7 +64,8 @@ def press(folder, element, law, spacing, thickness, step=0.1):
     return forces[1:, 2], depth[1:], mesh
 
 
-SOLVER = {"integrator": "static", "tolerance": 1e-5, "threads": 1, "max_newton_iterations": 50, "max_linear_iterations": 5000}
+SOLVER = {"integrator": "static", "tolerance": 1e-5, "position_tolerance": 1e-9, "threads": 1,
+          "max_newton_iterations": 50, "max_linear_iterations": 5000}
 HOLD = 4  # steps of 0.1 s at rest after each move: ten times the time that waves need
 
 
@@ -99,7 +100,9 @@ def run(context):
 
 TEXT = (f"A frictionless ball, R = {1e3 * RADIUS:g} mm, is lowered into soft tissue, E = {YOUNG / 1e3:g} kPa, "
         f"nu = {POISSON:g}, by `palpate replay`: the cycle that the hand feels, with its contact search, its "
-        "penalty and its iterative solver, lowered in steps and held until the tissue rests. The half "
+        "penalty and its iterative solver, lowered in steps and held until the tissue rests, and solved "
+        "until no node would move by more than a nanometre: the default of 10 um leaves 3 % in the force of "
+        "0.03 N at d = 1 mm, 0.5 % at 2 mm. The half "
         f"space is a cylinder of {1e3 * SIZE:g} mm; the layer is {1e3 * LAYER:g} mm thick and bonded to the "
         "ground. Hertz's formula takes small strains and a parabola in the place of the ball, which is "
         "too stiff once d is not small beside R: at d = R/2 the ball's own shape gives 5 % less. Both "
