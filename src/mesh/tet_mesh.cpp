@@ -36,19 +36,11 @@ struct Face {
 
 // Faces that only one tetrahedron has, in the order of the tetrahedra.
 std::vector<Face> outerFaces(const Eigen::Matrix4Xi& tets) {
-  std::map<std::array<int, 3>, int> count;
-  const auto key = [&](Eigen::Index e, int f) {
-    std::array<int, 3> k{tets(kFaces[f][0], e), tets(kFaces[f][1], e), tets(kFaces[f][2], e)};
-    std::sort(k.begin(), k.end());
-    return k;
-  };
-  for (Eigen::Index e = 0; e < tets.cols(); ++e) {
-    for (int f = 0; f < 4; ++f) ++count[key(e, f)];
-  }
+  const std::vector<std::uint8_t> outer = outerSides(tets);
   std::vector<Face> faces;
   for (Eigen::Index e = 0; e < tets.cols(); ++e) {
     for (int f = 0; f < 4; ++f) {
-      if (count[key(e, f)] == 1) faces.push_back({e, f});
+      if (outer[static_cast<std::size_t>(e)] >> f & 1) faces.push_back({e, f});
     }
   }
   return faces;
@@ -59,6 +51,45 @@ std::vector<Face> outerFaces(const Eigen::Matrix4Xi& tets) {
 double signedVolume(const Points& points, const Eigen::Vector4i& t) {
   const Vec3 a = points.col(t[0]);
   return (points.col(t[1]) - a).cross(points.col(t[2]) - a).dot(points.col(t[3]) - a) / 6.0;
+}
+
+std::vector<std::uint8_t> outerSides(const Eigen::Matrix4Xi& tets) {
+  // Every face under its least corner; both that share one are found there.
+  struct Side {
+    int middle, largest;  // of the other two corners
+    int face;             // 4 tet + side
+  };
+  std::vector<std::uint8_t> outer(static_cast<std::size_t>(tets.cols()), 0);
+  if (tets.size() == 0) return outer;
+  std::vector<int> begin(static_cast<std::size_t>(tets.maxCoeff()) + 2, 0);
+  const auto sorted = [&](int face) {
+    const int* corners = kFaces[face % 4];
+    const Eigen::Index e = face / 4;
+    std::array<int, 3> c{tets(corners[0], e), tets(corners[1], e), tets(corners[2], e)};
+    if (c[0] > c[1]) std::swap(c[0], c[1]);
+    if (c[1] > c[2]) std::swap(c[1], c[2]);
+    if (c[0] > c[1]) std::swap(c[0], c[1]);
+    return c;
+  };
+  const int num_faces = static_cast<int>(4 * tets.cols());
+  for (int f = 0; f < num_faces; ++f) ++begin[sorted(f)[0] + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  std::vector<Side> sides(static_cast<std::size_t>(num_faces));
+  std::vector<int> next(begin);
+  for (int f = 0; f < num_faces; ++f) {
+    const std::array<int, 3> c = sorted(f);
+    sides[next[c[0]]++] = {c[1], c[2], f};
+  }
+  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+    for (int k = begin[i]; k < begin[i + 1]; ++k) {
+      int same = 0;
+      for (int l = begin[i]; l < begin[i + 1]; ++l) {
+        same += sides[l].middle == sides[k].middle && sides[l].largest == sides[k].largest;
+      }
+      if (same == 1) outer[sides[k].face / 4] |= 1 << sides[k].face % 4;
+    }
+  }
+  return outer;
 }
 
 Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct TetMesh {
 
 /// Signed volume of tetrahedron `t` of corners in `points` [m^3].
 double signedVolume(const Points& points, const Eigen::Vector4i& t);
+
+/// Of each tetrahedron: bit k says that its face opposite corner k is on the boundary.
+std::vector<std::uint8_t> outerSides(const Eigen::Matrix4Xi& tets);
 
 /// Outward boundary triangles of the corner tetrahedra, 3 x k, in the order of the tetrahedra.
 Eigen::Matrix3Xi boundaryTriangles(const Eigen::Matrix4Xi& tets);

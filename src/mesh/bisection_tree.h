@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "palpate/mesh/tet_mesh.h"
+
+namespace palpate::mesh {
+
+/// The tetrahedra that bisection makes of a mesh, as binary trees that grow where they are asked
+/// for. How a tetrahedron is bisected follows from its marked edges alone [Arnold, Mukherjee, Pouly
+/// 2000, "Locally adapted tetrahedral meshes using bisection"]: first the longest edge of each,
+/// and then in an order that leaves a bounded number of shapes.
+class BisectionTree {
+ public:
+  struct Vertex {
+    int a = -1, b = -1;  ///< It is in the middle between these; -1: of the coarse mesh.
+    int depth = 0;       ///< One more than that of the deeper one of both.
+  };
+  struct Edge {
+    int a, b;                ///< a < b.
+    int middle = -1;         ///< Vertex; -1 as long as nobody bisected it.
+    std::vector<int> cells;  ///< All that have it.
+  };
+  struct Cell {
+    std::array<int, 4> vertex;    ///< The edge between the first two is the one that is bisected.
+    std::array<int, 6> edge;      ///< 01 02 03 12 13 23.
+    int parent = -1, child = -1;  ///< The second child follows the first; -1: not yet made.
+    std::array<std::int8_t, 2> mark;  ///< Of faces 023 and 123: 0 edge x2, 1 edge x3, 2 edge 23.
+    std::uint8_t boundary;            ///< Bit k: the face opposite vertex k is on the boundary.
+    bool flag, odd;                   ///< Odd: positive if the last two vertices change places.
+  };
+
+  /// The corners of `mesh`; its tetrahedra are the first cells.
+  explicit BisectionTree(const TetMesh& mesh);
+
+  const Vertex& vertex(int v) const { return vertices_[v]; }
+  const Vec3& rest(int v) const { return rest_[v]; }  ///< [m]
+  const Edge& edge(int e) const { return edges_[e]; }
+  const Cell& cell(int c) const { return cells_[c]; }
+  int numVertices() const { return static_cast<int>(vertices_.size()); }
+  int numEdges() const { return static_cast<int>(edges_.size()); }
+  int numCells() const { return static_cast<int>(cells_.size()); }
+  double volume(int c) const { return volume_[c]; }  ///< At rest [m^3].
+
+  /// Makes the children of a cell that has none.
+  void bisect(int c);
+
+ private:
+  int edgeBetween(int a, int b);
+  int middleOf(int edge);
+  void addCell(const Cell& cell, double volume);
+  void addChild(int parent, int kept, int middle);
+
+  std::vector<Vertex> vertices_;
+  std::vector<Vec3> rest_;
+  std::vector<Edge> edges_;
+  std::vector<Cell> cells_;
+  std::vector<double> volume_;
+  std::unordered_map<std::uint64_t, int> edge_number_;
+};
+
+}  // namespace palpate::mesh
