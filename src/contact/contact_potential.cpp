@@ -213,6 +213,21 @@ void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* conta
   }
 }
 
+void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X) {
+  if (!response_->remembers()) return;
+  const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+  const auto now = [&](int sample) {
+    const Vec3 p = old.samples_[static_cast<std::size_t>(sample)].position(old_X);
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      if ((samples_[s].position(X) - p).squaredNorm() < 1e-18 * size * size) {
+        return static_cast<int>(s);
+      }
+    }
+    return -1;
+  };
+  response_->goOnFrom(*old.response_, now);
+}
+
 void ContactPotential::forget() {
   x_begin_.resize(3, 0);
   at_end_.clear();

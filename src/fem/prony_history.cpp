@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace palpate::fem {
 
@@ -63,6 +64,34 @@ void PronyHistory::relax(int e, int q, const Mat3& S) {
   Point& point = points_[e * points_per_element_ + q];
   for (Mat3& Q : point.Q) Q.setZero();
   point.S = S;
+}
+
+void PronyHistory::goOnFrom(const PronyHistory& old, const mesh::MeshChange& change,
+                            const std::vector<double>& old_volumes) {
+  if (empty() != old.empty() || terms_.size() != old.terms_.size()) {
+    throw std::invalid_argument("the body was of other solids");
+  }
+  terms_ = old.terms_;
+  factor_ = old.factor_;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const int e = static_cast<int>(i) / points_per_element_;
+    const int q = static_cast<int>(i) % points_per_element_;
+    const mesh::MeshChange::Range from = change.tets[static_cast<std::size_t>(e)];
+    const auto at = [&](int element) -> const Point& {
+      return old.points_[static_cast<std::size_t>(element * points_per_element_ + q)];
+    };
+    points_[i] = at(from.first);
+    if (from.last == from.first + 1) continue;
+    double volume = 0.0;
+    points_[i] = {Mat3::Zero(), Mat3::Zero(), std::vector<Mat3>(terms(e).size(), Mat3::Zero())};
+    for (int k = from.first; k < from.last; ++k) volume += old_volumes[k];
+    for (int k = from.first; k < from.last; ++k) {
+      const double share = old_volumes[k] / volume;
+      points_[i].S += share * at(k).S;
+      points_[i].H += share * at(k).H;
+      for (std::size_t t = 0; t < points_[i].Q.size(); ++t) points_[i].Q[t] += share * at(k).Q[t];
+    }
+  }
 }
 
 void PronyHistory::save(StateWriter* out) const {

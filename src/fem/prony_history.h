@@ -6,6 +6,7 @@
 #include "palpate/base/state_bytes.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
+#include "palpate/mesh/mesh_change.h"
 
 namespace palpate::fem {
 
@@ -36,6 +37,9 @@ class PronyHistory {
   /// The point has had the stress `S` for ever.
   void relax(int e, int q, const Mat3& S);
 
+  /// As Elasticity::goOnFrom(); `old_volumes` of the old elements.
+  void goOnFrom(const PronyHistory& old, const mesh::MeshChange& change,
+                const std::vector<double>& old_volumes);
   void save(StateWriter* out) const;
   /// @throws std::invalid_argument for the memory of another body.
   void restore(StateReader* in);

@@ -238,6 +238,13 @@ void SolidElasticity<N>::remember(const Points& x,
 }
 
 template <int N>
+void SolidElasticity<N>::goOnFrom(const Elasticity& old, const mesh::MeshChange& change) {
+  const auto* same = dynamic_cast<const SolidElasticity*>(&old);
+  if (!same) throw std::invalid_argument("the body was of other elements");
+  history_.goOnFrom(same->history_, change, same->shape_.volumes);
+}
+
+template <int N>
 std::unique_ptr<ViscousState> SolidElasticity<N>::saveViscousState() const {
   if (history_.empty()) return nullptr;
   return std::make_unique<SavedHistory>(history_);

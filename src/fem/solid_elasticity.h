@@ -53,6 +53,7 @@ class SolidElasticity final : public Elasticity {
   void relax(const Points& x) override;
   std::unique_ptr<ViscousState> saveViscousState() const override;
   void restoreViscousState(const ViscousState* state) override;
+  void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) override;
   void save(StateWriter* out) const override { history_.save(out); }
   void restore(StateReader* in) override { history_.restore(in); }
 

@@ -37,6 +37,7 @@ struct Leaves {
   std::vector<int> vertices;  ///< Of each point.
   std::vector<int> number;    ///< Of each vertex of the tree; -1: none.
   std::vector<int> coarse_tets, coarse_points;
+  std::vector<MeshChange::Middle> middles;
 };
 
 }  // namespace
@@ -102,11 +103,28 @@ struct NestedMesh::Impl {
     }
     l.mesh.tets = Eigen::Map<const Eigen::Matrix4Xi>(tets.front().data(), 4,
                                                      static_cast<Eigen::Index>(tets.size()));
+    l.middles = middlesOf(l, [](int) { return true; });
     if (!triangles.empty()) {
       l.surface = Eigen::Map<const Eigen::Matrix3Xi>(triangles.front().data(), 3,
                                                      static_cast<Eigen::Index>(triangles.size()));
     }
     return l;
+  }
+
+  /// The points of `l` that are between others, if `asked(vertex)`; those that they are between
+  /// before them.
+  template <class Asked>
+  std::vector<MeshChange::Middle> middlesOf(const Leaves& l, const Asked& asked) const {
+    std::vector<MeshChange::Middle> middles;
+    for (std::size_t i = 0; i < l.vertices.size(); ++i) {
+      const BisectionTree::Vertex& vertex = tree.vertex(l.vertices[i]);
+      if (vertex.a < 0 || !asked(l.vertices[i])) continue;
+      middles.push_back({static_cast<int>(i), l.number[vertex.a], l.number[vertex.b]});
+    }
+    std::stable_sort(middles.begin(), middles.end(), [&](const auto& m, const auto& n) {
+      return tree.vertex(l.vertices[m.point]).depth < tree.vertex(l.vertices[n.point]).depth;
+    });
+    return middles;
   }
 
   /// Where a vertex is if the present points are at x, and the others between them.
@@ -174,30 +192,10 @@ struct NestedMesh::Impl {
     const auto oldNumber = [&](int v) {
       return v < static_cast<int>(leaves.number.size()) ? leaves.number[v] : -1;
     };
-    const auto byDepth = [&](const MeshChange::Middle& m, const std::vector<int>& vertices) {
-      return tree.vertex(vertices[m.point]).depth;
-    };
-    for (std::size_t i = 0; i < next.vertices.size(); ++i) {
-      const int v = next.vertices[i], old = oldNumber(v);
-      change.old_point.push_back(old);
-      if (old >= 0) continue;
-      const auto& vertex = tree.vertex(v);
-      change.added.push_back({static_cast<int>(i), next.number[vertex.a], next.number[vertex.b]});
-    }
-    std::stable_sort(change.added.begin(), change.added.end(), [&](const auto& m, const auto& n) {
-      return byDepth(m, next.vertices) < byDepth(n, next.vertices);
-    });
-    for (std::size_t i = 0; i < leaves.vertices.size(); ++i) {
-      const int v = leaves.vertices[i];
-      if (next.number[v] >= 0) continue;
-      const auto& vertex = tree.vertex(v);
-      change.removed.push_back(
-          {static_cast<int>(i), leaves.number[vertex.a], leaves.number[vertex.b]});
-    }
-    std::stable_sort(change.removed.begin(), change.removed.end(),
-                     [&](const auto& m, const auto& n) {
-                       return byDepth(m, leaves.vertices) > byDepth(n, leaves.vertices);
-                     });
+    for (int v : next.vertices) change.old_point.push_back(oldNumber(v));
+    change.added = middlesOf(next, [&](int v) { return oldNumber(v) < 0; });
+    change.removed = middlesOf(leaves, [&](int v) { return next.number[v] < 0; });
+    std::reverse(change.removed.begin(), change.removed.end());
     addTets(next, before, &change);
     return change;
   }
@@ -241,10 +239,14 @@ NestedMesh::~NestedMesh() = default;
 NestedMesh::NestedMesh(NestedMesh&&) noexcept = default;
 NestedMesh& NestedMesh::operator=(NestedMesh&&) noexcept = default;
 
+bool NestedMesh::isCoarse() const {
+  return static_cast<int>(impl_->leaves.cells.size()) == impl_->num_roots;
+}
 const TetMesh& NestedMesh::mesh() const { return impl_->leaves.mesh; }
 const Eigen::Matrix3Xi& NestedMesh::surface() const { return impl_->leaves.surface; }
 const std::vector<int>& NestedMesh::coarseTets() const { return impl_->leaves.coarse_tets; }
 const std::vector<int>& NestedMesh::coarsePoints() const { return impl_->leaves.coarse_points; }
+const std::vector<MeshChange::Middle>& NestedMesh::middles() const { return impl_->leaves.middles; }
 
 std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
                                               const Limits& limits) {

@@ -114,6 +114,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.X_WO = organ.pose.pose();
   description.element = organ.element;
   description.damping = organ.damping;
+  description.adapt = organ.adapt;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
     return readOrganMesh(organ, scene.file, progress, warnings);
   };

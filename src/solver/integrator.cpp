@@ -82,6 +82,17 @@ void Integrator::stop() {
   h_old_ = 0.0;
 }
 
+void Integrator::goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
+                          const std::function<Points(const Points&)>& carry) {
+  h_old_ = old.h_old_;
+  if (h_old_ == 0.0) return;
+  // The past by its difference to the present, so that this and what the present lost or got when
+  // it was carried over do not become an acceleration.
+  x_old_ = x_ + carry(old.x_old_ - old.x_);
+  v_old_ = v_ + carry(old.v_old_ - old.v_).cwiseProduct(free);
+  if (needsElasticGradient()) g_old_ = g_ + carry(old.g_old_ - old.g_);
+}
+
 void Integrator::save(StateWriter* out) const {
   for (const Points* p : {&x_, &v_, &g_, &x_old_, &v_old_, &g_old_}) out->put(*p);
   out->put(h_old_);

@@ -57,5 +57,43 @@ TEST(SurfaceSamples, LeaveNoGap) {
   }
 }
 
+// Triangles of different sizes get as many samples as each needs, and their area goes to them so
+// that a uniform pressure has the same resultant and moment as on the triangles.
+TEST(SurfaceSamples, AreDenseOnlyWhereTrianglesAreLarge) {
+  mesh::TetMesh box = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(8));
+  // Crowded towards one edge: triangles from 1 to 40 mm.
+  box.points = (box.points.array() / 0.1).square() * 0.1;
+  const Eigen::Matrix3Xi surface = mesh::boundaryTriangles(box.tets);
+  constexpr double kSpacing = 0.005;
+  const auto samples = sampleSurface(box.points, surface, kSpacing);
+  Vec3 moment = Vec3::Zero(), expected = Vec3::Zero();
+  double area = 0.0;
+  for (Eigen::Index t = 0; t < surface.cols(); ++t) {
+    const Vec3 a = box.points.col(surface(0, t)), b = box.points.col(surface(1, t)),
+               c = box.points.col(surface(2, t));
+    const double size = 0.5 * (b - a).cross(c - a).norm();
+    area += size;
+    expected += size * (a + b + c) / 3.0;
+  }
+  for (const SurfaceSample& s : samples) {
+    EXPECT_GT(s.area, 0.0);
+    moment += s.area * s.position(box.points);
+  }
+  EXPECT_NEAR(totalArea(samples), area, 1e-14);
+  EXPECT_LT((moment - expected).norm(), 1e-15);
+  // As many as the area and the spacing need, not as the smallest triangle would have.
+  EXPECT_LT(static_cast<double>(samples.size()), 4.0 * area / (kSpacing * kSpacing));
+  test::Random random;
+  for (int trial = 0; trial < 300; ++trial) {
+    Vec3 p = Vec3(random.uniform(0, 0.1), random.uniform(0, 0.1), random.uniform(0, 0.1));
+    p[trial % 3] = trial % 2 ? 0.1 : 0.0;
+    double nearest = 1.0;
+    for (const SurfaceSample& s : samples) {
+      nearest = std::min(nearest, (s.position(box.points) - p).norm());
+    }
+    EXPECT_LE(nearest, kSpacing);
+  }
+}
+
 }  // namespace
 }  // namespace palpate::contact

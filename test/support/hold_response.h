@@ -45,6 +45,12 @@ class HoldResponse final : public contact::Response {
     }
     held_.swap(held);
   }
+  void goOnFrom(const contact::Response& old, const std::function<int(int)>& now) override {
+    for (const auto& [key, stretch_G] : dynamic_cast<const HoldResponse&>(old).held_) {
+      const int sample = now(key.first);
+      if (sample >= 0) held_[{sample, key.second}] = stretch_G;
+    }
+  }
   void forget() override { held_.clear(); }
   void save(StateWriter* to) const override {
     to->put(static_cast<std::int64_t>(held_.size()));

@@ -88,6 +88,9 @@ class ContactPotential final : public fem::EnergyTerm {
   void collectAtEnd(const Points& x, std::vector<Contact>* contacts) const;
   /// Nothing has touched yet.
   void forget();
+  /// Takes over what `old` remembers, which is of the same body with another surface; X and old_X
+  /// are the points of both at rest, 3 x n [m]. Samples at other places are new.
+  void goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X);
   /// What is remembered from step to step, and back to it; empty where nothing is.
   void save(StateWriter* to) const;
   void restore(StateReader* from);

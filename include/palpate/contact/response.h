@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ class Response {
   /// A step begins or has ended with these touches, those that answer, in a fixed order.
   virtual void beginStep(const std::vector<Touch>& /*touches*/) {}
   virtual void endStep(const std::vector<Touch>& /*touches*/) {}
+  /// Takes over what `old`, of the same name, remembers of samples of another surface of the same
+  /// body, as of the samples `now(s)` of this one's; -1: there is none at that place.
+  virtual void goOnFrom(const Response& /*old*/, const std::function<int(int)>& /*now*/) {}
   /// As new: nothing has touched yet.
   virtual void forget() {}
   /// All that is needed to go on, between steps.

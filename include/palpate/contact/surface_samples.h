@@ -20,9 +20,10 @@ struct SurfaceSample {
   }
 };
 
-/// The nodes of the surface and, where an edge is longer than `spacing` [m], points between them on
-/// a regular lattice, so that no two neighbours are farther apart; each point once. At most
-/// `kMaxDivisions` parts an edge. `spacing` <= 0: nodes only.
+/// The nodes of the surface, points that part its edges, where these are longer than `spacing` [m],
+/// into equal pieces, and points within triangles on a lattice as dense as on their longest edge,
+/// so that no two neighbours are farther apart; each point once, those of a triangle after those of
+/// the one before. At most `kMaxDivisions` parts an edge. `spacing` <= 0: nodes only.
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 

@@ -10,6 +10,7 @@
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
 #include "palpate/fem/stiffness.h"
+#include "palpate/mesh/mesh_change.h"
 #include "palpate/mesh/point_location.h"
 #include "palpate/mesh/tet_mesh.h"
 
@@ -79,6 +80,12 @@ class Elasticity {
   /// Null for a body that is not viscous.
   virtual std::unique_ptr<ViscousState> saveViscousState() const = 0;
   virtual void restoreViscousState(const ViscousState* state) = 0;
+
+  /// Goes on from what `old` remembers, the same body on another mesh, of which this one's came by
+  /// `change`: parts of an element have what it had, an element of several parts their mean by
+  /// volume.
+  /// @throws std::invalid_argument for a body of other elements or solids.
+  virtual void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) = 0;
 
   /// All memory: what viscous solids went through, and the step that was begun.
   virtual void save(StateWriter* out) const = 0;

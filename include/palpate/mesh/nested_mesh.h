@@ -38,6 +38,8 @@ class NestedMesh {
   NestedMesh(NestedMesh&&) noexcept;
   NestedMesh& operator=(NestedMesh&&) noexcept;
 
+  /// Whether nothing is bisected.
+  bool isCoarse() const;
   /// Its points at rest, numbered as the tetrahedra name them; no tags or data.
   const TetMesh& mesh() const;
   /// Its surface, outward, 3 x k.
@@ -46,6 +48,8 @@ class NestedMesh {
   const std::vector<int>& coarseTets() const;
   /// The point of the coarse mesh that each point is, or -1.
   const std::vector<int>& coarsePoints() const;
+  /// All other points, after those that they are between.
+  const std::vector<MeshChange::Middle>& middles() const;
 
   /// Brings the mesh nearer to what `size` asks for where the points are at `x`, 3 x n [m]. Returns
   /// how it changed, or nothing if it did not.

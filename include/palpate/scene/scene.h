@@ -13,6 +13,7 @@
 #include "palpate/scene/body_config.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
+#include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/skip_switches.h"
 
 namespace palpate::scene {
@@ -42,6 +43,7 @@ struct OrganConfig : BodyConfig {
   PoseConfig pose;            ///< Organ to world.
   std::string model = "fem";  ///< One of tissue::modelNames().
   std::string element = fem::elementNames().front();
+  tissue::AdaptSettings adapt;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
 };

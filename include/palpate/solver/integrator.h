@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,12 @@ class Integrator {
   const Eigen::VectorXd& masses() const { return masses_; }
   /// Inertial and mass damping forces on the nodes at x, 3 x n [N].
   void inertiaForces(const Points& x, Points* f) const { inertia_.forces(x, f); }
+
+  /// Goes on from the x and v of the last start() with the past of `old`, an integrator of the same
+  /// name and body on another mesh; `carry` brings a field of its nodes to these, and components
+  /// that are not `free`, 3 x n, have no velocity.
+  void goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
+                const std::function<Points(const Points&)>& carry);
 
   /// All memory between two steps.
   void save(StateWriter* out) const;

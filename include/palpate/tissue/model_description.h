@@ -13,6 +13,7 @@
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/integrator.h"
+#include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/model_settings.h"
 
 namespace palpate::tissue {
@@ -38,6 +39,7 @@ struct OrganDescription {
   std::string element =
       fem::elementNames().front();  ///< One of fem::elementNames(), for models of finite elements.
   solver::RayleighDamping damping;
+  AdaptSettings adapt;  ///< For models whose mesh can change.
 };
 
 /// What the maker of a tissue model gets.

@@ -105,6 +105,19 @@ void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
   support_force = support_forces.norm();
 }
 
+void FemBody::goOnFrom(const FemBody& old, const mesh::MeshChange& change) {
+  x = change.interpolate(old.x);
+  v = change.transport(old.v, old.elasticity->masses(), elasticity->masses()).array() *
+      free.array();
+  elasticity->goOnFrom(*old.elasticity, change);
+  contact.forget();
+  contact.goOnFrom(old.contact, mesh.points, old.mesh.points);
+  elastic_energy.reset();
+  contact_force = old.contact_force;
+  support_force = old.support_force;
+  interrupt = old.interrupt;
+}
+
 void FemBody::save(StateWriter* out) const {
   out->put(x);
   out->put(v);

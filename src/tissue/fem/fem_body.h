@@ -9,6 +9,7 @@
 #include "palpate/base/state_bytes.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
+#include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/drive.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "tissue/touch/touch.h"
@@ -35,6 +36,9 @@ struct FemBody {
   /// Sums what the supports exert, given the gradient of all energies at x (3 x n [N]).
   void reportSupport(const Points& gradient, TissueStep* out);
 
+  /// Takes over where `old` is, which is the same body on another mesh, of which this one's came
+  /// by `change`, and what it remembers.
+  void goOnFrom(const FemBody& old, const mesh::MeshChange& change);
   /// All memory from one cycle to the next.
   void save(StateWriter* out) const;
   /// @throws std::invalid_argument for the memory of another body, or one that is not finite.

@@ -35,6 +35,12 @@ void ImplicitMethod::restart() {
   }
 }
 
+void ImplicitMethod::goOnFrom(const StepMethod& old, const mesh::MeshChange& change) {
+  restart();
+  const auto& before = dynamic_cast<const ImplicitMethod&>(old).integrator_;
+  integrator_.goOnFrom(before, body_.free, [&](const Points& p) { return change.interpolate(p); });
+}
+
 void ImplicitMethod::save(StateWriter* out) const {
   out->put(prepared_);
   integrator_.save(out);

@@ -21,6 +21,7 @@ class ImplicitMethod final : public StepMethod {
   double unbalancedForce() override;
   const Eigen::VectorXd& masses() const override { return integrator_.masses(); }
   void restart() override;
+  void goOnFrom(const StepMethod& old, const mesh::MeshChange& change) override;
   void stop() override { integrator_.stop(); }
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "make_fem.h"
 
+#include "adaptive_tissue.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/tissue/fem/islands.h"
 
@@ -16,6 +17,9 @@ std::unique_ptr<TissueModel> makeFem(const ModelDescription& description) {
   settings.element = organ.element;
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;
+  if (organ.adapt.on()) {
+    return makeAdaptiveTissue(mesh, composition, free, settings, organ.adapt, description.pool);
+  }
   return makeIslands(mesh, composition, free, settings, description.pool);
 }
 

@@ -7,6 +7,7 @@
 
 #include "fem_body.h"
 #include "palpate/base/state_bytes.h"
+#include "palpate/mesh/mesh_change.h"
 
 namespace palpate::tissue {
 
@@ -33,6 +34,11 @@ class StepMethod {
 
   /// body.x and body.v were set from outside.
   virtual void restart() = 0;
+  /// The body goes on from where that of `old` is, on another mesh, and so does the method, which
+  /// is of the same name; body.x and body.v are there already. By default it restarts.
+  virtual void goOnFrom(const StepMethod& /*old*/, const mesh::MeshChange& /*change*/) {
+    restart();
+  }
   /// body.v was set to zero, and x is at rest.
   virtual void stop() = 0;
 

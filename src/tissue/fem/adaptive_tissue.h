@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/fem/fem_tissue.h"
+
+namespace palpate::tissue {
+
+/// As makeFemTissue(), of a mesh that is refined where tools come near, before they touch, and
+/// coarse again where they have left: mesh::NestedMesh with the size
+///
+///   finest + growth max(0, d - kFineWithin finest)   at the distance d from the nearest tool.
+///
+/// Fields are carried over as mesh::MeshChange says: positions and the past of the integrator by
+/// interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory of
+/// touches where its sample stays. `mesh` is one of linear tetrahedra.
+/// @throws as makeFemTissue(), and std::invalid_argument for an element of 10 nodes or a method
+/// that precomputes what a change of the mesh would undo.
+std::unique_ptr<TissueModel> makeAdaptiveTissue(
+    const mesh::TetMesh& mesh, const fem::Composition& composition, const fem::FreeMask& free,
+    const FemSettings& settings, const AdaptSettings& adapt, ThreadPool* pool = nullptr);
+
+/// Within this distance of a tool, in units of `finest`, tetrahedra are as fine as they get.
+constexpr double kFineWithin = 2.0;
+
+}  // namespace palpate::tissue

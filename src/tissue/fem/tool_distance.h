@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/contact/obstacle.h"
+
+namespace palpate::tissue {
+
+/// How far points are from the tools where these are at the end of a cycle, and whether the tools
+/// have moved since it last mattered.
+class ToolDistance {
+ public:
+  /// `motion` [m]: a tool of which no point has gone farther has not moved.
+  explicit ToolDistance(double motion) : motion_(motion) {}
+
+  /// Begins a cycle. False: since suited() no tool has moved, or, if `far` > 0, none is nearer than
+  /// `far` [m] to the box around x, 3 x n [m].
+  bool look(const std::vector<contact::Obstacle>& obstacles, const Points& x, double far);
+  /// The least signed distance of p from a tool [m]; infinity without any.
+  double distance(const Vec3& p) const;
+
+  /// What depends on the tools is right where they are now.
+  void suited();
+  void forget() { suited_.clear(); }
+
+  void save(StateWriter* out) const;
+  void restore(StateReader* in);
+
+ private:
+  struct Tool {
+    const instrument::Geometry* geometry;
+    Pose X_WG, X_GW;
+  };
+  double motion_;
+  std::vector<Tool> tools_;
+  std::vector<Pose> suited_;  // of all tools; empty: nothing is known
+};
+
+}  // namespace palpate::tissue
