@@ -6,28 +6,39 @@
 namespace palpate::fem {
 
 BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& pairs) {
-  std::vector<std::pair<int, int>> entries;
-  entries.reserve(2 * pairs.size() + num_nodes);
-  for (int i = 0; i < num_nodes; ++i) entries.emplace_back(i, i);
+  // All columns of a row together, in any order and repeatedly: first how many, then which.
+  std::vector<int> start(static_cast<std::size_t>(num_nodes) + 1, 0);
+  for (int i = 0; i < num_nodes; ++i) start[i + 1] = 1;
   for (const auto& [i, j] : pairs) {
-    entries.emplace_back(i, j);
-    entries.emplace_back(j, i);
+    ++start[i + 1];
+    ++start[j + 1];
   }
-  std::sort(entries.begin(), entries.end());
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  for (int i = 0; i < num_nodes; ++i) start[i + 1] += start[i];
+  std::vector<int> columns(static_cast<std::size_t>(start.back())), next(start);
+  for (int i = 0; i < num_nodes; ++i) columns[next[i]++] = i;
+  for (const auto& [i, j] : pairs) {
+    columns[next[i]++] = j;
+    columns[next[j]++] = i;
+  }
 
   row_start_.assign(num_nodes + 1, 0);
   diagonal_.resize(num_nodes);
-  column_.reserve(entries.size());
-  for (const auto& [i, j] : entries) {
-    if (i == j) diagonal_[i] = static_cast<int>(column_.size());
-    column_.push_back(j);
+  // Each column once, then ascending: rows are short, and most of their entries are repetitions.
+  std::vector<int> seen_in(static_cast<std::size_t>(num_nodes), -1);
+  for (int i = 0; i < num_nodes; ++i) {
+    for (int k = start[i]; k < start[i + 1]; ++k) {
+      if (seen_in[columns[k]] == i) continue;
+      seen_in[columns[k]] = i;
+      column_.push_back(columns[k]);
+    }
+    std::sort(column_.begin() + row_start_[i], column_.end());
     row_start_[i + 1] = static_cast<int>(column_.size());
+    diagonal_[i] = find(i, i);
   }
   values_.assign(9 * column_.size(), 0.0);
   // Row after row, the blocks (i, j) with i ascending are met in the order of row j's columns.
   transposed_.resize(column_.size());
-  std::vector<int> next(row_start_.begin(), row_start_.end() - 1);
+  next.assign(row_start_.begin(), row_start_.end() - 1);
   for (std::size_t slot = 0; slot < column_.size(); ++slot) {
     transposed_[slot] = next[column_[slot]]++;
   }

@@ -21,7 +21,11 @@ BlockMatrix patternOf(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements, int
 template <int N>
 ElementScatter<N>::ElementScatter(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements,
                                   int num_nodes)
-    : pattern_(patternOf<N>(elements, num_nodes)) {
+    : pattern_(patternOf<N>(elements, num_nodes)) {}
+
+template <int N>
+void ElementScatter<N>::prepare(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements) {
+  const int num_nodes = pattern_.numNodes();
   std::vector<int> upper_number(pattern_.numBlocks(), -1);
   for (int i = 0; i < num_nodes; ++i) {
     for (int slot = pattern_.rowBegin(i); slot < pattern_.rowEnd(i); ++slot) {

@@ -24,6 +24,9 @@ class ElementScatter {
 
   const BlockMatrix& pattern() const { return pattern_; }
 
+  /// Lists what goes where; before the first call of a function below.
+  void prepare(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements);
+
   /// g.col(i) = sum of the element vectors at node i. `local`: node after node.
   void gatherNodes(const Vectors& local, ThreadPool* pool, Points* g) const;
   /// K = sum of the element matrices.

@@ -2,7 +2,6 @@
 #include "nodal_pressure.h"
 
 #include <algorithm>
-#include <map>
 
 #include "for_all.h"
 
@@ -54,22 +53,29 @@ NodalPressure::NodalPressure(Kind kind, const std::vector<double>& kappa, const 
 }
 
 void NodalPressure::numberPressures(const RestShape<4>& shape, const Composition& composition) {
-  std::map<std::pair<int, int>, int> number;  // of (node, solid), in that order
   const auto solidOf = [&](Eigen::Index e) {
     return composition.solid_of.empty() ? 0 : composition.solid_of[static_cast<std::size_t>(e)];
   };
+  // Of (node, solid), in that order.
+  const auto num_solids = static_cast<std::size_t>(composition.solids.size());
+  std::vector<int> number(num_solids * static_cast<std::size_t>(shape.masses.size()), -1);
+  const auto numberOf = [&](Eigen::Index e, int a) -> int& {
+    return number[num_solids * static_cast<std::size_t>(shape.nodes(a, e)) +
+                  static_cast<std::size_t>(solidOf(e))];
+  };
   for (Eigen::Index e = 0; e < shape.nodes.cols(); ++e) {
-    for (int a = 0; a < 4; ++a) number[{shape.nodes(a, e), solidOf(e)}] = 0;
+    for (int a = 0; a < 4; ++a) numberOf(e, a) = 0;
   }
-  for (auto& [key, n] : number) {
-    n = static_cast<int>(solid_.size());
-    solid_.push_back(key.second);
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    if (number[k] < 0) continue;
+    number[k] = static_cast<int>(solid_.size());
+    solid_.push_back(static_cast<int>(k % num_solids));
   }
   pressure_.resize(4, shape.nodes.cols());
   std::vector<int> targets, sources;
   for (Eigen::Index e = 0; e < shape.nodes.cols(); ++e) {
     for (int a = 0; a < 4; ++a) {
-      pressure_(a, e) = number[{shape.nodes(a, e), solidOf(e)}];
+      pressure_(a, e) = numberOf(e, a);
       targets.push_back(pressure_(a, e));
       sources.push_back(static_cast<int>(e));
     }
@@ -80,28 +86,38 @@ void NodalPressure::numberPressures(const RestShape<4>& shape, const Composition
 void NodalPressure::buildRows(const RestShape<4>& shape) {
   pattern_ = std::make_shared<VolumeStiffness::Pattern>();
   pattern_->start.push_back(0);
-  std::vector<int> targets, sources;
+  std::vector<int>& nodes = pattern_->node;
+  std::vector<int> seen_in(static_cast<std::size_t>(shape.masses.size()), -1);
   for (std::size_t n = 0; n < solid_.size(); ++n) {
-    std::vector<int> nodes;
-    for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
-      for (int a = 0; a < 4; ++a) nodes.push_back(shape.nodes(a, *e));
-    }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
       for (int a = 0; a < 4; ++a) {
-        const auto found = std::lower_bound(nodes.begin(), nodes.end(), shape.nodes(a, *e));
-        targets.push_back(pattern_->start.back() + static_cast<int>(found - nodes.begin()));
-        sources.push_back(4 * *e + a);
+        int& seen = seen_in[static_cast<std::size_t>(shape.nodes(a, *e))];
+        if (seen != static_cast<int>(n)) nodes.push_back(shape.nodes(a, *e));
+        seen = static_cast<int>(n);
       }
     }
-    pattern_->node.insert(pattern_->node.end(), nodes.begin(), nodes.end());
-    pattern_->start.push_back(static_cast<int>(pattern_->node.size()));
+    std::sort(nodes.begin() + pattern_->start.back(), nodes.end());
+    pattern_->start.push_back(static_cast<int>(nodes.size()));
   }
   own_entry_.resize(solid_.size());
   for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {
     for (int a = 0; a < 4; ++a) {
       own_entry_[pressure_(a, e)] = rowEntry(static_cast<int>(e), a, shape.nodes(a, e));
+    }
+  }
+}
+
+void NodalPressure::prepareRows(const RestShape<4>& shape) {
+  std::vector<int> targets, sources;
+  for (std::size_t n = 0; n < solid_.size(); ++n) {
+    for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
+      const Eigen::Vector4i corners = pressure_.col(*e);
+      const auto own = std::find(corners.begin(), corners.end(), static_cast<int>(n));
+      for (int a = 0; a < 4; ++a) {
+        targets.push_back(
+            rowEntry(*e, static_cast<int>(own - corners.begin()), shape.nodes(a, *e)));
+        sources.push_back(4 * *e + a);
+      }
     }
   }
   row_sources_ = Sources<int>(targets, sources, static_cast<int>(pattern_->node.size()));

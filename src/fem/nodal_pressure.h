@@ -53,6 +53,8 @@ class NodalPressure {
 
   /// With rows of zeros.
   VolumeStiffness makeStiffness() const;
+  /// Before the first call of gatherRows(): lists what goes where.
+  void prepareRows(const RestShape<4>& shape);
   /// Rows of B from the gradients V_e/4 d theta_e/dx, 12 x m.
   void gatherRows(const Gradients& gradients, ThreadPool* pool, VolumeStiffness* stiffness) const;
 

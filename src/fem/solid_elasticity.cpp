@@ -62,7 +62,11 @@ template <int N>
 void SolidElasticity<N>::allocate() {
   const Eigen::Index size = shape_.nodes.cols();
   if (forces_.cols() == size) return;
-  if (pressure_) volume_gradients_.resize(12, size);
+  scatter_.prepare(shape_.nodes);
+  if (pressure_) {
+    volume_gradients_.resize(12, size);
+    if constexpr (N == 4) pressure_->prepareRows(shape_);
+  }
   dilatations_.resize(static_cast<std::size_t>(size));
   energies_.resize(static_cast<std::size_t>(size));
   forces_.resize(Eigen::NoChange, size);
