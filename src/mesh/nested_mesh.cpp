@@ -18,6 +18,11 @@ constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 // Bisected while larger than this, so that edge lengths, halved in volume, spread around what is
 // asked for: the sixth root of two.
 constexpr double kSpread = 1.122462048309373;
+// Tetrahedra are not joined to one that would be compressed to less than this part of its volume.
+constexpr double kLeastJacobian = 0.5;
+
+// Cells are forgotten once there are this many times more than are needed.
+constexpr std::size_t kMostIdle = 4;
 
 /// The cells that are bisected, and the edges that are by that.
 struct Cut {
@@ -44,11 +49,63 @@ struct Leaves {
 
 struct NestedMesh::Impl {
   explicit Impl(const TetMesh& coarse)
-      : num_roots(static_cast<int>(coarse.numTets())),
+      : coarse_mesh{coarse.points, coarse.tets, {}, {}, {}},
+        num_roots(static_cast<int>(coarse.numTets())),
         num_coarse_points(static_cast<int>(coarse.numPoints())),
         tree(coarse) {
     cut.cover(tree);
     leaves = collect();
+  }
+
+  /// Forgets the cells that are not there, if they have become many. Numbers of the mesh stay.
+  void prune() {
+    const std::size_t there = 2 * leaves.cells.size();
+    if (static_cast<std::size_t>(tree.numCells()) < kMostIdle * there) return;
+    const std::string bits = bisected();
+    tree = BisectionTree(coarse_mesh);
+    restore(bits);
+  }
+
+  std::string bisected() const {
+    std::string bits;
+    traverse([&](int c, int) { bits += cut.cells[c] ? '1' : '0'; });
+    return bits;
+  }
+
+  void restore(const std::string& bisected) {
+    const auto fail = [] {
+      throw std::invalid_argument("the state is not one of this organ's adapted mesh");
+    };
+    Cut next;
+    std::size_t at = 0;
+    std::vector<int> stack;
+    for (int root = 0; root < num_roots; ++root) {
+      stack.assign(1, root);
+      while (!stack.empty()) {
+        const int c = stack.back();
+        stack.pop_back();
+        if (at == bisected.size()) fail();
+        if (bisected[at++] != '1') continue;
+        if (tree.cell(c).child < 0) tree.bisect(c);
+        next.cover(tree);
+        next.cells[c] = next.edges[tree.cell(c).edge[0]] = 1;
+        stack.push_back(tree.cell(c).child + 1);
+        stack.push_back(tree.cell(c).child);
+      }
+    }
+    if (at != bisected.size()) fail();
+    next.cover(tree);
+    std::swap(cut, next);
+    Leaves restored = collect();
+    for (int c : restored.cells) {
+      const auto& edges = tree.cell(c).edge;
+      if (std::any_of(edges.begin(), edges.end(), [&](int e) { return cut.edges[e]; })) {
+        std::swap(cut, next);
+        cut.cover(tree);
+        fail();
+      }
+    }
+    leaves = std::move(restored);
   }
 
   /// visit(cell, root) on all cells that are there, parents first.
@@ -139,6 +196,15 @@ struct NestedMesh::Impl {
     return 0.25 * sum;
   }
 
+  /// det F of a cell as it would be without its children.
+  double jacobian(int c, const Points& x) const {
+    const BisectionTree::Cell& cell = tree.cell(c);
+    Points corners(3, 4);
+    for (int k = 0; k < 4; ++k) corners.col(k) = place(cell.vertex[k], x);
+    const double volume = signedVolume(corners, {0, 1, 2, 3});
+    return (cell.odd ? -volume : volume) / tree.volume(c);
+  }
+
   /// What is asked for, closed under conformity.
   Cut wantedCut(const Points& x, const Size& size, const Limits& limits) {
     Cut wanted;
@@ -159,6 +225,7 @@ struct NestedMesh::Impl {
         const double length = edgeLength(tree.volume(c));
         bisect = length > kSpread * (was ? limits.join_below : 1.0) * allowed;
         if (bisect && !was && left-- <= 0) bisect = false;
+        if (!bisect && was) bisect = jacobian(c, x) < kLeastJacobian;
       }
       if (!bisect) continue;
       bisectIn(&wanted, c, &waiting);
@@ -223,6 +290,7 @@ struct NestedMesh::Impl {
     }
   }
 
+  TetMesh coarse_mesh;
   int num_roots, num_coarse_points;
   BisectionTree tree;
   Cut cut;
@@ -257,6 +325,7 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
   Leaves next = impl_->collect();
   auto change = std::make_unique<MeshChange>(impl_->changeTo(next, wanted));
   impl_->leaves = std::move(next);
+  impl_->prune();
   return change;
 }
 
@@ -266,46 +335,8 @@ void NestedMesh::coarsen() {
   impl_->leaves = impl_->collect();
 }
 
-std::string NestedMesh::bisected() const {
-  std::string bits;
-  impl_->traverse([&](int c, int) { bits += impl_->cut.cells[c] ? '1' : '0'; });
-  return bits;
-}
-
-void NestedMesh::restore(const std::string& bisected) {
-  const auto fail = [] {
-    throw std::invalid_argument("the state is not one of this organ's adapted mesh");
-  };
-  Cut cut;
-  std::size_t at = 0;
-  std::vector<int> stack;
-  for (int root = 0; root < impl_->num_roots; ++root) {
-    stack.assign(1, root);
-    while (!stack.empty()) {
-      const int c = stack.back();
-      stack.pop_back();
-      if (at == bisected.size()) fail();
-      if (bisected[at++] != '1') continue;
-      if (impl_->tree.cell(c).child < 0) impl_->tree.bisect(c);
-      cut.cover(impl_->tree);
-      cut.cells[c] = cut.edges[impl_->tree.cell(c).edge[0]] = 1;
-      stack.push_back(impl_->tree.cell(c).child + 1);
-      stack.push_back(impl_->tree.cell(c).child);
-    }
-  }
-  if (at != bisected.size()) fail();
-  cut.cover(impl_->tree);
-  std::swap(impl_->cut, cut);
-  Leaves leaves = impl_->collect();
-  for (int c : leaves.cells) {
-    const auto& edges = impl_->tree.cell(c).edge;
-    if (std::any_of(edges.begin(), edges.end(), [&](int e) { return impl_->cut.edges[e]; })) {
-      std::swap(impl_->cut, cut);
-      fail();
-    }
-  }
-  impl_->leaves = std::move(leaves);
-}
+std::string NestedMesh::bisected() const { return impl_->bisected(); }
+void NestedMesh::restore(const std::string& bisected) { impl_->restore(bisected); }
 
 double edgeLength(double volume) {
   // As estimateTets(): the mean tetrahedron has this part of the cube of the mean edge.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "background.h"
 #include "palpate/solver/unit_costs.h"
 #include "stale_factor.h"
 

@@ -165,6 +165,22 @@ std::vector<Case> cases() {
                    s->organs[1].pose.position.x() = 0.06;
                    s->organs[1].material.viscoelastic = {{0.3, 0.05}};
                  }});
+  for (const std::string& method : tissue::methodNames()) {
+    if (method == "linear_precomputed") continue;
+    all.push_back({"adaptive_" + method, [method](scene::Scene* s) {
+                     s->solver.method = method;
+                     s->organs[0].adapt.finest = 0.012;
+                   }});
+  }
+  for (const std::string& integrator : solver::integratorNames()) {
+    all.push_back({"adaptive_" + integrator + "_lossy", [integrator](scene::Scene* s) {
+                     s->solver.integrator = integrator;
+                     s->organs[0].damping = {2.0, 0.002};
+                     s->organs[0].material.viscoelastic = {{0.3, 0.05}};
+                     s->organs[0].adapt.finest = 0.012;
+                     s->solver.threads = 2;
+                   }});
+  }
   all.push_back({"islands", [](scene::Scene*) {}, true});
   all.push_back({"thrown", [](scene::Scene*) {}, false, 45});
   all.push_back({"thrown_tled", [](scene::Scene* s) { s->solver.method = "tled"; }, false, 45});

@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "palpate/base/background.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/linear_solver.h"
 
 namespace palpate::solver {
 
-class Background;
 class StaleFactor;
 
 /// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, which is made

@@ -6,39 +6,25 @@
 #include <utility>
 
 #include "fem_organ.h"
+#include "next_mesh.h"
 #include "palpate/base/state_bytes.h"
-#include "palpate/mesh/nested_mesh.h"
-#include "tool_distance.h"
 
 namespace palpate::tissue {
 namespace {
-
-// A tool that has gone less than this part of `finest` since the mesh was found to suit it need not
-// be looked at again.
-constexpr double kWorthALook = 0.25;
 
 class AdaptiveTissue final : public TissueModel {
  public:
   AdaptiveTissue(const mesh::TetMesh& mesh, const fem::Composition& composition,
                  const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
                  ThreadPool* pool)
-      : composition_(composition),
-        free_(free),
-        settings_(settings),
-        adapt_(adapt),
-        pool_(pool),
-        nested_(mesh),
-        tools_(adapt.finest * kWorthALook) {
-    for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {
-      coarsest_ =
-          std::max(coarsest_, mesh::edgeLength(mesh::signedVolume(mesh.points, mesh.tets.col(t))));
-    }
-    kind_ = "adaptive " + stateKind(settings, mesh.numPoints());
-    coarse_ = make();
+      : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
+        tools_(kWorthALook * adapt.finest),
+        next_(mesh, composition, free, settings, adapt, pool),
+        coarse_(next_.make()) {
     coarse_->settle();
     notes_ = coarse_->notes();
-    settings_.method = coarse_->methods().front();  // what `auto` took is kept
-    organ_ = coarse_.get();
+    next_.useMethod(coarse_->methods().front());  // what `auto` took is kept
+    become(coarse_.get());
   }
 
   Shape shape(int) const override {
@@ -55,13 +41,19 @@ class AdaptiveTissue final : public TissueModel {
   }
 
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
-    adaptTo(obstacles);
+    next_.resume(obstacles);
+    if (cycles_left_ > 0 && --cycles_left_ == 0) takeNext();
+    const Points& x = organ_->positions(0);
+    const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
+    if (cycles_left_ == 0 && tools_.look(obstacles, x, far)) beginNext(x);
     return organ_->step(obstacles, dt);
   }
 
   void reset() override {
-    nested_.coarsen();
+    cycles_left_ = 0;
     tools_.forget();
+    next_.restore("");
+    fine_.reset();
     coarse_->reset();
     become(coarse_.get());
   }
@@ -73,11 +65,13 @@ class AdaptiveTissue final : public TissueModel {
 
   State state() const override {
     StateWriter out;
-    out.put(nested_.bisected());
-    tools_.save(&out);
     const State state = organ_->state();
+    out.put(next_.bisected());
     out.put(state.kind);
     out.put(state.bytes);
+    tools_.save(&out);
+    out.put(cycles_left_);
+    if (cycles_left_ > 0) next_.saveTask(&out);
     return {kind_, out.bytes()};
   }
 
@@ -87,75 +81,51 @@ class AdaptiveTissue final : public TissueModel {
     std::string bisected;
     State inner;
     in.get(&bisected);
-    tools_.restore(&in);
     in.get(&inner.kind);
     in.get(&inner.bytes);
-    in.finish();
-    nested_.restore(bisected);
-    next();
+    next_.restore(bisected);
+    fine_ = next_.isCoarse() ? nullptr : next_.make();
+    become(fine_ ? fine_.get() : coarse_.get());
+    organ_->reset();
     organ_->restore(inner);
+    tools_.restore(&in);
+    in.get(&cycles_left_);
+    if (cycles_left_ > 0) next_.restoreTask(&in);
+    in.finish();
   }
 
  private:
-  // Refines and joins as the tools' places at the end of the cycle ask for.
-  void adaptTo(const std::vector<contact::Obstacle>& obstacles) {
-    const double far = kFineWithin * adapt_.finest + (coarsest_ - adapt_.finest) / adapt_.growth;
-    const bool plain = organ_ == coarse_.get();
-    if (!tools_.look(obstacles, organ_->positions(0), plain ? far : 0.0)) return;
-    const auto size = [&](const Vec3& p) {
-      const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
-      return adapt_.finest + adapt_.growth * std::max(0.0, way);
-    };
-    const auto change = nested_.adapt(organ_->positions(0), size, {});
-    if (!change) return tools_.suited();
-    const FemOrgan& old = *organ_;
-    const std::unique_ptr<FemOrgan> kept = std::move(fine_);  // `old` may be it
-    next();
-    organ_->goOnFrom(old, *change);
+  // To take the next mesh into use a fixed number of cycles later, however fast it is made, keeps
+  // the results from depending on time.
+  void beginNext(const Points& x) {
+    next_.begin(x, tools_);
+    tools_.suited();
+    cycles_left_ = kCyclesBeside;
   }
 
-  // The organ on the present mesh, as yet anywhere.
-  void next() {
-    if (!nested_.isCoarse()) fine_ = make();
-    become(nested_.isCoarse() ? coarse_.get() : fine_.get());
+  void takeNext() {
+    NextMesh::Result next = next_.take();
+    if (!next.change) return;
+    const FemOrgan& old = *organ_;
+    const std::unique_ptr<FemOrgan> kept = std::exchange(fine_, std::move(next.organ));
+    become(fine_ ? fine_.get() : coarse_.get());
+    organ_->goOnFrom(old, *next.change);
   }
+
   void become(FemOrgan* organ) {
     organ_ = organ;
     organ_->setInterrupt(interrupt_);
     ++revision_;
   }
 
-  std::unique_ptr<FemOrgan> make() const {
-    fem::Composition composition{composition_.solids, {}, {}};
-    for (int t : nested_.coarseTets()) {
-      if (!composition_.solid_of.empty()) composition.solid_of.push_back(composition_.solid_of[t]);
-      if (!composition_.frames.empty()) composition.frames.push_back(composition_.frames[t]);
-    }
-    // Between points that are held nothing can move.
-    const std::vector<int>& coarse = nested_.coarsePoints();
-    fem::FreeMask free(3, coarse.size());
-    for (std::size_t i = 0; i < coarse.size(); ++i) {
-      if (coarse[i] >= 0) free.col(i) = free_.col(coarse[i]);
-    }
-    for (const mesh::MeshChange::Middle& m : nested_.middles()) {
-      free.col(m.point) = free.col(m.a).cwiseMax(free.col(m.b));
-    }
-    return std::make_unique<FemOrgan>(nested_.mesh(), composition, free, settings_, pool_);
-  }
-
-  fem::Composition composition_;  // of the coarse mesh
-  fem::FreeMask free_;            // likewise
-  FemSettings settings_;
-  AdaptSettings adapt_;
-  ThreadPool* pool_;
-  mesh::NestedMesh nested_;
-  ToolDistance tools_;
-  double coarsest_ = 0.0;  // edge length [m]
   std::string kind_;
-  std::vector<std::string> notes_;
-  const solver::Interrupt* interrupt_ = nullptr;
+  ToolDistance tools_;
+  NextMesh next_;
   std::unique_ptr<FemOrgan> coarse_, fine_;
   FemOrgan* organ_ = nullptr;  // one of both
+  int cycles_left_ = 0;        // until the next mesh is taken; 0: none is being made
+  std::vector<std::string> notes_;
+  const solver::Interrupt* interrupt_ = nullptr;
   std::uint64_t revision_ = 0;
 };
 

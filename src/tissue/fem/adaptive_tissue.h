@@ -13,16 +13,23 @@ namespace palpate::tissue {
 ///
 ///   finest + growth max(0, d - kFineWithin finest)   at the distance d from the nearest tool.
 ///
-/// Fields are carried over as mesh::MeshChange says: positions and the past of the integrator by
-/// interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory of
-/// touches where its sample stays. `mesh` is one of linear tetrahedra.
+/// The next mesh, and all that is needed to solve on it, is made beside the cycle, by a thread of
+/// its own where `pool` is not null, and taken into use kCyclesBeside cycles after it was asked
+/// for. Fields are carried over as mesh::MeshChange says: positions and the past of the integrator
+/// by interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory
+/// of touches where its sample stays. `mesh` is one of linear tetrahedra.
 /// @throws as makeFemTissue(), and std::invalid_argument for an element of 10 nodes or a method
 /// that precomputes what a change of the mesh would undo.
 std::unique_ptr<TissueModel> makeAdaptiveTissue(
     const mesh::TetMesh& mesh, const fem::Composition& composition, const fem::FreeMask& free,
     const FemSettings& settings, const AdaptSettings& adapt, ThreadPool* pool = nullptr);
 
-/// Within this distance of a tool, in units of `finest`, tetrahedra are as fine as they get.
+/// Within this distance of a tool, in units of `finest`, tetrahedra are as fine as they get: room
+/// for what a hand moves while the next mesh is made.
 constexpr double kFineWithin = 2.0;
+/// A tool that has gone less than this part of `finest` since a mesh was made for it need not be
+/// looked at again.
+constexpr double kWorthALook = 0.5;
+constexpr int kCyclesBeside = 2;
 
 }  // namespace palpate::tissue

@@ -7,6 +7,29 @@
 #include "palpate/contact/signed_distance.h"
 
 namespace palpate::tissue {
+namespace {
+
+void put(const std::vector<Pose>& poses, StateWriter* out) {
+  Eigen::MatrixXd values(12, static_cast<Eigen::Index>(poses.size()));
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Eigen::Matrix<double, 3, 4> pose = poses[k].affine();
+    values.col(static_cast<Eigen::Index>(k)) = pose.reshaped();
+  }
+  out->put(values);
+}
+
+std::vector<Pose> getPoses(StateReader* in) {
+  Eigen::MatrixXd values;
+  in->get(&values);
+  if (values.rows() != 12) StateReader::fail();
+  std::vector<Pose> poses(static_cast<std::size_t>(values.cols()), Pose::Identity());
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    poses[k].affine() = values.col(static_cast<Eigen::Index>(k)).reshaped(3, 4);
+  }
+  return poses;
+}
+
+}  // namespace
 
 bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, const Points& x,
                         double far) {
@@ -36,28 +59,27 @@ double ToolDistance::distance(const Vec3& p) const {
   return least;
 }
 
-void ToolDistance::suited() {
-  suited_.clear();
-  for (const Tool& tool : tools_) suited_.push_back(tool.X_WG);
+std::vector<Pose> ToolDistance::poses() const {
+  std::vector<Pose> poses;
+  for (const Tool& tool : tools_) poses.push_back(tool.X_WG);
+  return poses;
 }
 
-void ToolDistance::save(StateWriter* out) const {
-  Eigen::MatrixXd poses(12, static_cast<Eigen::Index>(suited_.size()));
-  for (std::size_t k = 0; k < suited_.size(); ++k) {
-    const Eigen::Matrix<double, 3, 4> pose = suited_[k].affine();
-    poses.col(static_cast<Eigen::Index>(k)) = pose.reshaped();
-  }
-  out->put(poses);
+void ToolDistance::suited() { suited_ = poses(); }
+
+void ToolDistance::save(StateWriter* out) const { put(suited_, out); }
+void ToolDistance::restore(StateReader* in) { suited_ = getPoses(in); }
+
+void ToolDistance::saveTools(StateWriter* out) const { put(poses(), out); }
+
+void ToolDistance::restoreTools(StateReader* in) {
+  tools_.clear();
+  for (const Pose& pose : getPoses(in)) tools_.push_back({nullptr, pose, pose.inverse()});
 }
 
-void ToolDistance::restore(StateReader* in) {
-  Eigen::MatrixXd poses;
-  in->get(&poses);
-  if (poses.rows() != 12) StateReader::fail();
-  suited_.assign(static_cast<std::size_t>(poses.cols()), Pose::Identity());
-  for (std::size_t k = 0; k < suited_.size(); ++k) {
-    suited_[k].affine() = poses.col(static_cast<Eigen::Index>(k)).reshaped(3, 4);
-  }
+void ToolDistance::takeShapes(const std::vector<contact::Obstacle>& obstacles) {
+  tools_.resize(std::min(tools_.size(), obstacles.size()));
+  for (std::size_t k = 0; k < tools_.size(); ++k) tools_[k].geometry = obstacles[k].geometry;
 }
 
 }  // namespace palpate::tissue

@@ -25,14 +25,21 @@ class ToolDistance {
   void suited();
   void forget() { suited_.clear(); }
 
+  /// Where the tools were when it last mattered, and back to it.
   void save(StateWriter* out) const;
   void restore(StateReader* in);
+  /// Where the tools are, and back to it; takeShapes() next, before distance() is asked.
+  void saveTools(StateWriter* out) const;
+  void restoreTools(StateReader* in);
+  void takeShapes(const std::vector<contact::Obstacle>& obstacles);
 
  private:
   struct Tool {
     const instrument::Geometry* geometry;
     Pose X_WG, X_GW;
   };
+  std::vector<Pose> poses() const;
+
   double motion_;
   std::vector<Tool> tools_;
   std::vector<Pose> suited_;  // of all tools; empty: nothing is known

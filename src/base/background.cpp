@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "background.h"
+#include "palpate/base/background.h"
 
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <utility>
 
-namespace palpate::solver {
+namespace palpate {
 
 struct Background::Thread {
   std::mutex mutex;
@@ -71,4 +71,4 @@ bool Background::wait() {
   return true;
 }
 
-}  // namespace palpate::solver
+}  // namespace palpate

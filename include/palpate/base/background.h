@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-namespace palpate::solver {
+namespace palpate {
 
 /// One task at a time, done beside by a thread of its own, or, without one, when it is waited for.
 class Background {
@@ -28,4 +28,4 @@ class Background {
   bool under_way_ = false;
 };
 
-}  // namespace palpate::solver
+}  // namespace palpate

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem_organ.h"
+#include "palpate/base/background.h"
+#include "palpate/mesh/nested_mesh.h"
+#include "palpate/tissue/adapt_settings.h"
+#include "tool_distance.h"
+
+namespace palpate::tissue {
+
+/// Makes the next mesh of an organ that adapts, and the body on it, beside the cycles. What it
+/// makes depends on the present mesh and on what begin() got alone.
+class NextMesh {
+ public:
+  NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
+           const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
+           ThreadPool* pool);
+
+  void useMethod(const std::string& method) { settings_.method = method; }
+  /// Farther from a tool than this the coarse mesh is as fine as is asked for [m].
+  double reach() const;
+
+  /// A body on the present mesh, not settled and as yet anywhere.
+  std::unique_ptr<FemOrgan> make() const;
+  bool isCoarse() const { return coarse_; }
+  /// The present mesh, see mesh::NestedMesh::bisected(); also while the next one is being made.
+  const std::string& bisected() const { return bisected_; }
+  /// Makes it the present one; "": the coarse one. What is being made is given up.
+  /// @throws std::invalid_argument as mesh::NestedMesh::restore().
+  void restore(const std::string& bisected);
+
+  /// Begins with the mesh that suits these tools where the points are at x, 3 x n [m].
+  void begin(const Points& x, const ToolDistance& tools);
+  struct Result {
+    std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh suits.
+    std::unique_ptr<FemOrgan> organ;           ///< Null: it is the coarse mesh.
+  };
+  /// Waits for it; it is the present one now.
+  Result take();
+
+  /// What begin() got, while it is under way.
+  void saveTask(StateWriter* out) const;
+  /// It begins anew at the first resume().
+  void restoreTask(StateReader* in);
+  /// `obstacles`: of the same shapes as those that the tools of begin() were.
+  void resume(const std::vector<contact::Obstacle>& obstacles);
+
+ private:
+  void work();
+
+  fem::Composition composition_;  // of the coarse mesh
+  fem::FreeMask free_;            // likewise
+  FemSettings settings_;
+  AdaptSettings adapt_;
+  ThreadPool* pool_;
+  double coarsest_ = 0.0;  // edge length [m]
+  mesh::NestedMesh nested_;
+  bool coarse_ = true;
+  std::string bisected_;
+
+  Points x_;
+  ToolDistance tools_;
+  bool to_resume_ = false;
+  Result result_;
+  Background background_;  // last: ends before what it works on
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tissue/fem/adaptive_tissue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "slab.h"
+#include "support/hold_response.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::onTool;
+using test::Press;
+constexpr double kStep = test::kStep;
+
+// A slab with a coarse mesh of 25 mm, and a ball of 10 mm.
+struct AdaptiveSlab : test::Slab {
+  AdaptiveSlab() : Slab(Eigen::Vector3i(4, 4, 2)) {
+    adapt.finest = 0.005;
+    settings.gravity.setZero();
+    settings.mass_damping = 5.0;
+    settings.position_tolerance = 1e-7;
+    settings.sample_spacing = 0.003;
+  }
+  std::unique_ptr<TissueModel> make(ThreadPool* pool = nullptr) const {
+    return makeAdaptiveTissue(mesh, composition, free, settings, adapt, pool);
+  }
+
+  AdaptSettings adapt;
+  fem::Composition composition = fem::Composition::uniform(
+      material::makeMaterial("neo_hookean",
+                             {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}}),
+      1060.0);
+};
+
+class Ball {
+ public:
+  /// Goes to `to` [m] within a cycle.
+  std::vector<contact::Obstacle> to(const Vec3& to) {
+    const Pose begin = at_;
+    at_.translation() = to;
+    return {{&shape_, 0, begin, at_}};
+  }
+  explicit Ball(const Vec3& at) { at_.translation() = at; }
+
+ private:
+  instrument::Geometry shape_ = instrument::Sphere{0.01};
+  Pose at_ = Pose::Identity();
+};
+
+double areaOf(const Shape& shape) {
+  double sum = 0.0;
+  for (Eigen::Index t = 0; t < shape.triangles.cols(); ++t) {
+    const Vec3 a = shape.positions.col(shape.triangles(0, t));
+    const Vec3 b = shape.positions.col(shape.triangles(1, t));
+    const Vec3 c = shape.positions.col(shape.triangles(2, t));
+    sum += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return sum;
+}
+
+TEST(AdaptiveTissue, IsRefinedBeforeAToolTouchesAndJoinedBehindIt) {
+  const auto tissue = AdaptiveSlab().make();
+  const Eigen::Index coarse = tissue->positions().cols();
+  const double area = areaOf(tissue->shape(0));
+  std::uint64_t revision = tissue->shape(0).revision;
+  Ball ball(Vec3(0.05, 0.05, 0.2));
+  Eigen::Index most = 0;
+  bool touched = false;
+  for (int k = 0; k <= 400; ++k) {
+    const double way = 0.2 - 0.001 * std::min(k, 155) + 0.001 * std::max(0, k - 245);
+    const TissueStep& step = tissue->step(ball.to(Vec3(0.05, 0.05, way)), kStep);
+    const Shape shape = tissue->shape(0);
+    ASSERT_EQ(shape.velocities.cols(), shape.positions.cols());
+    ASSERT_LT(shape.triangles.maxCoeff(), shape.positions.cols());
+    if (shape.positions.cols() != most) {
+      EXPECT_GE(shape.revision, revision);
+    }
+    revision = shape.revision;
+    if (k == 5) {
+      EXPECT_EQ(shape.positions.cols(), coarse);  // far away
+    }
+    if (!touched && !step.contacts.empty()) {
+      touched = true;
+      EXPECT_GT(shape.positions.cols(), 2 * coarse);
+    }
+    most = std::max(most, shape.positions.cols());
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_EQ(tissue->positions().cols(), coarse);
+  EXPECT_NEAR(areaOf(tissue->shape(0)), area, 1e-3 * area);
+}
+
+// What the hand feels when a mesh changes that the tool presses: the ball rests, and then a second
+// one comes near, whose mesh is made and thrown away.
+TEST(AdaptiveTissue, HardlyMovesTheForceWhereTheMeshChangesElsewhere) {
+  for (const bool viscous : {false, true}) {
+    AdaptiveSlab slab;
+    if (viscous) slab.composition.solids[0].prony = {{0.4, 0.3}};
+    const auto alone = slab.make(), beside = slab.make();
+    Ball ball(Vec3(0.03, 0.05, 0.052)), same(Vec3(0.03, 0.05, 0.052));
+    Ball other(Vec3(0.2, 0.05, 0.06));
+    std::uint64_t changes = 0;
+    for (int k = 0; k < 160; ++k) {
+      const Vec3 at(0.03, 0.05, 0.052 - 0.0002 * std::min(k, 40));
+      const Vec3 near(std::abs(0.2 - 0.0025 * k) + 0.075, 0.05, 0.06);
+      const auto far = other.to(near)[0];
+      const std::uint64_t before = beside->shape(0).revision;
+      const Vec3 expected = onTool(alone->step(ball.to(at), kStep));
+      const Vec3 force = onTool(beside->step({same.to(at)[0], far}, kStep));
+      changes += beside->shape(0).revision - before;
+      if (k > 45) {
+        EXPECT_LT((force - expected).norm(), 0.01 * expected.norm()) << k << " " << viscous;
+      }
+    }
+    EXPECT_GT(changes, 20u);
+  }
+}
+
+TEST(AdaptiveTissue, RestsAtTheForceOfTheMeshThatItBecomes) {
+  AdaptiveSlab slab;
+  slab.settings.integrator = "static";
+  const auto adaptive = slab.make();
+  Ball ball(Vec3(0.05, 0.05, 0.06));
+  Vec3 force;
+  for (int k = 0; k < 60; ++k) {
+    force =
+        onTool(adaptive->step(ball.to(Vec3(0.05, 0.05, 0.06 - 0.0004 * std::min(k, 40))), kStep));
+  }
+  // The same mesh from the beginning.
+  const mesh::CellMesh cells = adaptive->cells(0);
+  mesh::TetMesh mesh;
+  mesh.points = cells.points;
+  mesh.tets = cells.cells;
+  fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
+  for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
+    if (mesh.points(2, i) == 0.0) free.col(i).setZero();
+  }
+  const auto fixed = makeFemTissue(mesh, slab.composition, free, slab.settings);
+  Ball again(Vec3(0.05, 0.05, 0.06));
+  Vec3 expected;
+  for (int k = 0; k < 60; ++k) {
+    expected =
+        onTool(fixed->step(again.to(Vec3(0.05, 0.05, 0.06 - 0.0004 * std::min(k, 40))), kStep));
+  }
+  EXPECT_LT((force - expected).norm(), 2e-3 * expected.norm());
+  EXPECT_GT(expected.norm(), 0.1);
+}
+
+TEST(AdaptiveTissue, BalancesForcesInEveryCycle) {
+  for (const char* method : {"implicit_pcg", "lbfgs", "tled"}) {
+    AdaptiveSlab slab;
+    slab.settings.method = method;
+    slab.adapt.finest = 0.008;
+    const auto tissue = slab.make();
+    Press press;
+    for (int k = 0; !press.done(); ++k) {
+      const TissueStep& step = tissue->step({press.next()}, kStep);
+      ASSERT_TRUE(solver::usable(step.status)) << method << " " << k;
+      const Vec3 force = onTool(step);
+      const Vec3 sum = step.support_force + step.gravity_force + step.inertia_force - force;
+      EXPECT_LE(sum.norm(), 0.01 * force.norm() + 2e-3) << method << " " << k;
+    }
+  }
+}
+
+TEST(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
+  ThreadPool pool(2);
+  const AdaptiveSlab slab;
+  const auto one = slab.make(), two = slab.make(&pool);
+  const Points rest = one->positions();
+  const auto run = [&](TissueModel* tissue) {
+    Press press;
+    while (!press.done()) tissue->step({press.next()}, kStep);
+    return tissue->positions();
+  };
+  const Points first = run(one.get());
+  EXPECT_EQ(run(two.get()), first);
+  one->reset();
+  EXPECT_EQ(one->positions(), rest);
+  EXPECT_EQ(run(one.get()), first);
+}
+
+// Refined and joined hundreds of times by a hand that does what it likes, and let go: nothing is
+// left of it.
+TEST(AdaptiveTissue, IsSteadyUnderRandomMotion) {
+  AdaptiveSlab slab;
+  slab.adapt.finest = 0.007;
+  const auto tissue = slab.make();
+  const Points rest = tissue->positions();
+  Vec3 at(0.05, 0.05, 0.052);
+  Ball ball(at);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> pick(0.0, 1.0);
+  Vec3 goal = at;
+  double most_energy = 0.0;
+  int failed = 0;
+  for (int k = 0; k < 3000; ++k) {
+    if ((goal - at).norm() < 0.002) {
+      goal = Vec3(0.015 + 0.07 * pick(random), 0.015 + 0.07 * pick(random),
+                  0.045 + 0.03 * pick(random));
+    }
+    at += 0.001 * (goal - at).normalized();  // 0.1 m/s
+    const TissueStep& step = tissue->step(ball.to(at), kStep);
+    failed += !solver::usable(step.status);
+    most_energy = std::max(most_energy, step.elastic_energy);
+    ASSERT_TRUE(tissue->positions().allFinite());
+  }
+  EXPECT_EQ(failed, 0);
+  EXPECT_GT(tissue->shape(0).revision, 500u);
+  EXPECT_LT(most_energy, 0.01);  // 1 N over 10 mm
+  TissueStep last;
+  for (int k = 0; k < 300; ++k) last = tissue->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);
+  EXPECT_EQ(tissue->positions().cols(), rest.cols());
+  EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT(last.kinetic_energy + last.elastic_energy, 1e-8);
+}
+
+TEST(AdaptiveTissue, KeepsWhatTouchesRemember) {
+  AdaptiveSlab slab;
+  slab.settings.responses.push_back(test::kHold);
+  slab.settings.contact.model = "hold";
+  slab.settings.contact.stiffness = 1e7;
+  const auto tissue = slab.make();
+  Ball ball(Vec3(0.05, 0.05, 0.055)), other(Vec3(0.2, 0.05, 0.1));
+  Vec3 force = Vec3::Zero(), before = Vec3::Zero();
+  for (int k = 0; k < 80; ++k) {
+    const double z = 0.055 - 0.0002 * std::min(k, 30) + 0.0001 * std::clamp(k - 30, 0, 40);
+    if (k == 75) before = force;
+    // A second ball comes near, so that the mesh changes while the first one pulls.
+    const Vec3 near(k < 75 ? 0.2 : 0.1, 0.05, 0.06);
+    force = onTool(tissue->step({ball.to(Vec3(0.05, 0.05, z))[0], other.to(near)[0]}, kStep));
+  }
+  EXPECT_LT(before.z(), -0.02);  // held, it pulls
+  EXPECT_LT((force - before).norm(), 0.05 * before.norm());
+}
+
+TEST(AdaptiveTissue, RefusesWhatItCannotDo) {
+  AdaptiveSlab slab;
+  slab.settings.method = "linear_precomputed";
+  EXPECT_THROW(slab.make(), std::invalid_argument);
+  AdaptiveSlab quadratic;
+  quadratic.settings.element = "tet10";
+  EXPECT_THROW(quadratic.make(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace palpate::tissue
