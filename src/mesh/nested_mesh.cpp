@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "bisection_tree.h"
+#include "leaves.h"
 
 namespace palpate::mesh {
 namespace {
-
-// Faces of a tetrahedron of positive volume, the k-th opposite corner k, outward.
-constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 // Bisected while larger than this, so that edge lengths, halved in volume, spread around what is
 // asked for: the sixth root of two.
@@ -24,37 +22,15 @@ constexpr double kLeastJacobian = 0.5;
 // Cells are forgotten once there are this many times more than are needed.
 constexpr std::size_t kMostIdle = 4;
 
-/// The cells that are bisected, and the edges that are by that.
-struct Cut {
-  std::vector<char> cells, edges;
-
-  void cover(const BisectionTree& tree) {
-    cells.resize(static_cast<std::size_t>(tree.numCells()), 0);
-    edges.resize(static_cast<std::size_t>(tree.numEdges()), 0);
-  }
-};
-
-/// A mesh of the cells that are not cut.
-struct Leaves {
-  TetMesh mesh;
-  Eigen::Matrix3Xi surface;
-  std::vector<int> cells;     ///< Of each tetrahedron.
-  std::vector<int> vertices;  ///< Of each point.
-  std::vector<int> number;    ///< Of each vertex of the tree; -1: none.
-  std::vector<int> coarse_tets, coarse_points;
-  std::vector<MeshChange::Middle> middles;
-};
-
 }  // namespace
 
 struct NestedMesh::Impl {
   explicit Impl(const TetMesh& coarse)
       : coarse_mesh{coarse.points, coarse.tets, {}, {}, {}},
         num_roots(static_cast<int>(coarse.numTets())),
-        num_coarse_points(static_cast<int>(coarse.numPoints())),
         tree(coarse) {
     cut.cover(tree);
-    leaves = collect();
+    leaves = Leaves(tree, num_roots, cut);
   }
 
   /// Forgets the cells that are not there, if they have become many. Numbers of the mesh stay.
@@ -68,7 +44,7 @@ struct NestedMesh::Impl {
 
   std::string bisected() const {
     std::string bits;
-    traverse([&](int c, int) { bits += cut.cells[c] ? '1' : '0'; });
+    forCells(tree, num_roots, cut, [&](int c, int) { bits += cut.cells[c] ? '1' : '0'; });
     return bits;
   }
 
@@ -95,98 +71,15 @@ struct NestedMesh::Impl {
     }
     if (at != bisected.size()) fail();
     next.cover(tree);
-    std::swap(cut, next);
-    Leaves restored = collect();
-    for (int c : restored.cells) {
-      const auto& edges = tree.cell(c).edge;
-      if (std::any_of(edges.begin(), edges.end(), [&](int e) { return cut.edges[e]; })) {
-        std::swap(cut, next);
-        cut.cover(tree);
-        fail();
-      }
-    }
+    Leaves restored(tree, num_roots, next);
+    if (!restored.conform(tree, next)) fail();
+    cut = std::move(next);
     leaves = std::move(restored);
-  }
-
-  /// visit(cell, root) on all cells that are there, parents first.
-  template <class Visit>
-  void traverse(const Visit& visit) const {
-    std::vector<int> stack;
-    for (int root = 0; root < num_roots; ++root) {
-      stack.assign(1, root);
-      while (!stack.empty()) {
-        const int c = stack.back();
-        stack.pop_back();
-        visit(c, root);
-        if (!cut.cells[c]) continue;
-        stack.push_back(tree.cell(c).child + 1);
-        stack.push_back(tree.cell(c).child);
-      }
-    }
-  }
-
-  Leaves collect() const {
-    Leaves l;
-    l.number.assign(static_cast<std::size_t>(tree.numVertices()), -1);
-    std::vector<std::array<int, 4>> tets;
-    std::vector<std::array<int, 3>> triangles;
-    traverse([&](int c, int root) {
-      if (cut.cells[c]) return;
-      const BisectionTree::Cell& cell = tree.cell(c);
-      std::array<int, 4> place{0, 1, 2, 3};
-      if (cell.odd) std::swap(place[2], place[3]);
-      std::array<int, 4> tet;
-      for (int k = 0; k < 4; ++k) {
-        const int v = cell.vertex[place[k]];
-        if (l.number[v] < 0) {
-          l.number[v] = static_cast<int>(l.vertices.size());
-          l.vertices.push_back(v);
-        }
-        tet[k] = l.number[v];
-      }
-      for (int k = 0; k < 4; ++k) {
-        if (cell.boundary >> place[k] & 1) {
-          triangles.push_back({tet[kFaces[k][0]], tet[kFaces[k][1]], tet[kFaces[k][2]]});
-        }
-      }
-      tets.push_back(tet);
-      l.cells.push_back(c);
-      l.coarse_tets.push_back(root);
-    });
-    l.mesh.points.resize(3, static_cast<Eigen::Index>(l.vertices.size()));
-    for (std::size_t i = 0; i < l.vertices.size(); ++i) {
-      l.mesh.points.col(static_cast<Eigen::Index>(i)) = tree.rest(l.vertices[i]);
-      l.coarse_points.push_back(l.vertices[i] < num_coarse_points ? l.vertices[i] : -1);
-    }
-    l.mesh.tets = Eigen::Map<const Eigen::Matrix4Xi>(tets.front().data(), 4,
-                                                     static_cast<Eigen::Index>(tets.size()));
-    l.middles = middlesOf(l, [](int) { return true; });
-    if (!triangles.empty()) {
-      l.surface = Eigen::Map<const Eigen::Matrix3Xi>(triangles.front().data(), 3,
-                                                     static_cast<Eigen::Index>(triangles.size()));
-    }
-    return l;
-  }
-
-  /// The points of `l` that are between others, if `asked(vertex)`; those that they are between
-  /// before them.
-  template <class Asked>
-  std::vector<MeshChange::Middle> middlesOf(const Leaves& l, const Asked& asked) const {
-    std::vector<MeshChange::Middle> middles;
-    for (std::size_t i = 0; i < l.vertices.size(); ++i) {
-      const BisectionTree::Vertex& vertex = tree.vertex(l.vertices[i]);
-      if (vertex.a < 0 || !asked(l.vertices[i])) continue;
-      middles.push_back({static_cast<int>(i), l.number[vertex.a], l.number[vertex.b]});
-    }
-    std::stable_sort(middles.begin(), middles.end(), [&](const auto& m, const auto& n) {
-      return tree.vertex(l.vertices[m.point]).depth < tree.vertex(l.vertices[n.point]).depth;
-    });
-    return middles;
   }
 
   /// Where a vertex is if the present points are at x, and the others between them.
   Vec3 place(int v, const Points& x) const {
-    const int i = v < static_cast<int>(leaves.number.size()) ? leaves.number[v] : -1;
+    const int i = leaves.find(v);
     if (i >= 0) return x.col(i);
     return 0.5 * (place(tree.vertex(v).a, x) + place(tree.vertex(v).b, x));
   }
@@ -220,7 +113,7 @@ struct NestedMesh::Impl {
       bool bisect =
           std::any_of(edges.begin(), edges.end(), [&](int e) { return wanted.edges[e] != 0; });
       if (!bisect) {
-        const bool was = c < static_cast<int>(cut.cells.size()) && cut.cells[c];
+        const bool was = cut.has(c);
         const double allowed = size(middle(c, x));
         const double length = edgeLength(tree.volume(c));
         bisect = length > kSpread * (was ? limits.join_below : 1.0) * allowed;
@@ -252,46 +145,8 @@ struct NestedMesh::Impl {
     waiting->push_back(tree.cell(c).child + 1);
   }
 
-  /// From the present leaves to `next`, with the cells that were cut in `before`.
-  MeshChange changeTo(const Leaves& next, const Cut& before) const {
-    MeshChange change;
-    change.num_old_points = static_cast<int>(leaves.vertices.size());
-    const auto oldNumber = [&](int v) {
-      return v < static_cast<int>(leaves.number.size()) ? leaves.number[v] : -1;
-    };
-    for (int v : next.vertices) change.old_point.push_back(oldNumber(v));
-    change.added = middlesOf(next, [&](int v) { return oldNumber(v) < 0; });
-    change.removed = middlesOf(leaves, [&](int v) { return next.number[v] < 0; });
-    std::reverse(change.removed.begin(), change.removed.end());
-    addTets(next, before, &change);
-    return change;
-  }
-
-  // Both lists of leaves are in the order of the trees: what lies below a cell is together.
-  void addTets(const Leaves& next, const Cut& before, MeshChange* change) const {
-    std::vector<int> old_tet(static_cast<std::size_t>(tree.numCells()), -1);
-    for (std::size_t t = 0; t < leaves.cells.size(); ++t) {
-      old_tet[leaves.cells[t]] = static_cast<int>(t);
-    }
-    const auto wasCut = [&](int c) {
-      return c < static_cast<int>(before.cells.size()) && before.cells[c];
-    };
-    for (int cell : next.cells) {
-      int c = cell;
-      if (wasCut(c)) {
-        int first = c, last = c;
-        while (wasCut(first)) first = tree.cell(first).child;
-        while (wasCut(last)) last = tree.cell(last).child + 1;
-        change->tets.push_back({old_tet[first], old_tet[last] + 1});
-        continue;
-      }
-      while (old_tet[c] < 0) c = tree.cell(c).parent;
-      change->tets.push_back({old_tet[c], old_tet[c] + 1});
-    }
-  }
-
   TetMesh coarse_mesh;
-  int num_roots, num_coarse_points;
+  int num_roots;
   BisectionTree tree;
   Cut cut;
   Leaves leaves;
@@ -313,7 +168,10 @@ bool NestedMesh::isCoarse() const {
 const TetMesh& NestedMesh::mesh() const { return impl_->leaves.mesh; }
 const Eigen::Matrix3Xi& NestedMesh::surface() const { return impl_->leaves.surface; }
 const std::vector<int>& NestedMesh::coarseTets() const { return impl_->leaves.coarse_tets; }
-const std::vector<int>& NestedMesh::coarsePoints() const { return impl_->leaves.coarse_points; }
+int NestedMesh::coarsePoint(int point) const {
+  const int vertex = impl_->leaves.vertices[point];
+  return vertex < impl_->coarse_mesh.numPoints() ? vertex : -1;
+}
 const std::vector<MeshChange::Middle>& NestedMesh::middles() const { return impl_->leaves.middles; }
 
 std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
@@ -322,8 +180,9 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
   impl_->cut.cover(impl_->tree);
   if (wanted.cells == impl_->cut.cells) return nullptr;
   std::swap(impl_->cut, wanted);
-  Leaves next = impl_->collect();
-  auto change = std::make_unique<MeshChange>(impl_->changeTo(next, wanted));
+  Leaves next(impl_->tree, impl_->num_roots, impl_->cut);
+  auto change =
+      std::make_unique<MeshChange>(changeBetween(impl_->tree, impl_->leaves, wanted, next));
   impl_->leaves = std::move(next);
   impl_->prune();
   return change;
@@ -332,7 +191,7 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
 void NestedMesh::coarsen() {
   impl_->cut = Cut();
   impl_->cut.cover(impl_->tree);
-  impl_->leaves = impl_->collect();
+  impl_->leaves = Leaves(impl_->tree, impl_->num_roots, impl_->cut);
 }
 
 std::string NestedMesh::bisected() const { return impl_->bisected(); }

@@ -84,10 +84,11 @@ TEST(NestedMesh, BeginsAsTheCoarseMesh) {
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     EXPECT_EQ(nested.coarseTets()[t], t);
     std::set<int> corners(coarse.tets.col(t).begin(), coarse.tets.col(t).end());
-    for (int i : nested.mesh().tets.col(t)) EXPECT_EQ(corners.count(nested.coarsePoints()[i]), 1u);
+    for (int i : nested.mesh().tets.col(t)) EXPECT_EQ(corners.count(nested.coarsePoint(i)), 1u);
   }
   for (Eigen::Index i = 0; i < coarse.numPoints(); ++i) {
-    EXPECT_EQ(nested.mesh().points.col(i), coarse.points.col(nested.coarsePoints()[i]));
+    EXPECT_EQ(nested.mesh().points.col(i),
+              coarse.points.col(nested.coarsePoint(static_cast<int>(i))));
   }
   EXPECT_NEAR(areaOf(nested.mesh().points, nested.surface()),
               areaOf(coarse.points, boundaryTriangles(coarse.tets)), 1e-15);

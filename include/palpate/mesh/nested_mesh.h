@@ -46,8 +46,8 @@ class NestedMesh {
   const Eigen::Matrix3Xi& surface() const;
   /// The tetrahedron of the coarse mesh in which each lies.
   const std::vector<int>& coarseTets() const;
-  /// The point of the coarse mesh that each point is, or -1.
-  const std::vector<int>& coarsePoints() const;
+  /// The point of the coarse mesh that `point` is, or -1.
+  int coarsePoint(int point) const;
   /// All other points, after those that they are between.
   const std::vector<MeshChange::Middle>& middles() const;
 

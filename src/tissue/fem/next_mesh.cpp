@@ -37,10 +37,9 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
     if (!composition_.frames.empty()) composition.frames.push_back(composition_.frames[t]);
   }
   // Between points that are held nothing can move.
-  const std::vector<int>& coarse = nested_.coarsePoints();
-  fem::FreeMask free(3, coarse.size());
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    if (coarse[i] >= 0) free.col(i) = free_.col(coarse[i]);
+  fem::FreeMask free(3, nested_.mesh().numPoints());
+  for (int i = 0; i < static_cast<int>(free.cols()); ++i) {
+    if (nested_.coarsePoint(i) >= 0) free.col(i) = free_.col(nested_.coarsePoint(i));
   }
   for (const mesh::MeshChange::Middle& m : nested_.middles()) {
     free.col(m.point) = free.col(m.a).cwiseMax(free.col(m.b));
