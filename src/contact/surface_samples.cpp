@@ -19,7 +19,8 @@ struct Edge {
 
 int divisions(double length, double spacing) {
   if (!(spacing > 0.0)) return 1;
-  return static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, double{kMaxDivisions}));
+  return static_cast<int>(
+      std::clamp(std::ceil(length / spacing), double{kLeastDivisions}, double{kMaxDivisions}));
 }
 
 class Sampler {

@@ -57,6 +57,14 @@ TEST(SurfaceSamples, LeaveNoGap) {
   }
 }
 
+// However small the triangles are against the spacing: a tool feels faces, not nodes alone, which
+// it could push aside.
+TEST(SurfaceSamples, LieBetweenAnyTwoNodes) {
+  const auto samples = sampleSurface(kBox.points, kSurface, 10.0);
+  const auto edges = 3 * kSurface.cols() / 2;
+  EXPECT_EQ(samples.size(), static_cast<std::size_t>(26 + edges));
+}
+
 // Triangles of different sizes get as many samples as each needs, and their area goes to them so
 // that a uniform pressure has the same resultant and moment as on the triangles.
 TEST(SurfaceSamples, AreDenseOnlyWhereTrianglesAreLarge) {

@@ -23,10 +23,12 @@ struct SurfaceSample {
 /// The nodes of the surface, points that part its edges, where these are longer than `spacing` [m],
 /// into equal pieces, and points within triangles on a lattice as dense as on their longest edge,
 /// so that no two neighbours are farther apart; each point once, those of a triangle after those of
-/// the one before. At most `kMaxDivisions` parts an edge. `spacing` <= 0: nodes only.
+/// the one before. An edge has from kLeastDivisions to kMaxDivisions parts: with nodes alone a tool
+/// could open the surface between them. `spacing` <= 0: nodes only.
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 
+constexpr int kLeastDivisions = 2;
 constexpr int kMaxDivisions = 32;
 
 }  // namespace palpate::contact

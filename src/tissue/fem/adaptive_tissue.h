@@ -26,10 +26,10 @@ std::unique_ptr<TissueModel> makeAdaptiveTissue(
 
 /// Within this distance of a tool, in units of `finest`, tetrahedra are as fine as they get: room
 /// for what a hand moves while the next mesh is made.
-constexpr double kFineWithin = 2.0;
+constexpr double kFineWithin = 2.5;
 /// A tool that has gone less than this part of `finest` since a mesh was made for it need not be
 /// looked at again.
-constexpr double kWorthALook = 0.5;
+constexpr double kWorthALook = 1.5;
 constexpr int kCyclesBeside = 2;
 
 }  // namespace palpate::tissue

@@ -42,13 +42,14 @@ fem::Composition withViscousTerms(fem::Composition composition) {
 
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
                  fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool,
-                 Drive what_drives, std::shared_ptr<fem::Elasticity> own_elasticity)
+                 Drive what_drives, std::shared_ptr<fem::Elasticity> own_elasticity,
+                 const Eigen::Matrix3Xi& surface)
     : settings(fem_settings),
       mesh(tet_mesh),
       free(std::move(free_mask)),
       pool(thread_pool),
       size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
-      triangles(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
+      triangles(surface.cols() > 0 ? surface : mesh::trianglesOf(mesh::boundaryFaces(mesh))),
       elasticity(own_elasticity ? std::move(own_elasticity)
                                 : fem::makeElasticity(settings.element, mesh,
                                                       settings.skip.viscous_terms

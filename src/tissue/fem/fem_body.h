@@ -19,9 +19,11 @@ namespace palpate::tissue {
 /// A body of finite elements, what acts on it, and where it is: what every method of stepping works
 /// on.
 struct FemBody {
+  /// `surface`: of the mesh, where it is known already; without columns it is found.
   FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition, fem::FreeMask free_mask,
           const FemSettings& fem_settings, ThreadPool* thread_pool, Drive what_drives = {},
-          std::shared_ptr<fem::Elasticity> own_elasticity = nullptr);
+          std::shared_ptr<fem::Elasticity> own_elasticity = nullptr,
+          const Eigen::Matrix3Xi& surface = {});
 
   /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
   /// cycle.

@@ -4,8 +4,9 @@
 namespace palpate::tissue {
 
 FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
-                   const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool)
-    : body_(mesh, composition, free, settings, pool),
+                   const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool,
+                   const Eigen::Matrix3Xi& surface)
+    : body_(mesh, composition, free, settings, pool, {}, nullptr, surface),
       method_(makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping),

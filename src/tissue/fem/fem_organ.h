@@ -19,7 +19,8 @@ class FemOrgan final : public TissueModel {
  public:
   /// At rest in its mesh, as yet without gravity.
   FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
-           const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool);
+           const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool,
+           const Eigen::Matrix3Xi& surface = {});
 
   /// Begins at the equilibrium under gravity, which reset() goes back to from now on.
   /// @throws as makeFemTissue()

@@ -44,7 +44,8 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
   for (const mesh::MeshChange::Middle& m : nested_.middles()) {
     free.col(m.point) = free.col(m.a).cwiseMax(free.col(m.b));
   }
-  return std::make_unique<FemOrgan>(nested_.mesh(), composition, free, settings_, pool_);
+  return std::make_unique<FemOrgan>(nested_.mesh(), composition, free, settings_, pool_,
+                                    nested_.surface());
 }
 
 void NextMesh::restore(const std::string& bisected) {
