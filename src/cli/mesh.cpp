@@ -49,7 +49,7 @@ Meshed meshSurface(const Options& options) {
   surface = mesh::repairSurface(surface, options.surface, &result.repairs);
 
   mesh::MeshingOptions meshing;
-  meshing.edge_length = options.edge_length;
+  meshing.edge_length.coarsest = options.edge_length;
   meshing.file = options.surface;
   const std::string cache = options.no_cache ? "" : mesh::defaultCacheDirectory();
   const auto start = std::chrono::steady_clock::now();

@@ -43,7 +43,7 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
            organ.scale, keys::Range::above(0.0, 1.0e6));
   v.number(
       {"edge_length", "m", "Wanted length of the tetrahedra's edges where a surface is filled."},
-      organ.edge_length, keys::Range::closed(1.0e-4, 1.0));
+      organ.edge_length.coarsest, keys::Range::closed(1.0e-4, 1.0));
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
   v.choice({"model", "", "What computes the organ's deformation."}, organ.model,
            tissue::modelNames());

@@ -73,7 +73,8 @@ haptics: {max_force: 5, max_torque: 0.5, max_force_rate: 100}
   const OrganConfig& a = scene.organs[0];
   EXPECT_EQ(a.surface, "a.obj");
   EXPECT_EQ(a.scale, 0.001);
-  EXPECT_EQ(a.edge_length, 0.02);
+  EXPECT_EQ(a.edge_length.coarsest, 0.02);
+  EXPECT_TRUE(a.edge_length.uniform());
   EXPECT_EQ(a.pose.position, Vec3(1, 2, 3));
   EXPECT_EQ(a.pose.roll_pitch_yaw, Vec3(0.1, 0.2, 0.3));
   EXPECT_EQ(a.material.law, "neo_hookean");
