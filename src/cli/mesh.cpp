@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -63,7 +64,7 @@ std::string edgeTable(const mesh::EdgeLengths& edges) {
     const double percent = 100.0 * c.edges / all;
     text << "    " << std::left << std::setw(15) << range.str() << std::right << std::setw(9)
          << c.edges << std::fixed << std::setprecision(1) << std::setw(7) << percent << " %  "
-         << std::string(static_cast<std::size_t>(0.5 * percent + 0.5), '#') << "\n";
+         << std::string(static_cast<std::size_t>(std::lround(0.5 * percent)), '#') << "\n";
   }
   return text.str();
 }

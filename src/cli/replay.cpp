@@ -13,6 +13,7 @@
 #include "command.h"
 #include "commands.h"
 #include "files.h"
+#include "palpate/advice/mesh_verdict.h"
 #include "palpate/advice/scene_verdict.h"
 #include "palpate/base/percentiles.h"
 #include "palpate/formats/trajectory.h"
@@ -77,7 +78,8 @@ int replay(const Options& options) {
   line.finish();
   checkBlas(simulator, options.profile);
   for (const std::string& warning : simulator.warnings()) std::cerr << "note: " << warning << "\n";
-  for (const std::string& note : simulator.notes()) std::cerr << "note: " << note << "\n";
+  for (const std::string& note : advice::loadingNotes(simulator))
+    std::cerr << "note: " << note << "\n";
 
   io::Replay run(&simulator, trajectory, options.trajectory);
   if (!options.initial_state.empty()) {
