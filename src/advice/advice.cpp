@@ -82,6 +82,12 @@ class Adviser {
     }
     const std::string edge =
         rounded(facts_.edge_length) + " m to " + rounded(high * facts_.edge_length) + " m";
+    if (facts_.graded) {
+      add("raise coarsest and finest in edge_length of organ " + facts_.organ + " by a factor of " +
+              rounded(high) + " (coarser: less accurate forces; or let edges grow faster)",
+          coarser(high));
+      return;
+    }
     add(facts_.meshed ? "raise edge_length of organ " + facts_.organ + ", whose edges are now " +
                             edge + " (coarser: less accurate forces)"
                       : "give organ " + facts_.organ + " a coarser mesh, edges from " + edge,

@@ -65,6 +65,7 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   const std::vector<std::string> methods = simulator.methods(largest);
   if (!methods.empty()) facts.method = tissue::methodFacts(methods.front());
   facts.meshed = !organ.surface.empty();
+  facts.graded = !organ.edge_length.uniform();
   facts.edge_length = mesh::meanEdgeLength(simulator.cells(largest));
   facts.poisson_ratio = largestPoissonRatio(scene);
   return facts;

@@ -64,6 +64,7 @@ void Diagnostics::simulation(Status& status) {
   status.add("cycles not solved", s.unsolved);
   status.add("resets", s.resets);
   for (const std::string& note : notes_) status.add("note", note);
+  for (const std::string& advice : mesh_advice_) status.add("mesh advice", advice);
   for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) status.add(std::string("skipped ") + skip.counter, s.skipped.*skip.count);
   }

@@ -25,6 +25,8 @@ class Diagnostics {
   void setBlasWarning(const std::string& warning) { blas_warning_ = warning; }
   /// What loading decided, such as the method that auto took, for every report on the simulation.
   void setNotes(const std::vector<std::string>& notes) { notes_ = notes; }
+  /// Where meshes are too coarse for the tools, for every report on the simulation.
+  void setMeshAdvice(const std::vector<std::string>& advice) { mesh_advice_ = advice; }
   /// From now on there is a simulation to report on.
   void running(const Inputs* inputs, const HapticLoop* haptic);
 
@@ -39,7 +41,7 @@ class Diagnostics {
 
   diagnostic_updater::Updater updater_;
   std::string loading_, blas_warning_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, mesh_advice_;
   const Inputs* inputs_ = nullptr;
   const HapticLoop* haptic_ = nullptr;
   ReportFrame frame_;

@@ -13,6 +13,7 @@
 #include "environment.h"
 #include "haptic_loop.h"
 #include "input_factory.h"
+#include "palpate/advice/mesh_verdict.h"
 #include "palpate/base/error.h"
 #include "palpate/io/state_file.h"
 #include "params.h"
@@ -43,8 +44,9 @@ std::unique_ptr<sim::Simulator> makeSimulator(const scene::Scene& scene, Diagnos
         diagnostics->loading(what);
       });
   for (const std::string& warning : simulator->warnings()) ROS_WARN_STREAM(warning);
-  for (const std::string& note : simulator->notes()) ROS_INFO_STREAM(note);
+  for (const std::string& note : advice::loadingNotes(*simulator)) ROS_INFO_STREAM(note);
   diagnostics->setNotes(simulator->notes());
+  diagnostics->setMeshAdvice(advice::adviseOnMeshes(*simulator));
   return simulator;
 }
 

@@ -9,6 +9,7 @@
 
 #include "bag_inputs.h"
 #include "environment.h"
+#include "palpate/advice/mesh_verdict.h"
 #include "palpate/base/error.h"
 #include "palpate/sim/lockstep.h"
 #include "params.h"
@@ -39,7 +40,7 @@ void replay(const Options& options) {
         scene, [&](const std::string& what, double f) { line.show(what, f); });
   }
   for (const std::string& warning : simulator->warnings()) std::cerr << warning << '\n';
-  for (const std::string& note : simulator->notes()) std::cerr << note << '\n';
+  for (const std::string& note : advice::loadingNotes(*simulator)) std::cerr << note << '\n';
 
   BagInputs inputs(options.in, *simulator);
   ReplayBag bag(options.out, simulator->scene());

@@ -114,7 +114,11 @@ TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
   // What no coarser mesh makes fast enough is estimated as it is.
   const SceneVerdict hopeless = judgeScene(facts, figuresOf(report(Phase::kAssembly, 10.0)));
   EXPECT_GT(hopeless.advice.front().cycle, 10.0 / facts.rates.simulation);
-  facts.meshed = false;
+  facts.graded = true;
+  EXPECT_TRUE(
+      advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))),
+              "raise coarsest and finest in edge_length of organ liver by a factor of 1.5"));
+  facts.graded = facts.meshed = false;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))),
                       "give organ liver a coarser mesh"));
 }

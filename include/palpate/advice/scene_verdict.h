@@ -22,7 +22,8 @@ struct SceneFacts {
   std::string organ;
   int nodes = 0;               ///< Of all organs.
   double edge_length = 0.0;    ///< Mean of the organ's tetrahedra [m].
-  bool meshed = false;         ///< The organ is meshed with its key edge_length.
+  bool meshed = false;         ///< The organ is meshed with its key edge_length,
+  bool graded = false;         ///< which says where edges are shorter.
   double poisson_ratio = 0.0;  ///< Largest of all solids, at small strain.
 };
 

@@ -28,7 +28,7 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 
-constexpr int kLeastDivisions = 2;
+constexpr int kLeastDivisions = 3;
 constexpr int kMaxDivisions = 32;
 
 }  // namespace palpate::contact

@@ -33,9 +33,11 @@ std::vector<Pose> getPoses(StateReader* in) {
 
 bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, const Points& x,
                         double far) {
-  tools_.clear();
-  for (const contact::Obstacle& obstacle : obstacles) {
-    tools_.push_back({obstacle.geometry, obstacle.X_WG_end, obstacle.X_WG_end.inverse()});
+  tools_.resize(obstacles.size());
+  takeShapes(obstacles);
+  for (std::size_t k = 0; k < tools_.size(); ++k) {
+    tools_[k].X_WG = obstacles[k].X_WG_end;
+    tools_[k].X_GW = obstacles[k].X_WG_end.inverse();
   }
   bool moved = suited_.size() != tools_.size();
   for (std::size_t k = 0; k < tools_.size() && !moved; ++k) {
@@ -74,12 +76,16 @@ void ToolDistance::saveTools(StateWriter* out) const { put(poses(), out); }
 
 void ToolDistance::restoreTools(StateReader* in) {
   tools_.clear();
-  for (const Pose& pose : getPoses(in)) tools_.push_back({nullptr, pose, pose.inverse()});
+  for (const Pose& pose : getPoses(in)) tools_.push_back({nullptr, nullptr, pose, pose.inverse()});
 }
 
 void ToolDistance::takeShapes(const std::vector<contact::Obstacle>& obstacles) {
   tools_.resize(std::min(tools_.size(), obstacles.size()));
-  for (std::size_t k = 0; k < tools_.size(); ++k) tools_[k].geometry = obstacles[k].geometry;
+  for (std::size_t k = 0; k < tools_.size(); ++k) {
+    if (tools_[k].geometry && tools_[k].of == obstacles[k].geometry) continue;
+    tools_[k].of = obstacles[k].geometry;
+    tools_[k].geometry = std::make_shared<const instrument::Geometry>(*obstacles[k].geometry);
+  }
 }
 
 }  // namespace palpate::tissue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "palpate/base/state_bytes.h"
@@ -35,7 +36,8 @@ class ToolDistance {
 
  private:
   struct Tool {
-    const instrument::Geometry* geometry;
+    const instrument::Geometry* of;                        // the obstacle's,
+    std::shared_ptr<const instrument::Geometry> geometry;  // and a copy, for work beside the cycle
     Pose X_WG, X_GW;
   };
   std::vector<Pose> poses() const;

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A ball pressed into a block: the force that uniform and graded meshes feel, and what they cost."""
+
+import csv
+import json
+import re
+import subprocess
+
+import numpy as np
+
+from accuracy.rows import Section, table
+from accuracy.solve import ROOT, Failed, program, read_table
+
+QUICK = False
+SIDE, HEIGHT = 0.12, 0.06  # of the block [m]
+RADIUS, DEPTH = 0.005, 0.008  # of the shipped probe's ball, and how deep it goes [m]
+COARSEST, NEAR, GROWTH = 0.015, 0.008, 0.3  # of graded meshes
+REFERENCE = ("tet10", None, 0.001)
+# Element, edges of a uniform mesh or None, edges at the ball of a graded one [m].
+MESHES = ([("anp", edge, None) for edge in (0.015, 0.010, 0.0075, 0.005)]
+          + [("anp", None, finest) for finest in (0.004, 0.003, 0.002, 0.0014, 0.001)]
+          + [("p1p1", edge, None) for edge in (0.015, 0.010)]
+          + [("p1p1", None, finest) for finest in (0.004, 0.003, 0.002, 0.0014)]
+          + [("tet4", edge, None) for edge in (0.015, 0.010, 0.0075)]
+          + [("tet4", None, finest) for finest in (0.004, 0.003, 0.002, 0.0014, 0.001)]
+          + [("tet10", edge, None) for edge in (0.015, 0.010)]
+          + [("tet10", None, finest) for finest in (0.006, 0.004, 0.003, 0.002)])
+
+
+def _write_block(file):
+    x, z = (-SIDE / 2, SIDE / 2), (0.0, HEIGHT)
+    points = [(a, b, c) for c in z for b in x for a in x]
+    triangles = ((1, 3, 4), (1, 4, 2), (5, 6, 8), (5, 8, 7), (1, 2, 6), (1, 6, 5),
+                 (3, 7, 8), (3, 8, 4), (1, 5, 7), (1, 7, 3), (2, 4, 8), (2, 8, 6))
+    file.write_text("".join("v %g %g %g\n" % p for p in points)
+                    + "".join("f %d %d %d\n" % t for t in triangles))
+
+
+def _write_press(file):
+    """Down at 20 mm/s in 0.4 s, then held for 0.6 s."""
+    with open(file, "w", encoding="utf-8", newline="") as text:
+        rows = csv.writer(text)
+        rows.writerow(["t", "x", "y", "z", "roll", "pitch", "yaw"])
+        for k in range(101):
+            rows.writerow([f"{0.01 * k:.2f}", 0, 0, -DEPTH * min(1.0, k / 40), 0, 0, 0])
+
+
+def _write_scene(folder, element, uniform, finest):
+    """JSON, which is YAML. The ball's lowest point begins at the block's top."""
+    edge_length = uniform or {"coarsest": COARSEST, "near": [
+        {"finest": finest, "point": [0, 0, HEIGHT], "radius": NEAR, "growth": GROWTH}]}
+    scene = {
+        "gravity": [0, 0, 0],
+        "organs": [{
+            "name": "block", "surface": "block.obj", "edge_length": edge_length, "element": element,
+            "material": {"young_modulus": 6.0e3, "poisson_ratio": 0.45, "density": 1000.0},
+            "damping": {"mass": 5.0},
+            "supports": [{"select": {"plane": {"axis": "z", "at": 0.0, "tolerance": 1e-6}}}]}],
+        "instruments": [{
+            "name": "probe", "urdf": str(ROOT / "config/instruments/probe.urdf"),
+            "base": {"position": [0, 0, HEIGHT + RADIUS]}, "control_frame": "tip"}],
+        "solver": {"step": 0.01}}
+    file = folder / f"{element}_{1e6 * (uniform or finest):.0f}{'' if uniform else '_graded'}.yaml"
+    file.write_text(json.dumps(scene))
+    return file
+
+
+def _palpate(*words):
+    done = subprocess.run([program(), *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, check=False)
+    if done.returncode != 0:
+        raise Failed(f"palpate {' '.join(map(str, words))}: {done.stderr.strip()[-400:]}")
+    return done.stdout
+
+
+def press(folder, element, uniform, finest, repeats=3):
+    """{"tets", "nodes", "force" [N] at the end of the hold, "p50", "p99" [ms]} of one mesh; of times
+    the best run."""
+    scene = _write_scene(folder, element, uniform, finest)
+    report = _palpate("mesh", "--scene", scene, "--out", scene.with_suffix(".vtu"))
+    found = {key: int(re.search(word + r" +(\d+)", report).group(1))
+             for key, word in (("nodes", "nodes"), ("tets", "tetrahedra"))}
+    times = []
+    for _ in range(repeats):
+        _palpate("replay", scene, "--trajectory", folder / "T.csv", "--out", folder / "R.csv")
+        rows = read_table(folder / "R.csv")
+        ms = np.array([float(r["step_ms"]) for r in rows])
+        times.append((np.quantile(ms, 0.5), np.quantile(ms, 0.99)))
+    found["force"] = float(rows[-1]["fz"])
+    found["p50"], found["p99"] = min(times)
+    return found
+
+
+def _fit(excess):
+    """[(edge by radius, excess)] as factor and power of a power law."""
+    power, factor = np.polyfit(*np.log(np.array(excess).T), 1)
+    return np.exp(factor), power
+
+
+def run(context):
+    folder = context.work / "graded"
+    folder.mkdir(parents=True, exist_ok=True)
+    _write_block(folder / "block.obj")
+    _write_press(folder / "T.csv")
+    reference = press(folder, *REFERENCE, repeats=1)
+    context.progress(f"reference {reference['force']:.4f} N")
+    lines, points = [], {}
+    for element, uniform, finest in MESHES:
+        found = press(folder, element, uniform, finest)
+        excess = found["force"] / reference["force"] - 1.0
+        points.setdefault(element, []).append(((uniform or finest) / RADIUS, max(excess, 1e-3)))
+        mesh = f"uniform {1e3 * uniform:g} mm" if uniform else f"{1e3 * finest:g} mm at the ball"
+        context.progress(f"{element}, {mesh}: {found['force']:.4f} N, {100 * excess:+.1f} %")
+        lines.append([f"`{element}`", mesh, found["tets"], found["nodes"], f"{found['force']:.3f} N",
+                      f"{100 * excess:+.1f} %", f"{found['p50']:.2f}", f"{found['p99']:.1f}"])
+    lines.append(["`tet10`", f"{1e3 * REFERENCE[2]:g} mm at the ball", reference["tets"],
+                  reference["nodes"], f"{reference['force']:.3f} N", "", f"{reference['p50']:.2f}",
+                  f"{reference['p99']:.1f}"])
+    fits = [[f"`{element}`", *(f"{x:.2f}" for x in _fit(found))] for element, found in points.items()]
+    return Section("Graded meshes: a ball pressed into a block", TEXT, [], [], [
+        table(["element", "edges", "tetrahedra", "nodes", "force", "above the last row", "p50 [ms]",
+               "p99 [ms]"], lines),
+        table(["element", "factor", "power"], fits)])
+
+
+TEXT = f"""A ball of {1e3 * RADIUS:g} mm pressed {1e3 * DEPTH:g} mm into a block of
+{1e3 * SIDE:g} x {1e3 * SIDE:g} x {1e3 * HEIGHT:g} mm whose bottom is held (E = 6 kPa, nu = 0.45, the default
+law), in 0.4 s, and held for 0.6 s, through `palpate replay` with one thread. Graded meshes have
+{1e3 * COARSEST:g} mm far from the ball and grow by {GROWTH:g} mm a mm from {1e3 * NEAR:g} mm on. Forces are those at
+the end, times of a cycle of 10 ms, the best of three runs. The second table fits the excess by a
+factor times a power of edge by radius, which is what the advice on a scene's meshes says."""

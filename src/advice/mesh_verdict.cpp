@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/advice/mesh_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <variant>
+
+#include "palpate/instrument/geometry.h"
+#include "palpate/mesh/cell_mesh.h"
+#include "palpate/mesh/tet_mesh.h"
+
+namespace palpate::advice {
+namespace {
+
+constexpr double kWorthSaying = 0.15;  // of the force
+constexpr double kWanted = 0.08;       // a hand hardly tells it
+
+// excess = factor ratio^power, least squares of the logarithms. Computed by the benchmark `graded`.
+struct PowerLaw {
+  const char* element;
+  double factor, power;
+};
+constexpr PowerLaw kLaws[] = {
+    {"anp", 0.34, 1.40}, {"tet4", 0.69, 1.12}, {"p1p1", 0.28, 1.39}, {"tet10", 0.09, 1.94}};
+
+const PowerLaw* lawOf(const std::string& element) {
+  const auto* const law = std::find_if(std::begin(kLaws), std::end(kLaws),
+                                       [&](const PowerLaw& l) { return element == l.element; });
+  return law == std::end(kLaws) ? nullptr : law;
+}
+
+Eigen::Matrix3Xi outside(const mesh::CellMesh& cells) {
+  if (cells.cells.rows() == 3) return cells.cells;
+  if (cells.cells.rows() < 4) return Eigen::Matrix3Xi(3, 0);
+  return mesh::boundaryTriangles(cells.cells.topRows(4));
+}
+
+double meanOf(std::vector<double>::const_iterator first, std::vector<double>::const_iterator last) {
+  return std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
+}
+
+// The ball that a shape is as large as: of the geometric mean of its half extents.
+struct LikeABall {
+  double operator()(const instrument::Sphere& ball) const { return ball.radius; }
+  double operator()(const instrument::Capsule& c) const {
+    return std::cbrt(c.radius * c.radius * (c.radius + c.half_length));
+  }
+  double operator()(const instrument::Box& box) const { return std::cbrt(box.half_extents.prod()); }
+  double operator()(const instrument::ConvexHull& hull) const {
+    const Points& points = hull.surface.points;
+    return std::cbrt(
+        (0.5 * (points.rowwise().maxCoeff() - points.rowwise().minCoeff())).eval().prod());
+  }
+};
+
+struct Tool {
+  std::string name;
+  double radius;  // [m]
+  bool ball;
+};
+
+// What an instrument touches with: the smallest shape on its control frame's link, or where it has
+// none the smallest of all.
+std::optional<Tool> toolOf(const sim::Simulator& simulator, int index) {
+  const instrument::Instrument& instrument = simulator.instrument(index);
+  const scene::InstrumentConfig& config =
+      simulator.scene().instruments[static_cast<std::size_t>(index)];
+  const int link = instrument.linkIndex(config.control_frame);
+  std::optional<Tool> tool;
+  bool of_link = false;
+  for (const instrument::CollisionBody& body : instrument.bodies()) {
+    const double radius = std::visit(LikeABall{}, body.geometry);
+    const bool here = body.link == link;
+    if (tool && (here < of_link || (here == of_link && radius >= tool->radius))) continue;
+    of_link = here;
+    tool = Tool{config.name, radius, std::holds_alternative<instrument::Sphere>(body.geometry)};
+  }
+  return tool;
+}
+
+std::string rounded(double x) {
+  std::ostringstream text;
+  text.precision(2);
+  text << x;
+  return text.str();
+}
+
+std::string millimetres(double length) { return rounded(1e3 * length) + " mm"; }
+
+// To the nearest ten percent: no estimate is better than that.
+std::string percent(double part) {
+  std::ostringstream text;
+  text << 10.0 * std::max(1.0, std::round(10.0 * part)) << " %";
+  return text.str();
+}
+
+// What to write for edges that make the force too large by kWanted.
+std::string remedy(const scene::OrganConfig& organ, double edge) {
+  const std::string finest = rounded(edge);
+  if (organ.surface.empty()) return "a mesh with edges of " + finest + " m there";
+  return "edge_length: {coarsest: " + rounded(organ.edge_length.coarsest) +
+         ", near: [{finest: " + finest + ", ...}]}";
+}
+
+std::string adviceFor(const scene::OrganConfig& organ, const SurfaceEdges& edges,
+                      const Tool& tool) {
+  const double edge = edges.graded() ? edges.finest : edges.mean;
+  const double excess = forceExcess(organ.element, edge / tool.radius).value_or(0.0);
+  const double wanted = edgeRatioFor(organ.element, kWanted).value_or(0.0) * tool.radius;
+  return "organ " + organ.name + ": " + (edges.graded() ? "where it is finest, " : "") +
+         "edges of " + millimetres(edge) + " against a " +
+         (tool.ball ? "ball of " : "shape like a ball of ") + millimetres(tool.radius) + " (" +
+         tool.name + "): the force will be about " + percent(excess) + " too large; 8 % with " +
+         remedy(organ, wanted);
+}
+
+}  // namespace
+
+std::optional<double> forceExcess(const std::string& element, double ratio) {
+  const PowerLaw* law = lawOf(element);
+  if (law == nullptr) return {};
+  return law->factor * std::pow(ratio, law->power);
+}
+
+std::optional<double> edgeRatioFor(const std::string& element, double excess) {
+  const PowerLaw* law = lawOf(element);
+  if (law == nullptr) return {};
+  return std::pow(excess / law->factor, 1.0 / law->power);
+}
+
+SurfaceEdges surfaceEdges(const mesh::CellMesh& cells) {
+  const Eigen::Matrix3Xi triangles = outside(cells);
+  const std::size_t points = static_cast<std::size_t>(cells.numPoints());
+  std::vector<double> sum(points, 0.0);
+  std::vector<int> count(points, 0);
+  double area = 0.0, weighted = 0.0;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    Mat3 edge;
+    for (int k = 0; k < 3; ++k) {  // each edge twice, once a triangle
+      const int a = triangles(k, t), b = triangles((k + 1) % 3, t);
+      edge.col(k) = cells.points.col(b) - cells.points.col(a);
+      for (const int i : {a, b}) {
+        sum[static_cast<std::size_t>(i)] += edge.col(k).norm();
+        ++count[static_cast<std::size_t>(i)];
+      }
+    }
+    const double twice_area = edge.col(0).cross(edge.col(1)).norm();
+    area += twice_area;
+    weighted += twice_area * edge.colwise().norm().mean();
+  }
+  std::vector<double> local;  // mean of the edges at each point of the surface
+  for (std::size_t i = 0; i < points; ++i) {
+    if (count[i] > 0) local.push_back(sum[i] / count[i]);
+  }
+  if (local.empty()) return {};
+  std::sort(local.begin(), local.end());
+  const auto tenth = static_cast<std::ptrdiff_t>((local.size() + 9) / 10);
+  return {meanOf(local.begin(), local.begin() + tenth), meanOf(local.end() - tenth, local.end()),
+          area > 0.0 ? weighted / area : 0.0};
+}
+
+std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator) {
+  std::vector<std::string> advice;
+  for (int i = 0; i < simulator.numOrgans(); ++i) {
+    const scene::OrganConfig& organ = simulator.scene().organs[static_cast<std::size_t>(i)];
+    if (organ.model != "fem") continue;
+    const SurfaceEdges edges = surfaceEdges(simulator.cells(i));
+    const double edge = edges.graded() ? edges.finest : edges.mean;
+    std::optional<Tool> thinnest;
+    for (int k = 0; k < simulator.numInstruments(); ++k) {
+      const std::optional<Tool> tool = toolOf(simulator, k);
+      if (tool && (!thinnest || tool->radius < thinnest->radius)) thinnest = tool;
+    }
+    if (!thinnest || !(edge > 0.0)) continue;
+    if (forceExcess(organ.element, edge / thinnest->radius).value_or(0.0) > kWorthSaying) {
+      advice.push_back(adviceFor(organ, edges, *thinnest));
+    }
+  }
+  return advice;
+}
+
+std::vector<std::string> loadingNotes(const sim::Simulator& simulator) {
+  std::vector<std::string> notes = simulator.notes();
+  const std::vector<std::string> advice = adviseOnMeshes(simulator);
+  notes.insert(notes.end(), advice.begin(), advice.end());
+  return notes;
+}
+
+}  // namespace palpate::advice
