@@ -59,7 +59,10 @@ TEST(SurfaceSamples, AreFewerInSmallTrianglesOfAGradedSurface) {
   const double area = 0.5 * (0.064 * 0.064 - 1e-6), spacing = 0.002;
   const auto samples = sampleSurface(X, triangles, spacing);
   EXPECT_NEAR(totalArea(samples), area, 1e-15);
-  // Small triangles have three parts an edge, a dozen of them at most.
+  // Small triangles have three parts an edge, and so a sample in their middle.
+  EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [&](const SurfaceSample& s) {
+    return s.nodes == triangles.col(0) && s.weights.isApprox(Vec3::Constant(1.0 / 3.0));
+  }));
   EXPECT_LT(samples.size() * spacing * spacing, 3.0 * area);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
