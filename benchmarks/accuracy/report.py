@@ -3,10 +3,8 @@
 
 import os
 import platform
-import subprocess
 
 from .rows import table
-from .solve import ROOT
 
 INTRODUCTION = """# Accuracy
 
@@ -76,8 +74,8 @@ def summary(sections):
     return table(["case", "checks", "error nearest to its bound", "its bound", "all within"], lines)
 
 
-def page(sections, failures, seconds):
-    """The whole page; sections by name, failures as {name: message}."""
+def page(sections, failures, made):
+    """The whole page; sections by name, failures as {name: message}; `made`: see made_with()."""
     parts = [INTRODUCTION]
     parts += [s.headline + "\n" for s in sections.values() if s.headline]
     parts += ["\n## All cases\n\n", summary(sections), "\n", WORDS]
@@ -90,27 +88,19 @@ def page(sections, failures, seconds):
         for markdown in section.tables or [rows_table(section.rows)]:
             parts.append(f"\n{markdown}\n")
         parts.append(f"\n{_sources(section.rows)}\n")
-    parts.append(f"\n## Made with\n\n{machine(seconds)}\n")
+    parts.append(f"\n## Made with\n\n{made}\n")
     return "".join(parts)
 
 
-def _output(*command):
-    try:
-        return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                              text=True, check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError):
-        return "unknown"
-
-
-def machine(seconds, what="all cases"):
+def made_with(source, seconds, what="all cases"):
+    """The page's last line: the commit (provenance.sentence()), the machine, how long it took."""
     cpu = platform.machine()
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:
             cpu = next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
     except (OSError, StopIteration):
         pass
-    return (f"Commit {_output('git', 'describe', '--always', '--dirty', '--abbrev=10')}, "
-            f"{cpu}, {os.cpu_count()} cores, {platform.system()} {platform.release()}; "
+    return (f"{source}; {cpu}, {os.cpu_count()} cores, {platform.system()} {platform.release()}; "
             f"{what} took {seconds / 60:.1f} minutes.")
 
 

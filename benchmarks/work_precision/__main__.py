@@ -8,8 +8,10 @@ import sys
 import time
 
 import command_line
+import provenance
 
 with command_line.needs("benchmark", ours=["accuracy", "work_precision"]):
+    from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, program
 
     from . import report
@@ -51,6 +53,7 @@ def main():
     arguments = command_line.parse("scripts/benchmark.sh", __doc__, "suite", list(SUITES),
                                    {"resume": "keep what the same program measured before"})
     whole = not arguments.names and not arguments.quick
+    begin = provenance.State.now()
     work = build_work() / ("quick" if arguments.quick else "full")
     docs = ROOT / "docs" if whole else work
     names = arguments.names or [n for n, s in SUITES.items() if s.QUICK or not arguments.quick]
@@ -59,7 +62,8 @@ def main():
     sections, failures = _run(names, context)
     docs.mkdir(parents=True, exist_ok=True)
     page = docs / "benchmarks.md"
-    page.write_text(report.page(sections, failures, time.time() - context.start), encoding="utf-8")
+    made = made_with(provenance.sentence(begin, provenance.State.now()), time.time() - context.start, "everything")
+    page.write_text(report.page(sections, failures, made), encoding="utf-8")
     context.write_table(docs / "benchmarks.csv")
     print(f"{page}: {len(context.lines)} runs, {len(failures)} suites failed: {' '.join(failures) or '-'}")
     return 1 if failures else 0

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page docs/benchmarks.md."""
 
-from accuracy.report import machine
-
 INTRODUCTION = """# Benchmarks
 
 How long does a cycle take, and how wrong is the force meanwhile? A time without an error says little:
@@ -28,8 +26,8 @@ fastest repeat (all repeats do the same work, bit for bit), its median and its 9
 """
 
 
-def page(sections, failures, seconds):
-    """The whole page; sections by name, failures as {name: message}."""
+def page(sections, failures, made):
+    """The whole page; sections by name, failures as {name: message}; `made`: accuracy.report.made_with()."""
     parts = [INTRODUCTION]
     for name, message in failures.items():
         parts.append(f"\n**The suite `{name}` did not run:** {message}\n")
@@ -40,5 +38,5 @@ def page(sections, failures, seconds):
         for markdown in section.tables:
             parts.append(f"\n{markdown}\n")
         parts.append(f"\n`scripts/benchmark.sh {name}`\n")
-    parts.append(f"\n## Made with\n\n{machine(seconds, 'everything')}\n")
+    parts.append(f"\n## Made with\n\n{made}\n")
     return "".join(parts)
