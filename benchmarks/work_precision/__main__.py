@@ -26,12 +26,12 @@ def _stamp():
     return hashlib.sha256(b"".join(f.read_bytes() for f in files if f.is_file())).hexdigest()
 
 
-def _forget(runs, resume):
-    """Drops earlier measurements, unless they are of the same program and wanted."""
-    stamp = runs / "program"
-    if not (resume and stamp.exists() and stamp.read_text() == _stamp()):
-        shutil.rmtree(runs, ignore_errors=True)
-    runs.mkdir(parents=True, exist_ok=True)
+def _forget(folder, keep):
+    """Drops what an earlier run left in a folder, unless it is of the same program and wanted."""
+    stamp = folder / "program"
+    if not (keep and stamp.exists() and stamp.read_text() == _stamp()):
+        shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
     stamp.write_text(_stamp())
 
 
@@ -58,6 +58,7 @@ def main():
     docs = ROOT / "docs" if whole else work
     names = arguments.names or [n for n, s in SUITES.items() if s.QUICK or not arguments.quick]
     _forget(work / "runs", arguments.resume)
+    _forget(work / "references", True)
     context = Context(work, docs / "images" / "benchmarks", arguments.quick, arguments.resume)
     sections, failures = _run(names, context)
     docs.mkdir(parents=True, exist_ok=True)

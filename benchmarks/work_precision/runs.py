@@ -4,6 +4,7 @@
 import dataclasses
 import hashlib
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -53,6 +54,9 @@ class Config:
         return words + "_" + hashlib.sha256(text.encode()).hexdigest()[:10]
 
 
+P99_CYCLES = 500  # from fewer a 99th percentile is little more than the slowest cycle
+
+
 class Run:
     """What one configuration gave."""
 
@@ -95,16 +99,28 @@ class Run:
         return self.summary["fastest"]["median_ms"]
 
     @property
+    def timed_cycles(self):
+        """In all repeats together."""
+        return self.summary["cycles"] * self.summary["repeats"]
+
+    @property
     def p99_ms(self):
-        return self.summary["fastest"]["p99_ms"]
+        """Of the cycles of all repeats together; NaN where these are too few to say."""
+        return self.summary["pooled"]["p99_ms"] if self.timed_cycles >= P99_CYCLES else math.nan
+
+    @property
+    def p99_text(self):
+        """For a table of milliseconds."""
+        return f"{self.p99_ms:.2f}" if math.isfinite(self.p99_ms) else "-"
 
 
-def bench(config, folder, repeats=1, seconds=None):
+def bench(config, folder, repeats=1, cycles=1, seconds=None):
     """The Run of a configuration, anew. @throws Failed with what palpate said."""
     working = folder.with_name(folder.name + ".part")
     shutil.rmtree(working, ignore_errors=True)
     working.parent.mkdir(parents=True, exist_ok=True)
-    command = [program(), "bench", *config.arguments(), "--repeat", str(repeats), "--out", str(working)]
+    command = [program(), "bench", *config.arguments(), "--repeat", str(repeats), "--cycles", str(cycles),
+               "--out", str(working)]
     if seconds is not None:
         command += ["--seconds", str(seconds)]
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

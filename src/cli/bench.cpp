@@ -31,6 +31,7 @@ struct Options {
   std::optional<double> duration;
   double frame = 0.02;
   int repeats = 3;
+  int cycles = 1;
   double seconds = std::numeric_limits<double>::infinity();
 };
 
@@ -90,7 +91,8 @@ BenchResult runScene(const BenchScene& scene, const Options& options, const Benc
   *title = {scene.name, bench.scene.organs[0].element, poissonRatio(bench.scene),
             settingsOf(bench.scene)};
   const double duration = options.duration.value_or(bench.duration);
-  BenchResult result = runBench(bench, {duration, options.frame, options.repeats, options.seconds});
+  BenchResult result =
+      runBench(bench, {duration, options.frame, options.repeats, options.cycles, options.seconds});
   std::cerr << result.note;
   return result;
 }
@@ -103,7 +105,7 @@ int list() {
 // A tenth of a second of every scene that is a box, on few tetrahedra.
 int runSmall(Options options) {
   options.duration = options.duration.value_or(0.1);
-  options.repeats = 1;
+  options.repeats = options.cycles = 1;
   bool usable = true;
   printBenchHead();
   for (const BenchScene& scene : benchScenes()) {
@@ -172,6 +174,8 @@ void addBench(CLI::App& app, Action& action) {
   command.option("--frame", &options->frame, "Displacements are kept this far apart [s]");
   command.option("--repeat", &options->repeats, "Runs from the start; times are of all of them")
       .between(1, 1000);
+  command.option("--cycles", &options->cycles, "More repeats, until so many cycles were run in all")
+      .between(1, 1000000);
   command.option("--seconds", &options->seconds, "Begin no other repeat after so long");
   command.option("--out", &options->out,
                  "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");

@@ -103,7 +103,6 @@ BenchCase cube(const BenchChoice& choice, const std::string& folder) {
   BenchCase made;
   made.scene.gravity.setZero();
   made.scene.organs = {box(Vec3::Constant(kEdge), {1, 1, 1}, 4374, choice, folder)};
-  made.scene.contact.stiffness = 7.5e6;
   addBall(folder, &made.scene);
   made.joints = pressAndSlide;
   return made;

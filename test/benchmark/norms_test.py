@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error norms, Pareto fronts, exponents, goals: what a wrong formula would get wrong."""
 
+import json
 import math
+import pathlib
 import sys
+import tempfile
 import unittest
 
 try:
     import numpy as np
 
     from work_precision import norms
-    from work_precision.runs import Config
+    from work_precision.runs import P99_CYCLES, Config, Run
     from work_precision.suites.kernels import fastest
     from work_precision.suites.reach import Goal
 except ModuleNotFoundError as missing:
@@ -106,6 +109,10 @@ class Goals(unittest.TestCase):
         self.assertTrue(Goal("a", 1.6, 1.5, "x", least=True).reached)
         self.assertIn("1.50", Goal("a", 1.0, 1.5, "x", least=True).verdict())
 
+    def test_an_aim_of_later_says_so(self):
+        self.assertEqual(Goal("a", 1.0, 1.0, "ms", later="added after measuring").verdict(),
+                         "reached; added after measuring")
+
     def test_nothing_measured_reaches_nothing(self):
         for least in (False, True):
             goal = Goal("a", math.nan, 1.0, "ms", least=least)
@@ -120,6 +127,15 @@ class Configs(unittest.TestCase):
                                               "--set", "solver.step=0.01", "--set", "contact.smoothing=1"])
         self.assertNotEqual(config.name(), config.but(poisson_ratio=0.49).name())
         self.assertEqual(config.name(), config.but(tets=6).name())
+
+
+class Percentile(unittest.TestCase):
+    def test_needs_enough_cycles_in_all_repeats(self):
+        for repeats, text in ((P99_CYCLES // 50, "3.50"), (P99_CYCLES // 50 - 1, "-")):
+            with tempfile.TemporaryDirectory() as folder:
+                summary = {"cycles": 50, "repeats": repeats, "fastest": {"p99_ms": 1.0}, "pooled": {"p99_ms": 3.5}}
+                (pathlib.Path(folder) / "summary.json").write_text(json.dumps(summary))
+                self.assertEqual(Run(None, pathlib.Path(folder)).p99_text, text)
 
 
 class Kernels(unittest.TestCase):

@@ -47,6 +47,18 @@ TEST_F(BenchCommand, WritesWhatItMeasured) {
   EXPECT_EQ(formats::readTetMesh(path("a/mesh.vtu")).numPoints(), 64);
 }
 
+// Six cycles a repeat: the repeats that were asked for, and more where they are too few.
+TEST_F(BenchCommand, RepeatsUntilThereAreEnoughCycles) {
+  ASSERT_EQ(cube("a").status, 0);
+  EXPECT_TRUE(contains(test::fileBytes(path("a/summary.json")), "\"repeats\": 2,"));
+  ASSERT_EQ(cube("b", "--cycles 25").status, 0);
+  const std::string summary = test::fileBytes(path("b/summary.json"));
+  EXPECT_TRUE(contains(summary, "\"repeats\": 5,")) << summary;
+  EXPECT_TRUE(contains(summary, "\"pooled\": {\"median_ms\": "));
+  ASSERT_EQ(cube("c", "--cycles 100000 --seconds 1e-9").status, 0);
+  EXPECT_TRUE(contains(test::fileBytes(path("c/summary.json")), "\"repeats\": 1,"));
+}
+
 // The ball is 2 mm inside at the end: the tissue pushes it up.
 TEST_F(BenchCommand, TheToolFeelsTheTissue) {
   ASSERT_EQ(cube("a").status, 0);
