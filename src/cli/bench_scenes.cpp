@@ -166,7 +166,7 @@ BenchCase liverOf(double edge_length, const BenchChoice& choice) {
   };
   made.scene = scene::readScene(shipped("scenes/liver_palpation.yaml"));
   scene::OrganConfig& organ = made.scene.organs[0];
-  organ.edge_length = choice.edge_length.value_or(edge_length);
+  organ.edge_length.coarsest = choice.edge_length.value_or(edge_length);
   if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};
   organ.element = choice.element.value_or(organ.element);
   made.scene.solver.threads = 1;

@@ -71,6 +71,9 @@ class SettingsVisitor final : public keys::FieldVisitor {
   bool vector3(const keys::Field& field, Vec3&, const keys::Range&) override {
     return closed(field);
   }
+  bool vectors3(const keys::Field& field, std::vector<Vec3>&, const keys::Range&, int) override {
+    return closed(field);
+  }
   bool integers3(const keys::Field& field, Eigen::Vector3i&, const keys::Range&) override {
     return closed(field);
   }
@@ -108,6 +111,11 @@ class SettingsVisitor final : public keys::FieldVisitor {
       return setting.first.compare(0, below.size(), below) == 0;
     });
     return {given, true};
+  }
+  Entered enterNumberOrSection(const keys::Field& field, double& value,
+                               const keys::Range& range) override {
+    if (number(field, value, range)) return {true, false};
+    return enterSection(field);
   }
   int enterList(const keys::Field& field, int) override { return closed(field); }
   bool enterItem(const keys::Field&, int) override { return false; }

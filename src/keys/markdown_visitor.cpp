@@ -96,6 +96,13 @@ bool MarkdownVisitor::vector3(const Field& field, Vec3& value, const Range& rang
   return false;
 }
 
+bool MarkdownVisitor::vectors3(const Field& field, std::vector<Vec3>&, const Range& range,
+                               int min_size) {
+  row(field, "list of points", "",
+      "at least " + std::to_string(min_size) + ", each three numbers " + range.text());
+  return false;
+}
+
 bool MarkdownVisitor::integers3(const Field& field, Eigen::Vector3i& value, const Range& range) {
   row(field, "three whole numbers", vectorText(value), "each " + range.text());
   return false;
@@ -135,6 +142,13 @@ void MarkdownVisitor::pushTable(const std::string& key) {
 
 FieldVisitor::Entered MarkdownVisitor::enterSection(const Field& field) {
   row(field, "section", "", "");
+  pushTable(field.key);
+  return {false, true};
+}
+
+FieldVisitor::Entered MarkdownVisitor::enterNumberOrSection(const Field& field, double& number,
+                                                            const Range& range) {
+  row(field, "number or section", numberText(number), range.text());
   pushTable(field.key);
   return {false, true};
 }

@@ -24,6 +24,8 @@ class MarkdownVisitor : public FieldVisitor {
   bool choice(const Field& field, std::string& value,
               const std::vector<std::string>& allowed) override;
   bool vector3(const Field& field, Vec3& value, const Range& range) override;
+  bool vectors3(const Field& field, std::vector<Vec3>& values, const Range& range,
+                int min_size) override;
   bool integers3(const Field& field, Eigen::Vector3i& value, const Range& range) override;
   bool partialVector3(const Field& field, PartialVec3& value, const Range& range) override;
   bool numbersOfKind(const std::string& choice, const std::vector<Kind>& kinds,
@@ -32,6 +34,7 @@ class MarkdownVisitor : public FieldVisitor {
 
  protected:
   Entered enterSection(const Field& field) override;
+  Entered enterNumberOrSection(const Field& field, double& number, const Range& range) override;
   int enterList(const Field& field, int min_size) override;
   bool enterItem(const Field& field, int index) override;
   void leaveSection() override;

@@ -135,6 +135,25 @@ FieldVisitor::Entered YamlVisitor::enterSection(const Field& field) {
   return {true, true};
 }
 
+FieldVisitor::Entered YamlVisitor::enterNumberOrSection(const Field& field, double& number,
+                                                        const Range& range) {
+  const std::optional<YAML::Node> node = find(field);
+  if (!node) return {false, false};
+  if (node->IsMap()) {
+    pushLevel(*node, levels_.back().path + field.key + ".");
+    return {true, true};
+  }
+  const std::optional<double> x = toNumber(*node);
+  if (x && range.contains(*x)) {
+    number = *x;
+  } else {
+    const std::string unit = field.unit.empty() ? "" : " [" + field.unit + "]";
+    problem(field.key, *node,
+            "must be a number " + range.text() + unit + ", or a section, keys with values");
+  }
+  return {true, false};
+}
+
 int YamlVisitor::enterList(const Field& field, int min_size) {
   const std::optional<YAML::Node> node = find(field);
   if (!node) return 0;

@@ -122,6 +122,31 @@ bool YamlVisitor::vector3(const Field& field, Vec3& value, const Range& range) {
   return given;
 }
 
+bool YamlVisitor::vectors3(const Field& field, std::vector<Vec3>& values, const Range& range,
+                           int min_size) {
+  const std::optional<YAML::Node> node = find(field);
+  if (!node) return false;
+  bool good = node->IsSequence() && static_cast<int>(node->size()) >= min_size;
+  std::vector<Vec3> read(good ? node->size() : 0);
+  for (std::size_t k = 0; good && k < read.size(); ++k) {
+    const YAML::Node item = (*node)[k];
+    good = item.IsSequence() && item.size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+      const std::optional<double> x = toNumber(item[i]);
+      good = x && range.contains(*x);
+      if (good) read[k](i) = *x;
+    }
+  }
+  if (good) {
+    values = read;
+  } else {
+    problem(field.key, *node,
+            "must be a list of points, at least " + std::to_string(min_size) +
+                ", each three numbers " + range.text() + unitText(field));
+  }
+  return true;
+}
+
 bool YamlVisitor::integers3(const Field& field, Eigen::Vector3i& value, const Range& range) {
   Eigen::Vector3i read = value;
   const bool given = three(field, "whole numbers " + range.text() + unitText(field),

@@ -2,7 +2,6 @@
 #include "palpate/mesh/cell_mesh.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace palpate::mesh {
 
@@ -16,7 +15,7 @@ CellMesh cellsOf(const TetMesh& mesh) {
   return all;
 }
 
-double meanEdgeLength(const CellMesh& mesh) {
+std::vector<std::pair<int, int>> edgesOf(const CellMesh& mesh) {
   const Eigen::Index corners = std::min<Eigen::Index>(mesh.cells.rows(), 4);
   std::vector<std::pair<int, int>> edges;
   for (Eigen::Index cell = 0; cell < mesh.numCells(); ++cell) {
@@ -26,9 +25,14 @@ double meanEdgeLength(const CellMesh& mesh) {
       }
     }
   }
-  if (edges.empty()) return 0.0;
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+double meanEdgeLength(const CellMesh& mesh) {
+  const std::vector<std::pair<int, int>> edges = edgesOf(mesh);
+  if (edges.empty()) return 0.0;
   double sum = 0.0;
   for (const auto& [i, j] : edges) sum += (mesh.points.col(i) - mesh.points.col(j)).norm();
   return sum / static_cast<double>(edges.size());

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <optional>
 #include <system_error>
+#include <variant>
 
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
@@ -51,13 +52,52 @@ class Hash {
   std::uint64_t state_;
 };
 
+struct AddWhere {
+  Hash* hash;
+
+  void add(double x) const { hash->add(&x, sizeof(x)); }
+  void add(const Vec3& p) const { hash->add(p.data(), 3 * sizeof(double)); }
+  void operator()(const Polyline& line) const {
+    hash->add(line.points.size());
+    for (const Vec3& p : line.points) add(p);
+  }
+  void operator()(const Region& region) const {
+    hash->add(region.index());
+    std::visit(*this, region);
+  }
+  void operator()(const OwnSurface&) const {}
+  void operator()(const PlaneRegion& plane) const {
+    hash->add(static_cast<std::uint64_t>(plane.axis));
+    add(plane.at);
+    add(plane.tolerance);
+  }
+  void operator()(const BoxRegion& box) const {
+    add(box.min);
+    add(box.max);
+  }
+  void operator()(const SphereRegion& sphere) const {
+    add(sphere.center);
+    add(sphere.radius);
+  }
+};
+
+void addTo(Hash* hash, const FinePlace& place) {
+  const AddWhere to{hash};
+  to.add(place.finest);
+  to.add(place.growth);
+  to.add(place.radius);
+  hash->add(place.where.index());
+  std::visit(to, place.where);
+}
+
 std::uint64_t keyOf(const SurfaceMesh& surface, const MeshingOptions& options, std::uint64_t seed) {
   Hash hash(seed);
   hash.add(kVersion);
-  hash.add(&options.edge_length, sizeof(double));
+  hash.add(&options.edge_length.coarsest, sizeof(double));
   hash.add(static_cast<std::uint64_t>(options.sharp_edges));
   hash.add(surface.points.data(), sizeof(double) * surface.points.size());
   hash.add(surface.triangles.data(), sizeof(int) * surface.triangles.size());
+  for (const FinePlace& place : options.edge_length.near) addTo(&hash, place);
   return hash.value();
 }
 

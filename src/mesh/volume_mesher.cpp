@@ -10,7 +10,7 @@
 #include "bodies.h"
 #include "canonical_order.h"
 #include "cgal/refine.h"
-#include "palpate/base/error.h"
+#include "meshing_checks.h"
 #include "surface_edges.h"
 
 namespace palpate::mesh {
@@ -18,12 +18,6 @@ namespace {
 
 constexpr double kSharpDegrees = 60.0;
 constexpr double kMaxVolumeError = 0.25;  // beyond it the mesh is not the body's
-
-[[noreturn]] void refuse(const MeshingOptions& options, const std::string& reason) {
-  std::ostringstream value;
-  value << options.edge_length;
-  throw InputError(options.file, "edge_length", value.str(), reason);
-}
 
 Vec3 unitNormal(const SurfaceMesh& surface, int t) {
   const Eigen::Vector3i c = surface.triangles.col(t);
@@ -54,48 +48,18 @@ bool hasSharpNetwork(const SurfaceMesh& surface, double edge_length) {
 
 bool keepsSharp(const SurfaceMesh& surface, const MeshingOptions& options) {
   if (options.sharp_edges != SharpEdges::kAuto) return options.sharp_edges == SharpEdges::kKeep;
-  return hasSharpNetwork(surface, options.edge_length);
+  return hasSharpNetwork(surface, options.edge_length.coarsest);
 }
 
-void refuseImpossible(const SurfaceMesh& surface, double volume, const MeshingOptions& options) {
-  const double length = options.edge_length;
-  if (!(length > 0.0) || !std::isfinite(length)) refuse(options, "must be a positive number [m]");
-  if (!(volume > 0.0)) {
-    throw InputError(options.file, "", "", "the surface must be closed and face outward");
-  }
-  const double size =
-      (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).maxCoeff();
-  std::ostringstream text;
-  if (length > 0.5 * size) {
-    text << "is too large: must be at most half of the body's largest side, " << 0.5 * size << " m";
-    refuse(options, text.str());
-  }
-  const double tets = estimateTets(volume, length);
-  if (tets > kMaxTets) {
-    const double least = length * std::cbrt(tets / kMaxTets);
-    text << "is too small: it would make about " << tets << " tetrahedra, more than " << kMaxTets
-         << "; must be at least " << least << " m for this body";
-    refuse(options, text.str());
-  }
-}
-
-}  // namespace
-
-double estimateTets(double volume, double edge_length) {
-  // Measured on the shipped organs: the mean tetrahedron has this part of the cube of the mean
-  // edge; a regular one has 0.118.
-  constexpr double kTetPerCube = 0.095;
-  return volume / (kTetPerCube * edge_length * edge_length * edge_length);
-}
-
-namespace {
-
-TetMesh meshBody(const SurfaceMesh& body, const MeshingOptions& options,
+TetMesh meshBody(const SurfaceMesh& body, const MeshingOptions& options, double expected_tets,
                  const MeshingProgress& progress) {
   const double volume = enclosedVolume(body);
-  TetMesh mesh = cgal::refine(body, options.edge_length, keepsSharp(body, options), kSharpDegrees,
-                              estimateTets(volume, options.edge_length), progress);
-  if (mesh.numTets() == 0) refuse(options, "is too large: no tetrahedron fits into the body");
+  const BodySizes sizes(options.edge_length, SurfaceDistance(body));
+  TetMesh mesh =
+      cgal::refine(body, sizes, keepsSharp(body, options), kSharpDegrees, expected_tets, progress);
+  if (mesh.numTets() == 0) {
+    refuseEdgeLength(options, "is too large: no tetrahedron fits into the body");
+  }
   orderCanonically(&mesh);
 
   double filled = 0.0;
@@ -106,7 +70,7 @@ TetMesh meshBody(const SurfaceMesh& body, const MeshingOptions& options,
     std::ostringstream text;
     text << "is too large: the tetrahedra fill " << 100.0 * filled / volume
          << " % of the body's volume; try half of it";
-    refuse(options, text.str());
+    refuseEdgeLength(options, text.str());
   }
   return mesh;
 }
@@ -123,9 +87,10 @@ void append(TetMesh* all, const TetMesh& mesh) {
 
 TetMesh meshVolume(const SurfaceMesh& surface, const MeshingOptions& options,
                    const MeshingProgress& progress) {
-  refuseImpossible(surface, enclosedVolume(surface), options);
+  checkMeshing(surface, options);
   // One by one: the mesher starts from rays from the middle, and could miss a body aside.
   const std::vector<SurfaceMesh> bodies = splitBodies(surface);
+  const std::vector<double> expected = expectTets(bodies, options);
   const double share = 1.0 / static_cast<double>(bodies.size());
   TetMesh all;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -135,7 +100,7 @@ TetMesh meshVolume(const SurfaceMesh& surface, const MeshingOptions& options,
         progress(stage, share * (static_cast<double>(i) + fraction));
       };
     }
-    append(&all, meshBody(bodies[i], options, part));
+    append(&all, meshBody(bodies[i], options, expected[i], part));
   }
   return all;
 }

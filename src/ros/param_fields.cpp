@@ -162,6 +162,7 @@ bool ParamFields::integers3(const Field& field, Eigen::Vector3i& value, const Ra
 }
 
 // These stand in lists of organs only, which parameters do not reach.
+bool ParamFields::vectors3(const Field&, std::vector<Vec3>&, const Range&, int) { return false; }
 bool ParamFields::partialVector3(const Field&, keys::PartialVec3&, const Range&) { return false; }
 bool ParamFields::numbersOfKind(const std::string&, const std::vector<keys::Kind>&,
                                 const std::string&, keys::NumberLists&) {
@@ -178,6 +179,15 @@ keys::FieldVisitor::Entered ParamFields::enterSection(const Field& field) {
   const bool there = handle_.hasParam(path(field.key));
   open_.push_back(field.key);
   return {there, true};
+}
+
+keys::FieldVisitor::Entered ParamFields::enterNumberOrSection(const Field& field, double& value,
+                                                              const Range& range) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return {false, false};
+  if (v.getType() == XmlRpcValue::TypeStruct) return enterSection(field);
+  toNumber(field.key, v, range, &value);
+  return {true, false};
 }
 
 void ParamFields::leaveSection() { open_.pop_back(); }

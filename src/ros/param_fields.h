@@ -37,6 +37,8 @@ class ParamFields : public keys::FieldVisitor {
   bool choice(const keys::Field& field, std::string& value,
               const std::vector<std::string>& allowed) override;
   bool vector3(const keys::Field& field, Vec3& value, const keys::Range& range) override;
+  bool vectors3(const keys::Field& field, std::vector<Vec3>& values, const keys::Range& range,
+                int min_size) override;
   bool integers3(const keys::Field& field, Eigen::Vector3i& value,
                  const keys::Range& range) override;
   bool partialVector3(const keys::Field& field, keys::PartialVec3& value,
@@ -47,6 +49,8 @@ class ParamFields : public keys::FieldVisitor {
 
  protected:
   Entered enterSection(const keys::Field& field) override;
+  Entered enterNumberOrSection(const keys::Field& field, double& number,
+                               const keys::Range& range) override;
   int enterList(const keys::Field& field, int min_size) override;
   bool enterItem(const keys::Field& field, int index) override;
   void leaveSection() override;

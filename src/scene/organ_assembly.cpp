@@ -40,16 +40,6 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
   return surface;
 }
 
-mesh::TetMesh meshSurface(const OrganConfig& organ, const std::string& file,
-                          const std::string& scene_file, const Progress& progress,
-                          std::vector<std::string>* warnings) {
-  const mesh::SurfaceMesh surface = readOrganSurface(organ, file, scene_file, warnings);
-  mesh::MeshingOptions options;
-  options.edge_length = organ.edge_length;
-  options.file = file;
-  return mesh::meshVolumeCached(surface, options, mesh::defaultCacheDirectory(), progress);
-}
-
 // Without the points that no triangle uses; the others keep their order.
 mesh::SurfaceMesh onlyUsedPoints(mesh::SurfaceMesh surface) {
   std::vector<int> number(static_cast<std::size_t>(surface.points.cols()), -1);
@@ -136,11 +126,10 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
 
 mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_file,
                             const Progress& progress, std::vector<std::string>* warnings) {
-  if (!organ.surface.empty()) {
-    const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
-    return meshSurface(organ, file, scene_file, progress, warnings);
-  }
-  return readTetrahedra(organ, scene_file);
+  if (organ.surface.empty()) return readTetrahedra(organ, scene_file);
+  const mesh::MeshingOptions options = meshingOptions(organ, scene_file);
+  const mesh::SurfaceMesh surface = readOrganSurface(organ, options.file, scene_file, warnings);
+  return mesh::meshVolumeCached(surface, options, mesh::defaultCacheDirectory(), progress);
 }
 
 mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& scene_file,
@@ -151,6 +140,13 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
   }
   const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
   return readOrganSurface(organ, file, scene_file, warnings);
+}
+
+mesh::MeshingOptions meshingOptions(const OrganConfig& organ, const std::string& scene_file) {
+  mesh::MeshingOptions options;
+  options.edge_length = organ.edge_length;
+  options.file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
+  return options;
 }
 
 std::unique_ptr<tissue::TissueModel> assembleModel(const Scene& scene,

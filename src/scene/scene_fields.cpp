@@ -3,6 +3,7 @@
 
 #include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/mesh/size_field_keys.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/model_list.h"
@@ -41,9 +42,13 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.rule(surface != tetrahedra, "", "needs exactly one of surface, tetrahedra");
   v.number({"scale", "", "Metres in one unit of the file: 0.001 for a mesh in millimetres."},
            organ.scale, keys::Range::above(0.0, 1.0e6));
-  v.number(
-      {"edge_length", "m", "Wanted length of the tetrahedra's edges where a surface is filled."},
-      organ.edge_length, keys::Range::closed(1.0e-4, 1.0));
+  v.numberOrSection({"edge_length", "m",
+                     "Wanted length of the tetrahedra's edges where a surface is filled; a number "
+                     "is the section's "
+                     "`coarsest` and holds everywhere."},
+                    organ.edge_length.coarsest, mesh::edgeLengthRange(), organ.edge_length);
+  v.rule(surface || organ.edge_length.uniform(), "edge_length",
+         "near needs a surface; tetrahedra are used as they are");
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
   v.choice({"model", "", "What computes the organ's deformation."}, organ.model,
            tissue::modelNames());

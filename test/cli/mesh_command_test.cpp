@@ -40,7 +40,7 @@ TEST_F(MeshCommand, MakesAnOrganAndFillsIt) {
     EXPECT_TRUE(contains(first.out, part));
   }
   EXPECT_EQ(first.out.find("from the cache"), std::string::npos);
-  EXPECT_TRUE(contains(first.err, "checking the surface ...\n"));  // a line a stage, no terminal
+  EXPECT_TRUE(contains(first.err, "exuding slivers ...\n"));  // a line a stage, no terminal
   EXPECT_EQ(first.err.find('\r'), std::string::npos);
   const std::string bytes = test::fileBytes(path("slab.vtu"));
 
@@ -74,14 +74,82 @@ TEST_F(MeshCommand, ScaleIsAppliedOrSuggested) {
   EXPECT_NEAR(formats::readTetMesh(path("slab.vtu")).points.row(0).maxCoeff(), 0.005, 1e-9);
 }
 
+TEST_F(MeshCommand, GradesAndShowsHowLongEdgesAre) {
+  ASSERT_EQ(organ(path("slab.obj")).status, 0);
+  const std::string coarse = "mesh '" + path("slab.obj") + "' --edge-length 0.015 --out '";
+  const CliResult graded = runCli(coarse + path("graded.vtu") +
+                                  "' --near 0,0,0.03 --near=-0.03,0,0.03 --finest 0.004 "
+                                  "--radius 0.005 --growth 0.4");
+  ASSERT_EQ(graded.status, 0) << graded.err;
+  EXPECT_TRUE(contains(graded.out, " mm, least ")) << graded.out;
+  EXPECT_TRUE(contains(graded.out, "    3 to 5 mm  ")) << graded.out;
+  EXPECT_TRUE(contains(graded.out, "    10 to 15 mm ")) << graded.out;
+  ASSERT_EQ(runCli(coarse + path("even.vtu") + "'").status, 0);
+  EXPECT_GT(formats::readTetMesh(path("graded.vtu")).numTets(),
+            3 * formats::readTetMesh(path("even.vtu")).numTets() / 2);
+}
+
+TEST_F(MeshCommand, MeshesAnOrganAsItsSceneSays) {
+  ASSERT_EQ(organ(path("slab.obj")).status, 0);
+  const std::string one = R"(organs:
+  - name: slab
+    surface: slab.obj
+    edge_length: {coarsest: 0.015, near: [{finest: 0.004, point: [0, 0, 0.03], radius: 0.005}]}
+    material: {young_modulus: 6.0e3, poisson_ratio: 0.45, density: 1000.0}
+)";
+  folder_.write("one.yaml", one);
+  const std::string block =
+      "  - {name: block, tetrahedra: graded.vtu, material: {young_modulus: 6.0e3, "
+      "poisson_ratio: 0.45, density: 1000.0}}\n";
+  folder_.write("two.yaml", one + block);
+  ASSERT_EQ(runCli("mesh '" + path("slab.obj") +
+                   "' --edge-length 0.015 --near 0,0,0.03 --finest "
+                   "0.004 --radius 0.005 --out '" +
+                   path("graded.vtu") + "'")
+                .status,
+            0);
+  const std::string out = "' --out '" + path("scene.vtu") + "'";
+  for (const char* scene : {"one.yaml'", "two.yaml' --organ slab"}) {
+    const CliResult result =
+        runCli("mesh --scene '" + path("") + scene + " --out '" + path("scene.vtu") + "'");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "from the cache")) << result.out;
+    EXPECT_EQ(test::fileBytes(path("scene.vtu")), test::fileBytes(path("graded.vtu")));
+    std::filesystem::remove(path("scene.vtu"));
+  }
+  const auto refusal = [&](const std::string& arguments) {
+    const CliResult result = runCli("mesh --scene '" + path(arguments));
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(path("scene.vtu"))) << arguments;
+    return result.err;
+  };
+  EXPECT_TRUE(contains(refusal("two.yaml" + out), "--organ: must be one of slab, block"));
+  EXPECT_TRUE(contains(refusal("one.yaml" + out + " --organ spleen"), "must be one of slab"));
+  EXPECT_TRUE(contains(refusal("two.yaml" + out + " --organ block"), "must have a surface"));
+  EXPECT_TRUE(contains(refusal("one.yaml" + out + " --edge-length 0.01"), "has the sizes"));
+}
+
 TEST_F(MeshCommand, BadInput) {
   ASSERT_EQ(organ(path("slab.obj")).status, 0);
   const std::string out = " --out '" + path("a.vtu") + "'";
   const std::string slab = "mesh '" + path("slab.obj") + "'";
   for (const std::string& arguments :
-       {slab + out, slab + " --edge-length 0.01", slab + " --edge-length nan" + out,
-        slab + " --edge-length -1" + out, slab + " --edge-length x" + out,
+       {slab + out,
+        slab + " --edge-length 0.01",
+        slab + " --edge-length nan" + out,
+        slab + " --edge-length -1" + out,
+        slab + " --edge-length x" + out,
         slab + " --edge-length 0.01 --scale 0" + out,
+        slab + " --edge-length 0.02 --near 0,0,0.03" + out,
+        slab + " --edge-length 0.02 --finest 0.01" + out,
+        slab + " --edge-length 0.02 --near 0,0 --finest 0.01" + out,
+        slab + " --edge-length 0.02 --near 0,0,x --finest 0.01" + out,
+        slab + " --edge-length 0.02 --near 0,0,0.03,1 --finest 0.01" + out,
+        slab + " --edge-length 0.02 --near 0,0,0.03 --finest 0" + out,
+        slab + " --edge-length 0.02 --near 0,0,9 --finest 0.01" + out,
+        slab + " --edge-length 0.02 --near 0,0,0.03 --finest 0.01 --growth 2" + out,
+        slab + " --edge-length 0.02 --organ slab" + out,
+        "mesh" + out,
         "mesh '" + path("absent.obj") + "' --edge-length 0.01" + out,
         slab + " --edge-length 0.02 --out '" + path("no/such/a.vtu") + "'",
         slab + " --edge-length 0.02 --out '" + path("a.xyz") + "'",

@@ -33,7 +33,7 @@ TEST(ExtraOrgans, ALiverWithAFoldIsMendedAndMeshed) {
   EXPECT_NEAR(enclosedVolume(mended), enclosedVolume(surface), 0.01 * enclosedVolume(surface));
 
   MeshingOptions options;
-  options.edge_length = 0.016;
+  options.edge_length.coarsest = 0.016;
   const TetQuality quality = measureQuality(meshVolume(mended, options), &mended);
   EXPECT_GE(quality.min_dihedral_deg, 8.0);
   EXPECT_LT(std::abs(quality.volume_error), 0.02);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 class MeshCache : public ::testing::Test {
  protected:
   MeshCache() : directory_(fs::temp_directory_path() / unique()) {
-    options_.edge_length = 0.04;
+    options_.edge_length.coarsest = 0.04;
     fresh_ = meshVolume(surface_, options_);
   }
   ~MeshCache() override {
@@ -64,7 +64,7 @@ TEST_F(MeshCache, HitsTheSecondTime) {
 TEST_F(MeshCache, MissesForAnotherSurfaceOrOtherSettings) {
   const std::string before = file();
   MeshingOptions other = options_;
-  other.edge_length = 0.04 + 1e-15;
+  other.edge_length.coarsest = 0.04 + 1e-15;
   EXPECT_NE(cacheFile(surface_, other, directory_.string()), before);
   other = options_;
   other.sharp_edges = SharpEdges::kIgnore;
@@ -144,7 +144,7 @@ TEST_F(MeshCache, IsSharedByManyAtOnce) {
 }
 
 TEST_F(MeshCache, PassesErrorsOnAndKeepsNothing) {
-  options_.edge_length = std::numeric_limits<double>::quiet_NaN();
+  options_.edge_length.coarsest = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(meshVolumeCached(surface_, options_, directory_.string()), InputError);
   EXPECT_FALSE(fs::exists(directory_));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/surfaces.h"
+#include "palpate/mesh/edge_lengths.h"
 
 namespace palpate::mesh {
 namespace {
@@ -48,6 +49,40 @@ TEST(Quality, SeesTheWorstOfMany) {
   const TetQuality quality = measureQuality(mesh);
   EXPECT_LT(quality.min_dihedral_deg, 10.0);
   EXPECT_NEAR(quality.median_dihedral_deg, 45.0, 1e-9);
+}
+
+TEST(EdgeLengths, OfAKuhnBox) {
+  // Cells of 12 mm: 12 edges of the cube, 6 diagonals of faces of 17 mm, one of the cube of 21 mm.
+  const EdgeLengths edges = measureEdges(cellsOf(boxMesh(Vec3::Constant(0.012), {1, 1, 1})));
+  EXPECT_DOUBLE_EQ(edges.least, 0.012);
+  EXPECT_DOUBLE_EQ(edges.largest, 0.012 * std::sqrt(3.0));
+  EXPECT_NEAR(edges.mean, 0.012 * (12 + 6 * std::sqrt(2.0) + std::sqrt(3.0)) / 19, 1e-15);
+  EXPECT_EQ(edges.mean, meanEdgeLength(cellsOf(boxMesh(Vec3::Constant(0.012), {1, 1, 1}))));
+  ASSERT_EQ(edges.classes.size(), 3u);
+  const double bounds[] = {0.01, 0.015, 0.02, 0.03};
+  const int counts[] = {12, 6, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(edges.classes[k].from, bounds[k]);
+    EXPECT_EQ(edges.classes[k].to, bounds[k + 1]);
+    EXPECT_EQ(edges.classes[k].edges, counts[k]);
+  }
+}
+
+TEST(EdgeLengths, ABoundBelongsToTheClassAboveAndEmptyClassesAreShown) {
+  CellMesh lines;
+  lines.points.resize(3, 4);
+  lines.points << 0, 0.002, 0, 0, 0, 0, 0.007, 0.007, 0, 0, 0, 0;
+  lines.cells.resize(2, 2);
+  lines.cells << 0, 0, 1, 2;
+  const EdgeLengths edges = measureEdges(lines);
+  ASSERT_EQ(edges.classes.size(), 4u);  // 2, 3, 5, 7
+  EXPECT_EQ(edges.classes[0].from, 0.002);
+  EXPECT_EQ(edges.classes[0].edges, 1);
+  EXPECT_EQ(edges.classes[1].edges, 0);
+  EXPECT_EQ(edges.classes[2].edges, 0);
+  EXPECT_EQ(edges.classes[3].to, 0.01);
+  EXPECT_EQ(edges.classes[3].edges, 1);
+  EXPECT_TRUE(measureEdges(CellMesh()).classes.empty());
 }
 
 TEST(Quality, OfFlatAndOfNoTetrahedra) {

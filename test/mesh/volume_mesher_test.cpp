@@ -20,7 +20,7 @@ namespace {
 
 MeshingOptions withEdge(double edge_length) {
   MeshingOptions options;
-  options.edge_length = edge_length;
+  options.edge_length.coarsest = edge_length;
   options.file = "organ.obj";
   return options;
 }

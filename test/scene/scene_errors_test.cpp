@@ -127,6 +127,45 @@ TEST_F(SceneErrors, OutOfRange) {
       hasProblem(problemsWith("solver:", "rates: {haptic: -5}\nsolver:"), "rates.haptic", "[Hz]"));
 }
 
+TEST_F(SceneErrors, EdgeLength) {
+  const auto with = [&](const std::string& edge_length) {
+    return problemsWith("    surface", "    edge_length: " + edge_length + "\n    surface");
+  };
+  for (const char* value : {"fine", "[0.01]", "0", "2"}) {
+    EXPECT_TRUE(hasProblem(with(value), "organs[0].edge_length",
+                           "a number in [0.0001, 1] [m], or a section"))
+        << value;
+  }
+  const auto at = [&](const std::string& place) { return with("{near: [" + place + "]}"); };
+  EXPECT_TRUE(
+      hasProblem(with("{coarse: 0.02}"), "organs[0].edge_length.coarse", "did you mean coarsest?"));
+  EXPECT_TRUE(hasProblem(with("{coarsest: 0}"), "organs[0].edge_length.coarsest", "[0.0001, 1]"));
+  const std::string place = "organs[0].edge_length.near[0]";
+  EXPECT_TRUE(hasProblem(at("{point: [0, 0, 0]}"), place + ".finest", "is missing"));
+  EXPECT_TRUE(hasProblem(at("{finest: 0.02, surface: true}"), place + ".finest", "at most"));
+  EXPECT_TRUE(hasProblem(at("{finest: 0.002, surface: true, growth: 0}"), place + ".growth", "0"));
+  EXPECT_TRUE(
+      hasProblem(at("{finest: 0.002, surface: true, growth: 1.1}"), place + ".growth", "1]"));
+  EXPECT_TRUE(hasProblem(at("{finest: 0.002, surface: true, radius: -1}"), place + ".radius", "0"));
+  for (const char* where : {"", ", surface: false", ", surface: true, point: [0, 0, 0]",
+                            ", point: [0, 0, 0], path: [[0, 0, 0]]"}) {
+    EXPECT_TRUE(hasProblem(at("{finest: 0.002" + std::string(where) + "}"), place,
+                           "exactly one of point, path, region, surface"))
+        << where;
+  }
+  for (const char* path : {"[]", "0.1", "[0, 0, 0]", "[[0, 0]]", "[[0, 0, x]]", "[[0, 0, 1e9]]"}) {
+    EXPECT_TRUE(hasProblem(at("{finest: 0.002, path: " + std::string(path) + "}"), place + ".path",
+                           "list of points, at least 1"))
+        << path;
+  }
+  EXPECT_TRUE(hasProblem(at("{finest: 0.002, region: {ball: {}}}"), place + ".region", "exactly"));
+  EXPECT_TRUE(hasProblem(
+      problemsWith("    surface: liver.obj",
+                   "    tetrahedra: liver.msh\n    edge_length: {near: [{finest: 0.002, surface: "
+                   "true}]}"),
+      "organs[0].edge_length", "tetrahedra are used as they are"));
+}
+
 TEST_F(SceneErrors, NotFinite) {
   for (const char* value : {".nan", ".inf", "-.inf", "nan", "1e999"}) {
     SCOPED_TRACE(value);

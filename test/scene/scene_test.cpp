@@ -73,7 +73,8 @@ haptics: {max_force: 5, max_torque: 0.5, max_force_rate: 100}
   const OrganConfig& a = scene.organs[0];
   EXPECT_EQ(a.surface, "a.obj");
   EXPECT_EQ(a.scale, 0.001);
-  EXPECT_EQ(a.edge_length, 0.02);
+  EXPECT_EQ(a.edge_length.coarsest, 0.02);
+  EXPECT_TRUE(a.edge_length.uniform());
   EXPECT_EQ(a.pose.position, Vec3(1, 2, 3));
   EXPECT_EQ(a.pose.roll_pitch_yaw, Vec3(0.1, 0.2, 0.3));
   EXPECT_EQ(a.material.law, "neo_hookean");
@@ -119,6 +120,37 @@ haptics: {max_force: 5, max_torque: 0.5, max_force_rate: 100}
   EXPECT_EQ(scene.haptics.max_force_rate, 100.0);
 }
 
+TEST(Scene, EdgesMayDifferFromPlaceToPlace) {
+  const test::TempFolder folder;
+  const Scene scene = readScene(folder.write("scene.yaml", R"(organs:
+  - name: a
+    surface: a.obj
+    material: {young_modulus: 6000.0, poisson_ratio: 0.45, density: 1060.0}
+    edge_length:
+      coarsest: 0.02
+      near:
+        - {finest: 0.001, point: [1, 2, 3], radius: 0.008, growth: 0.5}
+        - {finest: 0.002, path: [[0, 0, 0], [0, 0.1, 0]]}
+        - {finest: 0.003, region: {sphere: {center: [0, 0, 0.1], radius: 0.01}}}
+        - {finest: 0.004, surface: true, growth: 1}
+)"));
+  const mesh::SizeField& field = scene.organs[0].edge_length;
+  EXPECT_EQ(field.coarsest, 0.02);
+  ASSERT_EQ(field.near.size(), 4u);
+  EXPECT_EQ(field.near[0].finest, 0.001);
+  EXPECT_EQ(field.near[0].radius, 0.008);
+  EXPECT_EQ(field.near[0].growth, 0.5);
+  ASSERT_EQ(std::get<mesh::Polyline>(field.near[0].where).points.size(), 1u);
+  EXPECT_EQ(std::get<mesh::Polyline>(field.near[0].where).points[0], Vec3(1, 2, 3));
+  EXPECT_EQ(field.near[1].growth, mesh::FinePlace().growth);
+  EXPECT_EQ(field.near[1].radius, 0.0);
+  ASSERT_EQ(std::get<mesh::Polyline>(field.near[1].where).points.size(), 2u);
+  EXPECT_EQ(std::get<mesh::Polyline>(field.near[1].where).points[1], Vec3(0, 0.1, 0));
+  const auto& region = std::get<mesh::Region>(field.near[2].where);
+  EXPECT_EQ(std::get<mesh::SphereRegion>(region).radius, 0.01);
+  EXPECT_TRUE(std::holds_alternative<mesh::OwnSurface>(field.near[3].where));
+}
+
 TEST(SceneFormat, CommittedPageIsTheGeneratedOne) {
   EXPECT_EQ(test::fileBytes(kSource + "/docs/scene_format.md"), sceneFormatMarkdown())
       << "regenerate: palpate docs scene_format > docs/scene_format.md";
@@ -127,9 +159,10 @@ TEST(SceneFormat, CommittedPageIsTheGeneratedOne) {
 TEST(SceneFormat, NamesKeysRangesAndLaws) {
   const std::string page = sceneFormatMarkdown();
   for (const char* part :
-       {"## `organs[].supports[].select.plane`", "| `step` | number | s | `0.01`", "in (0, 0.1]",
-        "needs exactly one of surface, tetrahedra", "`stable_neo_hookean`", "young_modulus",
-        "names in organs must differ"}) {
+       {"## `organs[].supports[].select.plane`", "| `edge_length` | number or section | m | `0.01`",
+        "## `organs[].edge_length.near[]`", "| `path` | list of points |",
+        "| `step` | number | s | `0.01`", "in (0, 0.1]", "needs exactly one of surface, tetrahedra",
+        "`stable_neo_hookean`", "young_modulus", "names in organs must differ"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
 }

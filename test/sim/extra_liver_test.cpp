@@ -25,7 +25,7 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   organ.name = "liver";
   organ.surface = "organs/liver-smooth.obj";
   organ.scale = 0.04;
-  organ.edge_length = 0.02;
+  organ.edge_length.coarsest = 0.02;
   organ.material.constants = {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}};
   std::vector<std::string> warnings;
   const Points X = scene::readOrganMesh(organ, scene.file, {}, &warnings).points;

@@ -60,6 +60,9 @@ class FieldVisitor {
                       const std::vector<std::string>& allowed) = 0;
   /// Three numbers, each in the range.
   virtual bool vector3(const Field& field, Vec3& value, const Range& range) = 0;
+  /// A list of at least `min_size` points, three numbers each, each in the range.
+  virtual bool vectors3(const Field& field, std::vector<Vec3>& values, const Range& range,
+                        int min_size) = 0;
   virtual bool integers3(const Field& field, Eigen::Vector3i& value, const Range& range) = 0;
   virtual bool partialVector3(const Field& field, PartialVec3& value, const Range& range) = 0;
   /// Keys of the present section that depend on what the choice `choice` was set to: `chosen`, the
@@ -106,6 +109,18 @@ class FieldVisitor {
     return given;
   }
 
+  /// Keys below `field.key`, or in their place a number, the short form of a section with nothing
+  /// but that number, `number`, which is a part of `value`.
+  template <class T>
+  bool numberOrSection(const Field& field, double& number, const Range& range, T& value) {
+    const Entered entered = enterNumberOrSection(field, number, range);
+    if (entered.walk) {
+      describe(*this, value);
+      leaveSection();
+    }
+    return entered.given;
+  }
+
   /// A list of sections, at least `min_size` of them.
   template <class T>
   void list(const Field& field, std::vector<T>& items, int min_size) {
@@ -149,6 +164,7 @@ class FieldVisitor {
     bool walk;   ///< Describe what is below, then leaveSection().
   };
   virtual Entered enterSection(const Field& field) = 0;
+  virtual Entered enterNumberOrSection(const Field& field, double& number, const Range& range) = 0;
   virtual int enterList(const Field& field, int min_size) = 0;  ///< Number of items to walk.
   virtual bool enterItem(const Field& field, int index) = 0;    ///< As Entered::walk.
   virtual void leaveSection() = 0;

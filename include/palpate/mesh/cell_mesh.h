@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "palpate/base/types.h"
@@ -24,6 +25,9 @@ struct CellMesh {
 
 /// The points and tetrahedra of `mesh`, linear or quadratic.
 CellMesh cellsOf(const TetMesh& mesh);
+
+/// The pairs of corners that cells connect, each once, sorted.
+std::vector<std::pair<int, int>> edgesOf(const CellMesh& mesh);
 
 /// Of the straight lines between the corners of cells, each once [m]; 0 without cells.
 double meanEdgeLength(const CellMesh& mesh);

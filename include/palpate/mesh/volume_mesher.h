@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "palpate/mesh/size_estimate.h"
+#include "palpate/mesh/size_field.h"
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
 
@@ -18,7 +20,7 @@ enum class SharpEdges {
 
 /// What the volume mesher aims at.
 struct MeshingOptions {
-  double edge_length = 0.0;                    ///< Mean edge of the tetrahedra [m], > 0.
+  SizeField edge_length;                       ///< Mean edge of the tetrahedra, where they are.
   SharpEdges sharp_edges = SharpEdges::kAuto;  ///< Sharp: the normals differ by over 60 degrees.
   std::string file;                            ///< Named in error messages only.
 };
@@ -30,9 +32,6 @@ using MeshingProgress = std::function<void(const std::string& stage, double frac
 /// More tetrahedra than this are refused before meshing starts.
 constexpr double kMaxTets = 2.0e6;
 
-/// About how many tetrahedra of mean edge length `edge_length` [m] fill `volume` [m^3].
-double estimateTets(double volume, double edge_length);
-
 /// Fills a surface that passes checkSurface() with tetrahedra: Delaunay refinement, then sliver
 /// perturbation and exudation (CGAL Mesh_3). Boundary points lie on the surface; the volume is a
 /// little smaller where it is convex. The tetrahedra have positive volume and their boundary is
@@ -42,8 +41,9 @@ double estimateTets(double volume, double edge_length);
 ///
 /// Nested closed components are cavities, separate ones separate bodies.
 ///
-/// @throws InputError if the edge length is not a positive number, is too large for the body (no
-///   tetrahedra, or their volume is far from the surface's), or too small (over kMaxTets).
+/// @throws InputError if an edge length is not a positive number, is too large for the body (no
+///   tetrahedra, or their volume is far from the surface's), or too small (over kMaxTets), or if a
+///   place of the size field makes nothing in the body finer.
 TetMesh meshVolume(const SurfaceMesh& surface, const MeshingOptions& options,
                    const MeshingProgress& progress = {});
 

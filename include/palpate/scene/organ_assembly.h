@@ -9,6 +9,7 @@
 #include "palpate/base/thread_pool.h"
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/volume_mesher.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/tissue_model.h"
 
@@ -26,6 +27,10 @@ mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_f
 /// @throws InputError
 mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& scene_file,
                                    std::vector<std::string>* warnings);
+
+/// How the volume mesher is to fill the surface of an organ that has one.
+/// @throws InputError if there is no such file.
+mesh::MeshingOptions meshingOptions(const OrganConfig& organ, const std::string& scene_file);
 
 /// The tissue model of the organs at these places in the scene, which all name the same one.
 /// @throws InputError

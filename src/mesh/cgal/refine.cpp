@@ -35,27 +35,47 @@ constexpr double kFacetAngle = 28.0;      // [degrees]; 30 is the most that is p
 constexpr double kRadiusEdgeRatio = 2.0;  // 2 is the least that is proven to end
 constexpr double kSliverBound = 12.0;     // [degrees] perturbation works up to here
 
-// A constant size that counts how often it is asked: the only sign of life that refinement gives.
-class CountingSize {
+// What is called each time that the mesher asks for a size: the only sign of life that refinement
+// gives.
+using Tick = std::function<void()>;
+
+// A part of the size that is wanted somewhere.
+class PartOfSize {
  public:
   using FT = Kernel::FT;
   using Point_3 = Kernel::Point_3;
   using Index = Domain::Index;
 
-  CountingSize(double size, double* count, const std::function<void()>* tick)
-      : size_(size), count_(count), tick_(tick) {}
+  PartOfSize(double part, const BodySizes* sizes, const Tick* tick)
+      : part_(part), sizes_(sizes), tick_(tick) {}
 
-  FT operator()(const Point_3&, int, const Index&) const {
-    *count_ += 1.0;
+  FT operator()(const Point_3& p, int, const Index&) const {
     (*tick_)();
-    return size_;
+    return part_ * sizes_->at(Vec3(p.x(), p.y(), p.z()));
   }
 
  private:
-  double size_;
-  double* count_;
-  const std::function<void()>* tick_;
+  double part_;
+  const BodySizes* sizes_;
+  const Tick* tick_;
 };
+
+Criteria criteriaFor(const BodySizes& sizes, const Tick& tick) {
+  const auto part = [&](double of_size) { return PartOfSize(of_size, &sizes, &tick); };
+  if (sizes.field().uniform()) {
+    const double size = sizes.field().coarsest;
+    return Criteria(parameters::edge_size = size, parameters::facet_angle = kFacetAngle,
+                    parameters::facet_size = kFacetSize * size,
+                    parameters::facet_distance = kFacetDistance * size,
+                    parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
+                    parameters::cell_size = part(kCellSize));
+  }
+  return Criteria(parameters::edge_size = part(1.0), parameters::facet_angle = kFacetAngle,
+                  parameters::facet_size = part(kFacetSize),
+                  parameters::facet_distance = part(kFacetDistance),
+                  parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
+                  parameters::cell_size = part(kCellSize));
+}
 
 TetMesh extract(const Complex& complex) {
   const Triangulation& triangulation = complex.triangulation();
@@ -86,7 +106,7 @@ TetMesh extract(const Complex& complex) {
 
 }  // namespace
 
-TetMesh refine(const SurfaceMesh& surface, double edge_length, bool keep_sharp,
+TetMesh refine(const SurfaceMesh& surface, const BodySizes& sizes, bool keep_sharp,
                double sharp_degrees, double expected_tets, const MeshingProgress& progress) {
   const auto report = [&](const char* stage, double fraction) {
     if (progress) progress(stage, fraction);
@@ -102,18 +122,14 @@ TetMesh refine(const SurfaceMesh& surface, double edge_length, bool keep_sharp,
 
   // A tetrahedron of the final mesh costs about four questions for the size.
   double asked = 0.0, next = 0.0;
-  const double expected = 4.0 * expected_tets;
-  const std::function<void()> tick = [&] {
+  const double expected = std::max(1.0, 4.0 * expected_tets);
+  const Tick tick = [&] {
+    asked += 1.0;
     if (asked < next) return;
     next += 0.01 * expected;
     report("refining", 0.7 * (1.0 - std::exp(-2.0 * asked / expected)));
   };
-  const Criteria criteria(
-      parameters::edge_size = edge_length, parameters::facet_angle = kFacetAngle,
-      parameters::facet_size = kFacetSize * edge_length,
-      parameters::facet_distance = kFacetDistance * edge_length,
-      parameters::cell_radius_edge_ratio = kRadiusEdgeRatio,
-      parameters::cell_size = CountingSize(kCellSize * edge_length, &asked, &tick));
+  const Criteria criteria = criteriaFor(sizes, tick);
   Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::manifold(),
                                                parameters::no_perturb(), parameters::no_exude());
   // No time limits: the clock must not decide on the result.
