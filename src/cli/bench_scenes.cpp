@@ -9,8 +9,8 @@
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/resource.h"
+#include "palpate/formats/trajectory.h"
 #include "palpate/formats/vtu_writer.h"
-#include "palpate/io/trajectory.h"
 #include "palpate/mesh/tet_mesh.h"
 
 namespace palpate::cli {
@@ -144,7 +144,7 @@ BenchCase rest(const BenchChoice& choice, const std::string& folder) {
 }
 
 // Between the rows of the table; at its ends beyond.
-Eigen::VectorXd interpolate(const io::Trajectory& table, double t) {
+Eigen::VectorXd interpolate(const formats::Trajectory& table, double t) {
   const auto after = std::upper_bound(table.t.begin(), table.t.end(), t);
   if (after == table.t.begin()) return table.values.col(0);
   if (after == table.t.end()) return table.values.rightCols(1);
@@ -170,8 +170,8 @@ BenchCase liverOf(double edge_length, const BenchChoice& choice) {
   if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};
   organ.element = choice.element.value_or(organ.element);
   made.scene.solver.threads = 1;
-  const auto table = std::make_shared<const io::Trajectory>(
-      io::readTrajectory(shipped("trajectories/liver_palpation.csv")));
+  const auto table = std::make_shared<const formats::Trajectory>(
+      formats::readTrajectory(shipped("trajectories/liver_palpation.csv")));
   made.joints = [table](double t) { return interpolate(*table, kApproach + t); };
   made.duration = 4.0;
   return made;

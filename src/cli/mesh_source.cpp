@@ -79,7 +79,7 @@ MeshSource readFromScene(const MeshChoice& choice) {
   }
   MeshSource source;
   source.surface = scene::readOrganSurface(organ, scene.file, &source.repairs);
-  source.meshing = scene::meshingOptions(organ, scene.file);
+  source.meshing = scene::meshingOptions(scene, organ);
   return source;
 }
 

@@ -15,11 +15,11 @@
 #include "files.h"
 #include "palpate/advice/scene_verdict.h"
 #include "palpate/base/percentiles.h"
+#include "palpate/formats/trajectory.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/io/replay.h"
 #include "palpate/io/state_file.h"
-#include "palpate/io/trajectory.h"
 #include "palpate/sim/lockstep.h"
 #include "progress_line.h"
 
@@ -70,7 +70,7 @@ void checkBlas(const sim::Simulator& simulator, bool profile) {
 int replay(const Options& options) {
   scene::Scene scene = scene::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
-  const io::Trajectory trajectory = io::readTrajectory(options.trajectory);
+  const formats::Trajectory trajectory = formats::readTrajectory(options.trajectory);
   start::ProgressLine line;
   sim::Simulator simulator(
       scene, [&](const std::string& what, double fraction) { line.show(what, fraction); });

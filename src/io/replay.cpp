@@ -16,7 +16,7 @@ std::string prefixOf(const sim::Simulator& simulator, int instrument) {
 
 }  // namespace
 
-Replay::Replay(sim::Simulator* simulator, Trajectory trajectory, const std::string& file)
+Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file)
     : simulator_(simulator), lockstep_(simulator), trajectory_(std::move(trajectory)) {
   const std::vector<std::string>& columns = trajectory_.columns;
   std::vector<Problem> problems;

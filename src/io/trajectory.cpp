@@ -1,116 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/trajectory.h"
 
-#include <algorithm>
-#include <optional>
-
-#include "csv_cells.h"
-#include "palpate/base/error.h"
-#include "palpate/base/number.h"
-#include "palpate/base/text_file.h"
 #include "palpate/io/csv_writer.h"
 
 namespace palpate::io {
-namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
-constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
-
-/// Goes through a text line by line, takes rows and gathers problems.
-class Reader {
- public:
-  void readLine(std::string_view line) {
-    ++line_number_;
-    const std::string_view text = trimmed(line);
-    if (text.empty() || text[0] == '#' || problems_.size() >= kMaxProblems) return;
-    if (header_.empty()) {
-      readHeader(text);
-    } else {
-      readRow(text);
-    }
-  }
-
-  Trajectory finish(const std::string& file) {
-    if (header_.empty()) {
-      problems_.push_back({"", "", "has no first row with `t` and the joints' names"});
-    } else if (times_.empty() && problems_.empty()) {
-      problems_.push_back({"", "", "has no rows of numbers"});
-    }
-    if (!problems_.empty()) throw InputError(file, problems_);
-    const Eigen::Index joints = static_cast<Eigen::Index>(header_.size()) - 1;
-    Trajectory trajectory;
-    trajectory.columns.assign(header_.begin() + 1, header_.end());
-    trajectory.values = Eigen::Map<const Eigen::MatrixXd>(values_.data(), joints,
-                                                          static_cast<Eigen::Index>(times_.size()));
-    trajectory.t = std::move(times_);
-    return trajectory;
-  }
-
- private:
-  void problem(const std::string& where, std::string_view value, const std::string& allowed) {
-    const std::string line = "line " + std::to_string(line_number_);
-    const std::string shown(value.substr(0, 60));
-    problems_.push_back({line + (where.empty() ? "" : ", " + where),
-                         value.size() > 60 ? shown + "..." : shown, allowed});
-  }
-
-  void readHeader(std::string_view text) {
-    for (const std::string_view cell : csvCells(text)) header_.emplace_back(cell);
-    if (header_[0] != "t") problem("column 1", header_[0], "the first column must be named t");
-    for (std::size_t i = 1; i < header_.size(); ++i) {
-      if (header_[i].empty()) problem("column " + std::to_string(i + 1), "", "has no name");
-      if (std::find(header_.begin(), header_.begin() + static_cast<std::ptrdiff_t>(i),
-                    header_[i]) != header_.begin() + static_cast<std::ptrdiff_t>(i)) {
-        problem("column " + std::to_string(i + 1), header_[i], "the name stands twice");
-      }
-    }
-    if (header_.size() < 2) problem("", text, "must name at least one joint after t");
-  }
-
-  void readRow(std::string_view text) {
-    const std::vector<std::string_view> row = csvCells(text);
-    if (row.size() != header_.size()) {
-      problem("", std::to_string(row.size()) + " values",
-              "must have " + std::to_string(header_.size()) + " as the first row");
-      return;
-    }
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::optional<double> x = parseNumber(row[i]);
-      if (!x) problem(header_[i], row[i], "must be a finite number");
-      if (i > 0) values_.push_back(x.value_or(0.0));
-      if (i == 0 && x) takeTime(*x, row[0]);
-    }
-  }
-
-  void takeTime(double t, std::string_view text) {
-    if (!times_.empty() && t <= times_.back()) {
-      problem("t", text, "must be larger than in the row before");
-    }
-    times_.push_back(t);
-  }
-
-  int line_number_ = 0;
-  std::vector<std::string> header_;
-  std::vector<double> times_, values_;
-  std::vector<Problem> problems_;
-};
-
-}  // namespace
-
-Trajectory readTrajectory(const std::string& file) {
-  const std::string text = readTextFile(file, kMaxBytes);
-  Reader reader;
-  std::size_t begin = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;  // byte order mark
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const bool cr = end > begin && text[end - 1] == '\r';
-    reader.readLine(std::string_view(text).substr(begin, end - begin - (cr ? 1 : 0)));
-    begin = end + 1;
-  }
-  return reader.finish(file);
-}
-
-void writeTrajectory(const std::string& file, const Trajectory& trajectory) {
+void writeTrajectory(const std::string& file, const formats::Trajectory& trajectory) {
   std::vector<std::string> header = {"t"};
   header.insert(header.end(), trajectory.columns.begin(), trajectory.columns.end());
   CsvWriter writer(file, header);

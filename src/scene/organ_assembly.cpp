@@ -16,6 +16,7 @@
 #include "palpate/scene/composition.h"
 #include "palpate/scene/tissue_file.h"
 #include "palpate/tissue/model_list.h"
+#include "tool_path.h"
 
 namespace palpate::scene {
 namespace {
@@ -105,7 +106,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.element = organ.element;
   description.damping = organ.damping;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
-    return readOrganMesh(organ, scene.file, progress, warnings);
+    return readOrganMesh(scene, organ, progress, warnings);
   };
   description.surface = [&scene, &organ, warnings] {
     return readOrganSurface(organ, scene.file, warnings);
@@ -124,11 +125,11 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
 
 }  // namespace
 
-mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_file,
-                            const Progress& progress, std::vector<std::string>* warnings) {
-  if (organ.surface.empty()) return readTetrahedra(organ, scene_file);
-  const mesh::MeshingOptions options = meshingOptions(organ, scene_file);
-  const mesh::SurfaceMesh surface = readOrganSurface(organ, options.file, scene_file, warnings);
+mesh::TetMesh readOrganMesh(const Scene& scene, const OrganConfig& organ, const Progress& progress,
+                            std::vector<std::string>* warnings) {
+  if (organ.surface.empty()) return readTetrahedra(organ, scene.file);
+  const mesh::MeshingOptions options = meshingOptions(scene, organ);
+  const mesh::SurfaceMesh surface = readOrganSurface(organ, options.file, scene.file, warnings);
   return mesh::meshVolumeCached(surface, options, mesh::defaultCacheDirectory(), progress);
 }
 
@@ -142,10 +143,15 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
   return readOrganSurface(organ, file, scene_file, warnings);
 }
 
-mesh::MeshingOptions meshingOptions(const OrganConfig& organ, const std::string& scene_file) {
+mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ) {
   mesh::MeshingOptions options;
-  options.edge_length = organ.edge_length;
-  options.file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
+  options.edge_length.coarsest = organ.edge_length.coarsest;
+  for (std::size_t i = 0; i < organ.edge_length.near.size(); ++i) {
+    options.edge_length.near.push_back(organ.edge_length.near[i]);
+    if (organ.edge_length.near[i].trajectory.empty()) continue;
+    options.edge_length.near[i].where = toolPath(scene, organ, i);
+  }
+  options.file = resolve(organ.surface, scene.file, "organ " + organ.name + ".surface");
   return options;
 }
 

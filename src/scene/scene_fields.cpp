@@ -3,7 +3,6 @@
 
 #include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
-#include "palpate/mesh/size_field_keys.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/model_list.h"
@@ -46,7 +45,7 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
                      "Wanted length of the tetrahedra's edges where a surface is filled; a number "
                      "is the section's "
                      "`coarsest` and holds everywhere."},
-                    organ.edge_length.coarsest, mesh::edgeLengthRange(), organ.edge_length);
+                    organ.edge_length.coarsest, edgeLengthRange(), organ.edge_length);
   v.rule(surface || organ.edge_length.uniform(), "edge_length",
          "near needs a surface; tetrahedra are used as they are");
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);

@@ -6,6 +6,7 @@
 #include "palpate/formats/tet_io.h"
 #include "run_cli.h"
 #include "support/contains.h"
+#include "support/source_folder.h"
 
 namespace palpate {
 namespace {
@@ -127,6 +128,46 @@ TEST_F(MeshCommand, MeshesAnOrganAsItsSceneSays) {
   EXPECT_TRUE(contains(refusal("one.yaml" + out + " --organ spleen"), "must be one of slab"));
   EXPECT_TRUE(contains(refusal("two.yaml" + out + " --organ block"), "must have a surface"));
   EXPECT_TRUE(contains(refusal("one.yaml" + out + " --edge-length 0.01"), "has the sizes"));
+}
+
+// The probe's ball goes along y = 0.01 at the height of the slab's top, in the slab's own frame;
+// the points between the corners do not matter.
+TEST_F(MeshCommand, GradesAlongTheWayOfATool) {
+  ASSERT_EQ(organ(path("slab.obj")).status, 0);
+  folder_.write("T.csv",
+                "t,x,y,z,roll,pitch,yaw\n0,-0.02,0.01,-0.07,0,0,0\n1,0,0.01,-0.07,0,0,0\n"
+                "2,0.01,0.01,-0.07,0,0.5,0\n3,0.02,0.01,-0.07,0,0,1\n");
+  const auto scene = [&](const std::string& place) {
+    return R"(organs:
+  - name: slab
+    surface: slab.obj
+    pose: {position: [0.3, 0, 0]}
+    material: {young_modulus: 6.0e3, poisson_ratio: 0.45, density: 1000.0}
+    edge_length: {coarsest: 0.015, near: [{finest: 0.004, )" +
+           place + R"(}]}
+instruments:
+  - name: probe
+    base: {position: [0.3, 0, 0.1]}
+    control_frame: tip
+    urdf: )" +
+           test::sourceFolder() + "/config/instruments/probe.urdf\n";
+  };
+  const auto mesh = [&](const std::string& place) {
+    folder_.write("scene.yaml", scene(place));
+    return runCli("mesh --scene '" + path("scene.yaml") + "' --out '" + path("a.vtu") + "'");
+  };
+  const CliResult way = mesh("trajectory: T.csv");
+  ASSERT_EQ(way.status, 0) << way.err;
+  const mesh::TetMesh along = formats::readTetMesh(path("a.vtu"));
+  ASSERT_EQ(mesh("path: [[-0.02, 0.01, 0.03], [0.02, 0.01, 0.03]]").status, 0);
+  EXPECT_NEAR(static_cast<double>(along.numTets()),
+              static_cast<double>(formats::readTetMesh(path("a.vtu")).numTets()),
+              0.03 * static_cast<double>(along.numTets()));
+  EXPECT_TRUE(contains(mesh("trajectory: T.csv, instrument: grasper").err,
+                       "near[0].instrument = grasper: must be one of probe"));
+  EXPECT_TRUE(contains(mesh("trajectory: absent.csv").err, "no such file"));
+  folder_.write("T.csv", "t,x,y,z\n0,0,0,0\n");
+  EXPECT_TRUE(contains(mesh("trajectory: T.csv, instrument: probe").err, "T.csv: "));
 }
 
 TEST_F(MeshCommand, BadInput) {

@@ -34,7 +34,7 @@ std::string withoutTimes(const std::string& csv) {
 class ReplayCommand : public ::testing::Test {
  protected:
   ReplayCommand() {
-    io::Trajectory trajectory;
+    formats::Trajectory trajectory;
     trajectory.columns = {"x", "y", "z", "roll", "pitch", "yaw"};
     const auto press = test::SlabScene::press();
     trajectory.values.resize(6, static_cast<Eigen::Index>(press.size()));
@@ -68,10 +68,10 @@ TEST_F(ReplayCommand, SameInputsSameBytesWhateverTheThreads) {
 // In another process, from the row at which the first one ended.
 TEST_F(ReplayCommand, GoesOnFromASavedStateWithTheSameBytes) {
   ASSERT_EQ(replay("whole.csv", "--save-state '" + file("whole.state") + "'").status, 0);
-  const io::Trajectory all = io::readTrajectory(file("T.csv"));
+  const formats::Trajectory all = formats::readTrajectory(file("T.csv"));
   const std::size_t cut = 60, size = all.t.size();
   const auto part = [&](std::size_t begin, std::size_t end) {
-    io::Trajectory some;
+    formats::Trajectory some;
     some.columns = all.columns;
     some.t.assign(all.t.begin() + static_cast<std::ptrdiff_t>(begin),
                   all.t.begin() + static_cast<std::ptrdiff_t>(end));

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
@@ -38,6 +41,38 @@ TEST(SurfaceSamples, LieWithinTheSpacingAndOnlyOnce) {
     }
     EXPECT_GT(nearest, 1e-6);
     EXPECT_LE(nearest, kSpacing);
+  }
+}
+
+// A fan of triangles with edges of 1 to 32 mm: samples are as dense everywhere, not as many.
+TEST(SurfaceSamples, AreFewerInSmallTrianglesOfAGradedSurface) {
+  Points X(3, 14);
+  Eigen::Matrix3Xi triangles(3, 12);
+  for (int k = 0; k < 7; ++k) {
+    const double x = k < 6 ? std::pow(2.0, k) * 1e-3 : 0.064;
+    X.col(2 * k) = Vec3(x, 0.0, 0.0);
+    X.col(2 * k + 1) = Vec3(x, x, 0.0);
+    if (k == 6) break;
+    triangles.col(2 * k) = Eigen::Vector3i(2 * k, 2 * k + 2, 2 * k + 1);
+    triangles.col(2 * k + 1) = Eigen::Vector3i(2 * k + 1, 2 * k + 2, 2 * k + 3);
+  }
+  const double area = 0.5 * (0.064 * 0.064 - 1e-6), spacing = 0.002;
+  const auto samples = sampleSurface(X, triangles, spacing);
+  EXPECT_NEAR(totalArea(samples), area, 1e-15);
+  // Small triangles have three parts an edge, a dozen of them at most.
+  EXPECT_LT(samples.size() * spacing * spacing, 3.0 * area);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      ASSERT_GT((samples[i].position(X) - samples[j].position(X)).norm(), 1e-6);
+    }
+  }
+  test::Random random;
+  for (int trial = 0; trial < 500; ++trial) {
+    const double x = random.uniform(0.001, 0.064);
+    const Vec3 p(x, random.uniform(0.0, x), 0.0);
+    double nearest = 1.0;
+    for (const SurfaceSample& s : samples) nearest = std::min(nearest, (s.position(X) - p).norm());
+    ASSERT_LE(nearest, spacing) << p.transpose();
   }
 }
 

@@ -150,9 +150,11 @@ TEST_F(SceneErrors, EdgeLength) {
   for (const char* where : {"", ", surface: false", ", surface: true, point: [0, 0, 0]",
                             ", point: [0, 0, 0], path: [[0, 0, 0]]"}) {
     EXPECT_TRUE(hasProblem(at("{finest: 0.002" + std::string(where) + "}"), place,
-                           "exactly one of point, path, region, surface"))
+                           "exactly one of point, path, region, surface, trajectory"))
         << where;
   }
+  EXPECT_TRUE(hasProblem(at("{finest: 0.002, surface: true, instrument: probe}"),
+                         place + ".instrument", "only with `trajectory`"));
   for (const char* path : {"[]", "0.1", "[0, 0, 0]", "[[0, 0]]", "[[0, 0, x]]", "[[0, 0, 1e9]]"}) {
     EXPECT_TRUE(hasProblem(at("{finest: 0.002, path: " + std::string(path) + "}"), place + ".path",
                            "list of points, at least 1"))

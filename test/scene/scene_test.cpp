@@ -134,7 +134,7 @@ TEST(Scene, EdgesMayDifferFromPlaceToPlace) {
         - {finest: 0.003, region: {sphere: {center: [0, 0, 0.1], radius: 0.01}}}
         - {finest: 0.004, surface: true, growth: 1}
 )"));
-  const mesh::SizeField& field = scene.organs[0].edge_length;
+  const EdgeLengthConfig& field = scene.organs[0].edge_length;
   EXPECT_EQ(field.coarsest, 0.02);
   ASSERT_EQ(field.near.size(), 4u);
   EXPECT_EQ(field.near[0].finest, 0.001);

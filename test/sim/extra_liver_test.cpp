@@ -28,7 +28,7 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   organ.edge_length.coarsest = 0.02;
   organ.material.constants = {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}};
   std::vector<std::string> warnings;
-  const Points X = scene::readOrganMesh(organ, scene.file, {}, &warnings).points;
+  const Points X = scene::readOrganMesh(scene, organ, {}, &warnings).points;
   const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
   organ.supports = {{mesh::BoxRegion{low, Vec3(high.x(), high.y(), low.z() + 0.03)}}};
 

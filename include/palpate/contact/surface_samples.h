@@ -21,8 +21,10 @@ struct SurfaceSample {
 };
 
 /// The nodes of the surface and, where an edge is longer than `spacing` [m], points between them on
-/// a regular lattice, so that no two neighbours are farther apart; each point once. At most
-/// `kMaxDivisions` parts an edge. `spacing` <= 0: nodes only.
+/// a regular lattice, so that no two neighbours are farther apart; each point once. The lattice has
+/// as many parts an edge in all triangles, those that the longest edge needs, but where triangles
+/// differ much in size as many as each triangle's own longest edge needs, three at least. At most
+/// `kMaxDivisions`. `spacing` <= 0: nodes only.
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "palpate/formats/trajectory.h"
 #include "palpate/io/csv_writer.h"
-#include "palpate/io/trajectory.h"
 #include "palpate/sim/lockstep.h"
 
 namespace palpate::io {
@@ -16,7 +16,7 @@ class Replay {
   /// Columns of the trajectory are the joints' names; `instrument/joint` works always and is needed
   /// where the scene has several instruments. `file` is named in errors.
   /// @throws InputError for a joint without a column or a column without a joint.
-  Replay(sim::Simulator* simulator, Trajectory trajectory, const std::string& file);
+  Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file);
 
   /// The simulator was restored to where the first row had left it: goes on with the second one.
   void resume();
@@ -42,7 +42,7 @@ class Replay {
 
   sim::Simulator* simulator_;
   sim::Lockstep lockstep_;
-  Trajectory trajectory_;
+  formats::Trajectory trajectory_;
   std::vector<std::vector<int>> joint_column_;  // of each joint of each instrument
   std::size_t row_ = 0;
   double peak_force_ = 0.0;

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
-#include <vector>
+
+#include "palpate/formats/trajectory.h"
 
 namespace palpate::io {
 
-/// Joint positions over time.
-///
-/// As a file: comma-separated values; first row `t` and the names of the joints; then a row a time
-/// [s] with positions [m or rad]; times increase. Lines that begin with # and empty ones are
-/// skipped; blanks around values do not count.
-struct Trajectory {
-  std::vector<std::string> columns;  ///< Names without `t`, all different.
-  std::vector<double> t;             ///< [s], strictly increasing.
-  Eigen::MatrixXd values;            ///< columns x times [m or rad], finite.
-};
-
-/// @throws InputError naming the lines that are wrong: no or a wrong first row, a value that is no
-/// finite number, a row of another length, time that does not increase, no rows.
-Trajectory readTrajectory(const std::string& file);
-
-/// Writes numbers so that readTrajectory() gives the same bits.
+/// Writes numbers so that formats::readTrajectory() gives the same bits.
 /// @throws InputError if the file cannot be written to its end.
-void writeTrajectory(const std::string& file, const Trajectory& trajectory);
+void writeTrajectory(const std::string& file, const formats::Trajectory& trajectory);
 
 }  // namespace palpate::io

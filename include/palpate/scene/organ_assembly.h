@@ -17,11 +17,11 @@ namespace palpate::scene {
 
 using Progress = std::function<void(const std::string& what, double fraction)>;
 
-/// Tetrahedra of an organ in its own frame, scaled to metres: read, or meshed from its surface
-/// (through the user's cache). Adds what was repaired to `warnings`.
+/// Tetrahedra of an organ of `scene` in its own frame, scaled to metres: read, or meshed from its
+/// surface (through the user's cache). Adds what was repaired to `warnings`.
 /// @throws InputError
-mesh::TetMesh readOrganMesh(const OrganConfig& organ, const std::string& scene_file,
-                            const Progress& progress, std::vector<std::string>* warnings);
+mesh::TetMesh readOrganMesh(const Scene& scene, const OrganConfig& organ, const Progress& progress,
+                            std::vector<std::string>* warnings);
 
 /// Its closed surface, likewise: read and repaired, or the boundary of its tetrahedra.
 /// @throws InputError
@@ -29,8 +29,8 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
                                    std::vector<std::string>* warnings);
 
 /// How the volume mesher is to fill the surface of an organ that has one.
-/// @throws InputError if there is no such file.
-mesh::MeshingOptions meshingOptions(const OrganConfig& organ, const std::string& scene_file);
+/// @throws InputError if a file or an instrument that the scene names is not there or not right.
+mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ);
 
 /// The tissue model of the organs at these places in the scene, which all name the same one.
 /// @throws InputError

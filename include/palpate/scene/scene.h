@@ -10,8 +10,8 @@
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/selection.h"
-#include "palpate/mesh/size_field.h"
 #include "palpate/scene/body_config.h"
+#include "palpate/scene/edge_length_config.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/skip_switches.h"
@@ -36,12 +36,12 @@ struct SupportConfig {
 /// The body's own frame is the organ's, after scaling.
 struct OrganConfig : BodyConfig {
   std::string name;
-  std::string surface;                    ///< Surface file, or
-  std::string tetrahedra;                 ///< tetrahedra file: exactly one of the two.
-  double scale = 1.0;                     ///< File unit to metre.
-  mesh::SizeField edge_length{0.01, {}};  ///< Of a surface's tetrahedra, in its own frame.
-  PoseConfig pose;                        ///< Organ to world.
-  std::string model = "fem";              ///< One of tissue::modelNames().
+  std::string surface;           ///< Surface file, or
+  std::string tetrahedra;        ///< tetrahedra file: exactly one of the two.
+  double scale = 1.0;            ///< File unit to metre.
+  EdgeLengthConfig edge_length;  ///< Of the tetrahedra that fill a surface.
+  PoseConfig pose;               ///< Organ to world.
+  std::string model = "fem";     ///< One of tissue::modelNames().
   std::string element = fem::elementNames().front();
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;

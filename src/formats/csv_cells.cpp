@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace palpate::io {
+namespace palpate::formats {
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -22,4 +22,4 @@ std::vector<std::string_view> csvCells(std::string_view line) {
   }
 }
 
-}  // namespace palpate::io
+}  // namespace palpate::formats

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/io/trajectory.h"
+#include "palpate/formats/trajectory.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "palpate/io/trajectory.h"
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::io {
+namespace palpate::formats {
 namespace {
 
 using test::hasProblem;
@@ -52,7 +53,7 @@ TEST_F(TrajectoryFile, ComesBackBitForBit) {
     written.t.push_back(i / 300.0);
     for (int j = 0; j < 3; ++j) written.values(j, i) = normal(rng);
   }
-  writeTrajectory(folder_.path("t.csv"), written);
+  io::writeTrajectory(folder_.path("t.csv"), written);
   const Trajectory back = readTrajectory(folder_.path("t.csv"));
   EXPECT_EQ(back.columns, written.columns);
   EXPECT_EQ(back.t, written.t);
@@ -64,7 +65,7 @@ TEST_F(TrajectoryFile, FullDiskIsToldOf) {
     GTEST_SKIP() << "needs /dev/full to imitate a disk without room; this system has none";
   EXPECT_TRUE(
       hasProblem(test::problemsOf([] {
-                   writeTrajectory("/dev/full", {{"a"}, {0.0}, Eigen::MatrixXd::Zero(1, 1)});
+                   io::writeTrajectory("/dev/full", {{"a"}, {0.0}, Eigen::MatrixXd::Zero(1, 1)});
                  }),
                  "", "cannot be written"));
 }
@@ -106,4 +107,4 @@ TEST_F(TrajectoryFile, ManyProblemsAreToldInOneMessageOfModestLength) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::formats

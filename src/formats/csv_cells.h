@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace palpate::io {
+namespace palpate::formats {
 
 /// `text` without the blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
@@ -13,4 +13,4 @@ std::string_view trimmed(std::string_view text);
 /// no meaning. The pieces are parts of `line`.
 std::vector<std::string_view> csvCells(std::string_view line);
 
-}  // namespace palpate::io
+}  // namespace palpate::formats

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/csv_cells.h"
+#include "formats/csv_cells.h"
 
 #include <gtest/gtest.h>
 
-namespace palpate::io {
+namespace palpate::formats {
 namespace {
 
 using Cells = std::vector<std::string_view>;
@@ -22,4 +22,4 @@ TEST(CsvCells, AreTrimmed) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::formats

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tool_path.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/base/resource.h"
+#include "palpate/formats/trajectory.h"
+#include "palpate/instrument/instrument.h"
+#include "palpate/instrument/joint_mapper.h"
+
+namespace palpate::scene {
+namespace {
+
+constexpr double kDeviation = 0.1;  // of the finest edge
+
+const InstrumentConfig& findInstrument(const Scene& scene, const std::string& name,
+                                       const std::string& key) {
+  std::vector<std::string> names;
+  for (const InstrumentConfig& instrument : scene.instruments) {
+    if (instrument.name == name) return instrument;
+    names.push_back(instrument.name);
+  }
+  if (name.empty() && names.size() == 1) return scene.instruments.front();
+  throw InputError(
+      scene.file, key + ".instrument", name,
+      names.empty() ? "there is no instrument in the scene" : "must be one of " + joinNames(names));
+}
+
+std::string resolve(const Scene& scene, const std::string& uri, const std::string& key) {
+  try {
+    return resolveResource(uri, std::filesystem::path(scene.file).parent_path().string());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(scene.file, key, uri, error.what());
+  }
+}
+
+// Columns may be named `joint` or `instrument/joint`.
+std::vector<std::string> jointNames(std::vector<std::string> columns, const std::string& tool) {
+  const std::string prefix = tool + "/";
+  for (std::string& column : columns) {
+    if (column.rfind(prefix, 0) == 0) column.erase(0, prefix.size());
+  }
+  return columns;
+}
+
+// Keeps of [first, last] what is farther than `deviation` from the line without it [Douglas and
+// Peucker 1973].
+void keepCorners(const std::vector<Vec3>& points, std::size_t first, std::size_t last,
+                 double deviation, std::vector<Vec3>* kept) {
+  std::size_t farthest = first;
+  double most = deviation;
+  const mesh::Polyline line{{points[first], points[last]}};
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double distance = mesh::distanceTo(line, points[i]);
+    if (distance <= most) continue;
+    most = distance;
+    farthest = i;
+  }
+  if (farthest != first) {
+    keepCorners(points, first, farthest, deviation, kept);
+    keepCorners(points, farthest, last, deviation, kept);
+  } else {
+    kept->push_back(points[last]);
+  }
+}
+
+}  // namespace
+
+mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_t index) {
+  const FinePlaceConfig& place = organ.edge_length.near[index];
+  const std::string key =
+      "organ " + organ.name + ".edge_length.near[" + std::to_string(index) + "]";
+  const InstrumentConfig& config = findInstrument(scene, place.instrument, key);
+  const instrument::Instrument tool = instrument::readInstrument(
+      resolve(scene, config.urdf, "instrument " + config.name + ".urdf"));
+  const int link = tool.linkIndex(config.control_frame);
+  if (link < 0) {
+    throw InputError(scene.file, "instrument " + config.name + ".control_frame",
+                     config.control_frame, "must be a link of " + config.urdf);
+  }
+  const std::string file = resolve(scene, place.trajectory, key + ".trajectory");
+  const formats::Trajectory table = formats::readTrajectory(file);
+  const std::vector<std::string> columns = jointNames(table.columns, config.name);
+  instrument::JointMapper mapper(tool.jointNames());
+  const Pose X_OB = organ.pose.pose().inverse() * config.base.pose();
+  Eigen::VectorXd q(static_cast<Eigen::Index>(tool.joints().size()));
+  std::vector<Pose> X_BL;
+  std::vector<Vec3> points;
+  for (std::size_t row = 0; row < table.t.size(); ++row) {
+    const auto positions = table.values.col(static_cast<Eigen::Index>(row));
+    const auto status = mapper.map(columns, positions.data(), columns.size(), &q);
+    if (!status.ok()) throw InputError(file, "", "", status.problem);
+    tool.linkPoses(q, &X_BL);
+    points.push_back(X_OB * X_BL[static_cast<std::size_t>(link)].translation());
+  }
+  mesh::Polyline path{{points.front()}};
+  if (points.size() > 1) {
+    keepCorners(points, 0, points.size() - 1, kDeviation * place.finest, &path.points);
+  }
+  return path;
+}
+
+}  // namespace palpate::scene
