@@ -36,7 +36,7 @@ def percent(error, bound=None):
 
 
 def limit(bound):
-    return "" if bound is None else f"{100 * bound:g} %" if bound >= 1e-3 else f"{bound:g}"
+    return "" if bound is None else f"{100 * bound:.3g} %" if bound >= 1e-3 else f"{bound:g}"
 
 
 def verdict(row):
@@ -74,11 +74,26 @@ def summary(sections):
     return table(["case", "checks", "error nearest to its bound", "its bound", "all within"], lines)
 
 
+NEAR = 0.9  # of a bound
+
+
+def near_bounds(sections):
+    """Who is within 10 % of its bound, in words: what will miss it next."""
+    close = [(s, r) for s in sections.values() for r in s.rows
+             if r.bound is not None and r.passed and abs(r.error) > NEAR * r.bound]
+    if not close:
+        return "No figure is within 10 % of its bound.\n"
+    lines = [f"- {s.title}: {f'`{r.element}`, ' if r.element else ''}{r.mesh}, {r.quantity}: "
+             f"{percent(r.error, r.bound)} of {limit(r.bound)}" for s, r in close]
+    return "**Near to a bound.** Each of these is within 10 % of its bound, and the next to miss it:\n\n" + \
+        "\n".join(lines) + "\n"
+
+
 def page(sections, failures, made):
     """The whole page; sections by name, failures as {name: message}; `made`: see made_with()."""
     parts = [INTRODUCTION]
     parts += [s.headline + "\n" for s in sections.values() if s.headline]
-    parts += ["\n## All cases\n\n", summary(sections), "\n", WORDS]
+    parts += ["\n## All cases\n\n", summary(sections), "\n\n", near_bounds(sections), WORDS]
     for name, message in failures.items():
         parts.append(f"\n**The case `{name}` did not run:** {message}\n")
     for section in sections.values():
