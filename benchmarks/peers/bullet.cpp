@@ -155,6 +155,7 @@ class Beam {
   btSoftBody* makeBody(const mesh::TetMesh& mesh, const Settings& settings) {
     const auto nodes = static_cast<int>(mesh.numPoints());
     std::vector<btVector3> x;
+    x.reserve(static_cast<std::size_t>(nodes));
     std::vector<btScalar> mass(static_cast<std::size_t>(nodes), 0.0f);
     for (int i = 0; i < nodes; ++i) x.push_back(vector(mesh.points.col(i)));
     for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {

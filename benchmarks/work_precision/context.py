@@ -17,7 +17,7 @@ from .runs import P99_CYCLES, Run, bench, methods
 # tolerances of forces, positions and linear systems far below those that are judged.
 REFERENCE = {"integrator": "bdf2", "step": 5e-4, "tolerance": 1e-7, "linear_tolerance": 1e-3,
              "max_newton": 50, "threads": 1, "sets": ("solver.position_tolerance=1e-9",)}
-COLUMNS = ["suite", "scene", "tets", "nodes", "element", "poisson_ratio", "method", "integrator", "step",
+COLUMNS = ["suite", "scene", "tets", "nodes", "finest", "element", "poisson_ratio", "method", "integrator", "step",
            "tolerance", "linear_tolerance", "threads", "sets", "force_error_rms", "force_error_max",
            "displacement_error", "median_ms", "max_ms", "ms_per_second", "typical_median_ms",
            "timed_cycles", "p99_ms", "newton_iterations", "linear_iterations", "skipped", "failed_cycles",
@@ -62,21 +62,26 @@ class Context:
             return None
 
     def reference(self, config):
-        """The reference of a configuration: same scene, mesh, element and law. Kept while the
-        program is the same."""
-        reference = self._reference_config(config)
-        folder = self.work / "references" / reference.name()
+        """The reference of a configuration: same scene, mesh, element and law."""
+        return self.kept(self._reference_config(config))
+
+    def kept(self, config):
+        """A run whose times do not matter. Kept while the program is the same."""
+        folder = self.work / "references" / config.name()
         if not (folder / "summary.json").exists():
             begin = time.time()
-            bench(reference, folder)
-            self.progress(f"reference {' '.join(reference.arguments())}: {time.time() - begin:.0f} s")
-        return Run(reference, folder)
+            bench(config, folder)
+            self.progress(f"reference {' '.join(config.arguments())}: {time.time() - begin:.0f} s")
+        return Run(config, folder)
 
     def prepare(self, configs):
-        """Computes references side by side; times do not matter for them."""
-        names = {self._reference_config(c).name(): c for c in configs}
+        """Computes references of configurations side by side; times do not matter for them."""
+        self.keep([self._reference_config(c) for c in configs])
+
+    def keep(self, configs):
+        """Runs that kept() then has, side by side."""
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(self.reference, names.values()))
+            list(pool.map(self.kept, {c.name(): c for c in configs}.values()))
 
     def _reference_config(self, config):
         # By factorisation, which shares no linear solver with what is judged, where that is cheap.
@@ -103,7 +108,7 @@ class Context:
 
     def _line(self, run):
         s, settings = run.summary, run.summary["settings"]
-        line = {"suite": self.suite, "sets": " ".join(run.config.sets), **s["fastest"],
+        line = {"suite": self.suite, "finest": run.config.finest or "", "sets": " ".join(run.config.sets), **s["fastest"],
                 "typical_median_ms": s["typical"]["median_ms"], "timed_cycles": run.timed_cycles,
                 "p99_ms": run.p99_ms if math.isfinite(run.p99_ms) else ""}
         for key in ("scene", "tets", "nodes", "element", "poisson_ratio", "newton_iterations",

@@ -8,8 +8,8 @@ every method is fast if it may be wrong. Each section below runs palpate's own c
 wrench; `palpate bench`) on a fixed scene and puts the time beside the error against a reference.
 
 `scripts/benchmark.sh` runs everything, one measurement after the other, and writes this page;
-`scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. Nothing on this
-page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
+`scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. No figure on
+this page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
 
 **How errors are measured.** The reference of a run is the same scene on the same mesh with the same
 element and law, stepped by `bdf2` with steps of 0.5 ms to a relative tolerance of 1e-7 and one of 1 nm

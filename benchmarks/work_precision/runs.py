@@ -21,6 +21,7 @@ class Config:
     scene: str
     tets: Optional[int] = None
     edge_length: Optional[float] = None
+    finest: Optional[float] = None
     poisson_ratio: Optional[float] = None
     element: Optional[str] = None
     method: Optional[str] = None
@@ -49,7 +50,8 @@ class Config:
     def name(self):
         """Of a folder: readable, and different for different configurations."""
         text = " ".join(self.arguments())
-        words = "_".join(str(w) for w in (self.scene, self.tets, self.element, self.method, self.step)
+        words = "_".join(str(w) for w in (self.scene, self.tets, self.finest, self.element, self.method,
+                                                self.step)
                          if w is not None)
         return words + "_" + hashlib.sha256(text.encode()).hexdigest()[:10]
 

@@ -127,6 +127,8 @@ int run(const Options& options) {
   if (options.duration) requirePositive("--duration", *options.duration);
   requirePositive("--frame", options.frame);
   if (options.choice.edge_length) requirePositive("--edge-length", *options.choice.edge_length);
+  if (options.choice.finest) requirePositive("--finest", *options.choice.finest);
+  requirePositive("--growth", options.choice.growth);
   const std::vector<std::string> elements = fem::elementNames();
   const std::string element = options.choice.element.value_or(elements.front());
   if (!std::count(elements.begin(), elements.end(), element)) {
@@ -153,7 +155,11 @@ void addBench(CLI::App& app, Action& action) {
   command.flag("--small", &options->small, "Small versions of the scenes, in seconds");
   command.option("--tets", &options->choice.tets, "About so many tetrahedra (boxes)")
       .between(6, 2000000);
-  command.option("--edge-length", &options->choice.edge_length, "Of the tetrahedra [m] (livers)");
+  command.option("--edge-length", &options->choice.edge_length,
+                 "Of the tetrahedra [m] (livers, graded meshes)");
+  command.option("--finest", &options->choice.finest,
+                 "Of the tetrahedra where the tool goes [m]: a graded mesh");
+  command.option("--growth", &options->choice.growth, "Of a graded mesh, edge per distance");
   command.option("--poisson-ratio", &options->choice.poisson_ratio, "Of the soft material");
   command.option("--element", &options->choice.element, "Finite element");
   const auto shorthand = [&](const char* option, const char* key, const char* what) {
