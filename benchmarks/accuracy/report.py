@@ -14,7 +14,7 @@ palpate gives. `scripts/accuracy.sh` runs everything and writes this page; it fa
 larger than the bound that is written beside it. Nothing on this page was typed in by hand.
 
 **Where the bounds come from.** None comes from the error that it judges. Where meshes are refined it is
-Roache's grid convergence index: 1.25 times what the last refinement changed, divided by r^p - 1, r the ratio
+Roache's grid convergence index [1994]: 1.25 times what the last refinement changed, divided by r^p - 1, r the ratio
 of the elements' sizes and p the least order that theory promises; and beside it what is unknown of the
 reference. Elsewhere it is what theory leaves out, the digits of the other program, or rounding. The reason
 stands beside each bound in `benchmarks/accuracy/cases`.

@@ -49,11 +49,10 @@ struct Settings {
   std::string force = "neo_hookean";  // or linear: corotated
 };
 
-// A step by Newton's method with Bullet's forces and its conjugate gradients. Bullet's own step
-// compares r.z, the square of the residual's norm (z: r over the nodes' masses), with the tolerance
-// times that of the start or times 1, whichever is less, and tells nobody how many iterations it
-// took. Here the linear solve ends, as palpate's does, where the norm is a given part of that at
-// the start, and iterations are counted.
+// A step by Newton's method with Bullet's forces and conjugate gradients, which compare r.z, the
+// residual's norm squared (z: r over the nodes' masses), with the tolerance times that of the start
+// or times 1, whichever is less. Here a linear solve ends, as palpate's does, where the norm is a
+// given part of that at the start, and iterations are counted.
 class Solver final : public btDeformableBodySolver {
  public:
   explicit Solver(const Settings& settings) : tolerance_(settings.number.at("tolerance")) {
@@ -220,11 +219,15 @@ Repeat swing(const mesh::TetMesh& mesh, const Settings& settings, std::ofstream*
     repeat.frame_times.push_back(t);
     if (frames == nullptr) continue;
     const Points u = beam.positions() - mesh.points;
-    const auto bytes = static_cast<std::size_t>(u.size()) * sizeof(double);
-    frames->write(reinterpret_cast<const char*>(u.data()), static_cast<std::streamsize>(bytes));
+    const auto bytes = static_cast<std::streamsize>(u.size() * sizeof(double));
+    frames->write(reinterpret_cast<const char*>(u.data()), bytes);
   }
   repeat.iterations = beam.iterations();
   return repeat;
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 std::string timesJson(const std::vector<double>& milliseconds, double duration) {
@@ -233,8 +236,7 @@ std::string timesJson(const std::vector<double>& milliseconds, double duration) 
   json.add("median_ms", ms.p50);
   json.add("p99_ms", ms.p99);
   json.add("max_ms", ms.max);
-  json.add("ms_per_second",
-           std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / duration);
+  json.add("ms_per_second", sum(milliseconds) / duration);
   return json.object();
 }
 
@@ -242,9 +244,6 @@ void run(const mesh::TetMesh& mesh, const Settings& settings, const std::string&
   std::ofstream frames(folder + "/displacements.bin", std::ios::binary);
   const Repeat first = swing(mesh, settings, &frames);
   const int repeats = static_cast<int>(settings.number.at("repeat"));
-  const auto sum = [](const std::vector<double>& ms) {
-    return std::accumulate(ms.begin(), ms.end(), 0.0);
-  };
   std::vector<double> fastest = first.milliseconds, pooled = first.milliseconds;
   for (int k = 1; k < repeats; ++k) {
     const Repeat next = swing(mesh, settings, nullptr);
@@ -252,7 +251,6 @@ void run(const mesh::TetMesh& mesh, const Settings& settings, const std::string&
     if (sum(next.milliseconds) < sum(fastest)) fastest = next.milliseconds;
   }
   const double duration = first.frame_times.back();
-  const std::vector<double>& frame_times = first.frame_times;
   io::JsonMembers all(",\n  ");
   all.add("scene", io::jsonText("beam in Bullet, " + settings.force));
   all.add("tets", static_cast<double>(mesh.numTets()));
@@ -263,8 +261,9 @@ void run(const mesh::TetMesh& mesh, const Settings& settings, const std::string&
   all.add("fastest", timesJson(fastest, duration));
   all.add("pooled", timesJson(pooled, duration * repeats));
   all.add("linear_iterations", static_cast<double>(first.iterations));
-  all.add("frame_times", io::json(Eigen::Map<const Eigen::VectorXd>(
-                             frame_times.data(), static_cast<Eigen::Index>(frame_times.size()))));
+  all.add("frame_times",
+          io::json(Eigen::Map<const Eigen::VectorXd>(
+              first.frame_times.data(), static_cast<Eigen::Index>(first.frame_times.size()))));
   std::ofstream(folder + "/summary.json") << "{\n  " << all.text() << "\n}\n";
 }
 

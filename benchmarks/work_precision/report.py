@@ -15,8 +15,9 @@ this page was typed in by hand. All figures as a table: [benchmarks.csv](benchma
 element and law, stepped by `bdf2` with steps of 0.5 ms to a relative tolerance of 1e-7 and one of 1 nm
 of the positions: at least ten times tighter in each setting than what is judged. It is solved by
 factorisation (`implicit_direct`) on meshes of less than 3000 tetrahedra and by conjugate gradients on
-larger ones. Such an error is that of method, step and tolerance. The error of the mesh is apart, in its
-own section. "Failed cycles" are cycles whose solve did not end in a usable state; a run with any has no
+larger ones. Such an error is that of method, step and tolerance: a solver may be within 1 % of it while the
+hand feels twice the force. So beside it stands the error against the **converged force**, in which the mesh
+counts as well; the section on what the mesh costs says how that is found. "Failed cycles" are cycles whose solve did not end in a usable state; a run with any has no
 error.
 
 **How times are measured.** One process a configuration, nothing else running; around the cycle alone,

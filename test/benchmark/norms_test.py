@@ -8,11 +8,12 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 try:
     import numpy as np
 
-    from work_precision import norms
+    from work_precision import converged, norms
     from work_precision.runs import P99_CYCLES, Config, Run
     from work_precision.suites.kernels import fastest
     from work_precision.suites.reach import Goal
@@ -73,6 +74,32 @@ class DisplacementError(unittest.TestCase):
     def test_a_reference_that_does_not_move_has_no_scale(self):
         still = np.zeros((1, 5, 3))
         self.assertTrue(math.isnan(norms.displacement_error(np.zeros(1), still, np.zeros(1), still)))
+
+
+class ConvergedForce(unittest.TestCase):
+    def run_of(self, times, forces, failed=False):
+        return mock.Mock(failed=failed, forces=lambda: (times, forces))
+
+    def test_is_judged_while_the_run_lasts(self):
+        times = np.array([0.1, 0.2, 0.3])
+        forces = np.array([[0, 0, 1.0], [0, 0, 2.0], [0, 0, 8.0]])
+        limit = converged.Converged(times, forces, [], 8.0, 2.0, 0.0)
+        rms, largest = limit.errors(self.run_of(times[:2], forces[:2] + [0, 0, 0.5]))
+        self.assertAlmostEqual(rms, 0.25)  # of 2 N, not of the 8 N that come later
+        self.assertAlmostEqual(largest, 0.25)
+        self.assertTrue(math.isnan(limit.errors(self.run_of(times, forces, failed=True))[0]))
+
+    def test_extrapolates_the_two_finest_at_each_time(self):
+        times, exact = np.array([0.1, 0.2]), np.array([[0, 0, 3.0], [1.0, 0, 5.0]])
+
+        def kept(config):
+            grown = exact * (1 + 1e4 * config.finest ** 2)
+            return mock.Mock(summary={"tets": 6}, forces=lambda: (times, grown))
+        found = converged.converged(mock.Mock(kept=kept), "cube", 0.45)
+        np.testing.assert_allclose(found.forces, exact, atol=1e-12)
+        self.assertAlmostEqual(found.limit, norms.peak(exact))
+        self.assertAlmostEqual(found.order, 2.0)
+        self.assertGreater(found.unknown, 0.0)
 
 
 class Pareto(unittest.TestCase):

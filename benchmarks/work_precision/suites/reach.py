@@ -83,6 +83,7 @@ def _cube(context):
     cases = (("anp", 0.45, 12.0), ("tet4", 0.45, 12.0), ("anp", 0.49, 27.0))
     context.prepare([CUBE.but(element=e, poisson_ratio=p) for e, p, _ in cases])
     for element, poisson, goal in cases:
+        limit = converged.converged(context, "cube", poisson)
         good, least_error = [], math.inf
         for integrator, tolerance in itertools.product(("backward_euler", "bdf2"), (1e-4, 1e-3, 1e-2)):
             run = context.measure(CUBE.but(element=element, poisson_ratio=poisson, tolerance=tolerance,
@@ -90,12 +91,12 @@ def _cube(context):
             rms = context.errors(run)["rms"]
             least_error = min(least_error, rms)
             if rms <= 0.005:
-                good.append((run.step_ms, integrator, tolerance, rms))
-        what = f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 %"
+                good.append((run.step_ms, integrator, tolerance, rms, limit.errors(run)[0]))
+        what = f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 % on the same mesh"
         if good:
-            ms, integrator, tolerance, rms = min(good)
-            yield Goal(f"{what} ({100 * rms:.2f} % with `{integrator}`, tolerance {tolerance:g}): mean of "
-                       "a step", ms, goal, "ms", later=EASED if integrator == "bdf2" else "")
+            ms, integrator, tolerance, rms, true = min(good)
+            yield Goal(f"{what} ({100 * rms:.2f} % with `{integrator}`, tolerance {tolerance:g}; {100 * true:.0f} % "
+                       "off the converged force): mean of a step", ms, goal, "ms", later=EASED if integrator == "bdf2" else "")
         else:
             yield Goal(f"{what}: mean of a step", math.nan, goal, "ms",
                        otherwise=f"{100 * least_error:.2f} % at best")
