@@ -6,7 +6,7 @@
 #
 # --quick runs small versions of the quick suites; with it, or with names of suites, the page goes
 # to build/benchmark/ instead. --resume keeps what the same program measured before. --list prints
-# the names. References are kept in build/benchmark/ for ever. From the environment:
+# the names. References are kept in build/benchmark/ while the program is the same. From the environment:
 # PALPATE_NO_BUILD=1 takes the programs that are built, PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -57,7 +57,8 @@ finish() {
   [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }
 
-# check NAME COMMAND ...: counts as one test. What a failed one said stands at the end once more.
+# check NAME COMMAND ...: counts as one test. What a failed one said stands at the end once more, and
+# what any warns of.
 check() {
   local name=$1 log
   shift
@@ -65,6 +66,7 @@ check() {
   log=$(mktemp)
   if "$@" 2>&1 | tee "$log"; then
     passed=$((passed + 1))
+    mapfile -t -O ${#said[@]} said < <(grep '^WARNING: ' "$log" || true)
   else
     failed=$((failed + 1))
     failures+=("$name")
@@ -111,6 +113,7 @@ if $checks; then
   check "order of the rooms" scripts/check_rooms.py
   check "check of the rooms finds what is wrong" scripts/check_rooms.py --self-test
   check "format" scripts/check_format.sh
+  check "origin of the measured pages" scripts/check_pages.py
   check "changelog" scripts/check_changelog.sh
   check "package" scripts/check_package.sh
   start=$SECONDS

@@ -9,6 +9,7 @@ import sys
 import time
 
 import command_line
+import provenance
 
 with command_line.needs("accuracy", ours=["accuracy"]):
     from . import recorded, report
@@ -63,6 +64,7 @@ def main():
     known = [*CASES, *recorded.names()]
     arguments = command_line.parse("scripts/accuracy.sh", __doc__, "case", known, {})
     whole = not arguments.names and not arguments.quick
+    begin = provenance.State.now()
     work = build_folder() / "accuracy"
     docs = ROOT / "docs" if whole else work
     if whole:
@@ -78,7 +80,8 @@ def main():
     sections, failures = _run(names, context)
     docs.mkdir(parents=True, exist_ok=True)
     page = pathlib.Path(docs / "accuracy.md")
-    page.write_text(report.page(sections, failures, time.time() - context.start), encoding="utf-8")
+    made = report.made_with(provenance.sentence(begin, provenance.State.now()), time.time() - context.start)
+    page.write_text(report.page(sections, failures, made), encoding="utf-8")
 
     missed = sum(not r.passed for s in sections.values() for r in s.rows)
     print(report.terminal(sections))

@@ -48,7 +48,10 @@ def table(head, lines):
     return "\n".join(out)
 
 
-def balance(case, mesh, element, supports, load, bound=1e-6):
+BALANCE = 1e-6  # static solves end at 1e-8 to 1e-9 of the forces; over all nodes that may add up to some times
+
+
+def balance(case, mesh, element, supports, load, bound=BALANCE):
     """A row that says how well the forces of all supports carry the load (both vectors)."""
     size = max(abs(x) for x in list(load) + list(supports))
     gap = max(abs(a + b) for a, b in zip(supports, load))

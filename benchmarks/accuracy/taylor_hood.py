@@ -4,7 +4,8 @@
 
     python3 -m accuracy.taylor_hood JOB.json
 
-The job is read from and the answer written to the file: {"size", "cells", "law", "steps", ...}."""
+The job is read from and the answer written to the file: {"size", "cells", "law", "steps", ...}. The body is
+a box of tetrahedra, or with {"panel": {...}} Cook's tapered one of hexahedra."""
 
 import json
 import subprocess
@@ -54,16 +55,28 @@ def _moved(job, x, part):
     return turn.apply(x - origin) + origin - x + part * np.array(job["displacement"])
 
 
+def _panel(box, panel):
+    """Points (n, 3) of the unit cube become those of half of Cook's panel, up to the middle of its thickness:
+    finer towards the wall, towards both its ends, and towards the free side."""
+    import numpy as np
+    x, y, z = box[:, 0] ** 1.5, (1 - np.cos(np.pi * box[:, 1])) / 2, 1 - np.cos(np.pi / 2 * box[:, 2])
+    height = panel["left"] + (panel["right"] - panel["left"]) * x
+    return np.stack([panel["width"] * x, panel["rise"] * x + y * height, panel["thickness"] / 2 * z], axis=1)
+
+
 def _run(job):
-    """Box with one face held. Either the opposite face is moved or the face z = 0 is pressed."""
+    """Box with one face held. The opposite face is moved or drawn along, or the face z = 0 is pressed."""
     import numpy as np
     import ufl
     from dolfinx import cpp, fem, la, mesh, nls
     from mpi4py import MPI
     from petsc4py import PETSc
 
-    size, law = job["size"], job["law"]
-    body = mesh.create_box(MPI.COMM_SELF, [[0, 0, 0], size], job["cells"], mesh.CellType.tetrahedron)
+    size, law, panel = job["size"], job["law"], job.get("panel")
+    kind = mesh.CellType.hexahedron if panel else mesh.CellType.tetrahedron
+    body = mesh.create_box(MPI.COMM_SELF, [[0, 0, 0], [1, 1, 1] if panel else size], job["cells"], kind)
+    if panel:
+        body.geometry.x[:] = _panel(body.geometry.x, panel)
     cell = body.ufl_cell()
     space = fem.FunctionSpace(body, ufl.MixedElement(ufl.VectorElement("Lagrange", cell, 2),
                                                      ufl.FiniteElement("Lagrange", cell, 1)))
@@ -81,22 +94,29 @@ def _run(job):
     axis, moving = job["axis"], "displacement" in job
     displacements, to_displacements = space.sub(0).collapse()
 
+    def facets_at(k, at):
+        return np.sort(mesh.locate_entities_boundary(body, 2, lambda x: np.isclose(x[k], at)))
+
     def face(at):
-        facets = mesh.locate_entities_boundary(body, 2, lambda x: np.isclose(x[axis], at))
-        return fem.locate_dofs_topological((space.sub(0), displacements), 2, facets)
+        return fem.locate_dofs_topological((space.sub(0), displacements), 2, facets_at(axis, at))
     held = fem.Function(displacements)
     conditions = [fem.dirichletbc(held, face(0.0), space.sub(0))]
+    if panel:  # the middle of its thickness does not leave its plane
+        across = space.sub(0).sub(2)
+        middle = fem.locate_dofs_topological(across, 2, facets_at(2, panel["thickness"] / 2))
+        conditions.append(fem.dirichletbc(PETSc.ScalarType(0), middle, across))
     target = fem.Function(displacements)
     pressure = fem.Constant(body, PETSc.ScalarType(0))
     if moving:
         far = face(size[axis])
         conditions.append(fem.dirichletbc(target, far, space.sub(0)))
     else:
-        facets = np.sort(mesh.locate_entities_boundary(body, 2, lambda x: np.isclose(x[2], 0.0)))
+        facets = facets_at(axis, size[axis]) if panel else facets_at(2, 0.0)
         tags = mesh.meshtags(body, 2, facets, np.ones_like(facets))
         area = ufl.Measure("ds", domain=body, subdomain_data=tags, metadata=degree)
         normal = J * ufl.inv(F).T * ufl.FacetNormal(body)
-        residual += pressure * ufl.inner(normal, ufl.split(test)[0]) * area(1)
+        along = ufl.as_vector([0, -1, 0]) if panel else normal  # a dead load, or one that follows
+        residual += pressure * ufl.inner(along, ufl.split(test)[0]) * area(1)
 
     problem = fem.petsc.NonlinearProblem(residual, state, conditions)
     solver = nls.petsc.NewtonSolver(MPI.COMM_SELF, problem)

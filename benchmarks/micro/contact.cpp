@@ -15,7 +15,7 @@ struct Scene {
         triangles(mesh::boundaryTriangles(body.mesh.tets)),
         ball(instrument::Sphere{0.015}),
         contact(contact::sampleSurface(body.mesh.points, triangles, 0.0075),
-                contact::makeResponse({"penalty", 7.5e6, 1.0e-4})) {
+                contact::makeResponse(contact::ResponseSettings())) {
     Pose X = Pose::Identity();
     X.translation() = Vec3(0.05, 0.05, 0.11);
     contact.setObstacles({{&ball, 0, X, X}});

@@ -8,8 +8,10 @@ import sys
 import time
 
 import command_line
+import provenance
 
 with command_line.needs("benchmark", ours=["accuracy", "work_precision"]):
+    from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, program
 
     from . import report
@@ -24,12 +26,12 @@ def _stamp():
     return hashlib.sha256(b"".join(f.read_bytes() for f in files if f.is_file())).hexdigest()
 
 
-def _forget(runs, resume):
-    """Drops earlier measurements, unless they are of the same program and wanted."""
-    stamp = runs / "program"
-    if not (resume and stamp.exists() and stamp.read_text() == _stamp()):
-        shutil.rmtree(runs, ignore_errors=True)
-    runs.mkdir(parents=True, exist_ok=True)
+def _forget(folder, keep):
+    """Drops what an earlier run left in a folder, unless it is of the same program and wanted."""
+    stamp = folder / "program"
+    if not (keep and stamp.exists() and stamp.read_text() == _stamp()):
+        shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
     stamp.write_text(_stamp())
 
 
@@ -51,15 +53,18 @@ def main():
     arguments = command_line.parse("scripts/benchmark.sh", __doc__, "suite", list(SUITES),
                                    {"resume": "keep what the same program measured before"})
     whole = not arguments.names and not arguments.quick
+    begin = provenance.State.now()
     work = build_work() / ("quick" if arguments.quick else "full")
     docs = ROOT / "docs" if whole else work
     names = arguments.names or [n for n, s in SUITES.items() if s.QUICK or not arguments.quick]
     _forget(work / "runs", arguments.resume)
+    _forget(work / "references", True)
     context = Context(work, docs / "images" / "benchmarks", arguments.quick, arguments.resume)
     sections, failures = _run(names, context)
     docs.mkdir(parents=True, exist_ok=True)
     page = docs / "benchmarks.md"
-    page.write_text(report.page(sections, failures, time.time() - context.start), encoding="utf-8")
+    made = made_with(provenance.sentence(begin, provenance.State.now()), time.time() - context.start, "everything")
+    page.write_text(report.page(sections, failures, made), encoding="utf-8")
     context.write_table(docs / "benchmarks.csv")
     print(f"{page}: {len(context.lines)} runs, {len(failures)} suites failed: {' '.join(failures) or '-'}")
     return 1 if failures else 0

@@ -3,6 +3,7 @@
 
 import concurrent.futures
 import csv
+import math
 import os
 import pathlib
 import time
@@ -10,16 +11,16 @@ import time
 from accuracy.solve import Failed, build_folder
 
 from . import norms
-from .runs import Run, bench, methods
+from .runs import P99_CYCLES, Run, bench, methods
 
 # Of references: backward differences of order two with steps ten times as short and more, and
 # tolerances of forces, positions and linear systems far below those that are judged.
 REFERENCE = {"integrator": "bdf2", "step": 5e-4, "tolerance": 1e-7, "linear_tolerance": 1e-3,
              "max_newton": 50, "threads": 1, "sets": ("solver.position_tolerance=1e-9",)}
-COLUMNS = ["suite", "scene", "tets", "nodes", "element", "poisson_ratio", "method", "integrator", "step",
+COLUMNS = ["suite", "scene", "tets", "nodes", "finest", "element", "poisson_ratio", "method", "integrator", "step",
            "tolerance", "linear_tolerance", "threads", "sets", "force_error_rms", "force_error_max",
-           "displacement_error", "median_ms", "p99_ms", "max_ms", "ms_per_second", "typical_median_ms",
-           "typical_p99_ms", "newton_iterations", "linear_iterations", "skipped", "failed_cycles",
+           "displacement_error", "median_ms", "max_ms", "ms_per_second", "typical_median_ms",
+           "timed_cycles", "p99_ms", "newton_iterations", "linear_iterations", "skipped", "failed_cycles",
            "peak_megabytes"]
 
 
@@ -34,9 +35,10 @@ class Context:
     def progress(self, text):
         print(f"[{time.time() - self.start:6.0f} s] {self.suite}: {text}", flush=True)
 
-    def measure(self, config, repeats=3, seconds=4.0):
-        """A timed run; nothing else of this program runs meanwhile. With --resume one that was
-        finished before by the same program is taken as it is."""
+    def measure(self, config, repeats=3, seconds=6.0):
+        """A timed run: so many repeats and enough for a 99th percentile, but none begins after
+        `seconds`. Nothing else of this program runs meanwhile. With --resume one that was finished
+        before by the same program is taken as it is."""
         if config.method is not None and config.method not in self.methods:
             raise Failed(f"this build has no method {config.method}")
         folder = self.work / "runs" / config.name()
@@ -44,8 +46,8 @@ class Context:
         if known or (self.resume and (folder / "summary.json").exists()):
             run = Run(config, folder)
         else:
-            run = bench(config, folder, repeats, seconds)
-            self.progress(f"{' '.join(config.arguments())}: {run.median_ms:.3g} ms, p99 {run.p99_ms:.3g}"
+            run = bench(config, folder, repeats, 1 if self.quick else P99_CYCLES, seconds)
+            self.progress(f"{' '.join(config.arguments())}: {run.median_ms:.3g} ms, p99 {run.p99_text}"
                           + (" FAILED CYCLES" if run.failed else ""))
         if not known:
             self.lines[str(folder)] = self._line(run)
@@ -60,20 +62,26 @@ class Context:
             return None
 
     def reference(self, config):
-        """The reference of a configuration: same scene, mesh, element and law. Kept for ever."""
-        reference = self._reference_config(config)
-        folder = self.work / "references" / reference.name()
+        """The reference of a configuration: same scene, mesh, element and law."""
+        return self.kept(self._reference_config(config))
+
+    def kept(self, config):
+        """A run whose times do not matter. Kept while the program is the same."""
+        folder = self.work / "references" / config.name()
         if not (folder / "summary.json").exists():
             begin = time.time()
-            bench(reference, folder)
-            self.progress(f"reference {' '.join(reference.arguments())}: {time.time() - begin:.0f} s")
-        return Run(reference, folder)
+            bench(config, folder)
+            self.progress(f"reference {' '.join(config.arguments())}: {time.time() - begin:.0f} s")
+        return Run(config, folder)
 
     def prepare(self, configs):
-        """Computes references side by side; times do not matter for them."""
-        names = {self._reference_config(c).name(): c for c in configs}
+        """Computes references of configurations side by side; times do not matter for them."""
+        self.keep([self._reference_config(c) for c in configs])
+
+    def keep(self, configs):
+        """Runs that kept() then has, side by side."""
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            list(pool.map(self.reference, names.values()))
+            list(pool.map(self.kept, {c.name(): c for c in configs}.values()))
 
     def _reference_config(self, config):
         # By factorisation, which shares no linear solver with what is judged, where that is cheap.
@@ -100,8 +108,9 @@ class Context:
 
     def _line(self, run):
         s, settings = run.summary, run.summary["settings"]
-        line = {"suite": self.suite, "sets": " ".join(run.config.sets), **s["fastest"],
-                "typical_median_ms": s["typical"]["median_ms"], "typical_p99_ms": s["typical"]["p99_ms"]}
+        line = {"suite": self.suite, "finest": run.config.finest or "", "sets": " ".join(run.config.sets), **s["fastest"],
+                "typical_median_ms": s["typical"]["median_ms"], "timed_cycles": run.timed_cycles,
+                "p99_ms": run.p99_ms if math.isfinite(run.p99_ms) else ""}
         for key in ("scene", "tets", "nodes", "element", "poisson_ratio", "newton_iterations",
                     "linear_iterations", "skipped", "failed_cycles", "peak_megabytes"):
             line[key] = s[key]

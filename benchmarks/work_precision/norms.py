@@ -16,11 +16,16 @@ def force_error(times, forces, reference_times, reference_forces):
     """(RMS, maximum) over the run's times of |F - F_ref|, as parts of the largest |F_ref|.
     times (k) [s], forces (k, 3) [N]; the reference has these times among others."""
     wanted = reference_forces[_at(reference_times, times)]
-    scale = np.linalg.norm(reference_forces, axis=1).max()
+    scale = peak(reference_forces)
     if not scale > 0.0:
         raise ValueError("the reference feels no force")
     error = np.linalg.norm(forces - wanted, axis=1) / scale
     return float(np.sqrt(np.mean(error ** 2))), float(error.max())
+
+
+def peak(forces):
+    """The largest |F| of forces (k, 3) [N]."""
+    return float(np.linalg.norm(forces, axis=1).max())
 
 
 def displacement_error(times, frames, reference_times, reference_frames):

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page docs/benchmarks.md."""
 
-from accuracy.report import machine
-
 INTRODUCTION = """# Benchmarks
 
 How long does a cycle take, and how wrong is the force meanwhile? A time without an error says little:
@@ -10,26 +8,29 @@ every method is fast if it may be wrong. Each section below runs palpate's own c
 wrench; `palpate bench`) on a fixed scene and puts the time beside the error against a reference.
 
 `scripts/benchmark.sh` runs everything, one measurement after the other, and writes this page;
-`scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. Nothing on this
-page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
+`scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. No figure on
+this page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
 
 **How errors are measured.** The reference of a run is the same scene on the same mesh with the same
 element and law, stepped by `bdf2` with steps of 0.5 ms to a relative tolerance of 1e-7 and one of 1 nm
 of the positions: at least ten times tighter in each setting than what is judged. It is solved by
 factorisation (`implicit_direct`) on meshes of less than 3000 tetrahedra and by conjugate gradients on
-larger ones. Such an error is that of method, step and tolerance. The error of the mesh is apart, in its
-own section. "Failed cycles" are cycles whose solve did not end in a usable state; a run with any has no
+larger ones. Such an error is that of method, step and tolerance: a solver may be within 1 % of it while the
+hand feels twice the force. So beside it stands the error against the **converged force**, in which the mesh
+counts as well; the section on what the mesh costs says how that is found. "Failed cycles" are cycles whose solve did not end in a usable state; a run with any has no
 error.
 
 **How times are measured.** One process a configuration, nothing else running; around the cycle alone,
 loading apart. Each configuration is repeated from its start while a few seconds last; shown is the
-fastest repeat (all repeats do the same work, bit for bit), its median and its 99th percentile.
+fastest repeat (all repeats do the same work, bit for bit) and its median. The 99th percentile is that
+of all cycles of all repeats together and stands only where these are 500 or more; "-" says that a run
+is too slow for that. The scenes have contact's default stiffness, as a scene file without the key has.
 
 """
 
 
-def page(sections, failures, seconds):
-    """The whole page; sections by name, failures as {name: message}."""
+def page(sections, failures, made):
+    """The whole page; sections by name, failures as {name: message}; `made`: accuracy.report.made_with()."""
     parts = [INTRODUCTION]
     for name, message in failures.items():
         parts.append(f"\n**The suite `{name}` did not run:** {message}\n")
@@ -40,5 +41,5 @@ def page(sections, failures, seconds):
         for markdown in section.tables:
             parts.append(f"\n{markdown}\n")
         parts.append(f"\n`scripts/benchmark.sh {name}`\n")
-    parts.append(f"\n## Made with\n\n{machine(seconds, 'everything')}\n")
+    parts.append(f"\n## Made with\n\n{made}\n")
     return "".join(parts)

@@ -4,6 +4,7 @@
 import dataclasses
 import hashlib
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -20,6 +21,7 @@ class Config:
     scene: str
     tets: Optional[int] = None
     edge_length: Optional[float] = None
+    finest: Optional[float] = None
     poisson_ratio: Optional[float] = None
     element: Optional[str] = None
     method: Optional[str] = None
@@ -48,9 +50,13 @@ class Config:
     def name(self):
         """Of a folder: readable, and different for different configurations."""
         text = " ".join(self.arguments())
-        words = "_".join(str(w) for w in (self.scene, self.tets, self.element, self.method, self.step)
+        words = "_".join(str(w) for w in (self.scene, self.tets, self.finest, self.element, self.method,
+                                                self.step)
                          if w is not None)
         return words + "_" + hashlib.sha256(text.encode()).hexdigest()[:10]
+
+
+P99_CYCLES = 500  # from fewer a 99th percentile is little more than the slowest cycle
 
 
 class Run:
@@ -95,16 +101,28 @@ class Run:
         return self.summary["fastest"]["median_ms"]
 
     @property
+    def timed_cycles(self):
+        """In all repeats together."""
+        return self.summary["cycles"] * self.summary["repeats"]
+
+    @property
     def p99_ms(self):
-        return self.summary["fastest"]["p99_ms"]
+        """Of the cycles of all repeats together; NaN where these are too few to say."""
+        return self.summary["pooled"]["p99_ms"] if self.timed_cycles >= P99_CYCLES else math.nan
+
+    @property
+    def p99_text(self):
+        """For a table of milliseconds."""
+        return f"{self.p99_ms:.2f}" if math.isfinite(self.p99_ms) else "-"
 
 
-def bench(config, folder, repeats=1, seconds=None):
+def bench(config, folder, repeats=1, cycles=1, seconds=None):
     """The Run of a configuration, anew. @throws Failed with what palpate said."""
     working = folder.with_name(folder.name + ".part")
     shutil.rmtree(working, ignore_errors=True)
     working.parent.mkdir(parents=True, exist_ok=True)
-    command = [program(), "bench", *config.arguments(), "--repeat", str(repeats), "--out", str(working)]
+    command = [program(), "bench", *config.arguments(), "--repeat", str(repeats), "--cycles", str(cycles),
+               "--out", str(working)]
     if seconds is not None:
         command += ["--seconds", str(seconds)]
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -31,6 +31,7 @@ struct Options {
   std::optional<double> duration;
   double frame = 0.02;
   int repeats = 3;
+  int cycles = 1;
   double seconds = std::numeric_limits<double>::infinity();
 };
 
@@ -90,7 +91,8 @@ BenchResult runScene(const BenchScene& scene, const Options& options, const Benc
   *title = {scene.name, bench.scene.organs[0].element, poissonRatio(bench.scene),
             settingsOf(bench.scene)};
   const double duration = options.duration.value_or(bench.duration);
-  BenchResult result = runBench(bench, {duration, options.frame, options.repeats, options.seconds});
+  BenchResult result =
+      runBench(bench, {duration, options.frame, options.repeats, options.cycles, options.seconds});
   std::cerr << result.note;
   return result;
 }
@@ -103,7 +105,7 @@ int list() {
 // A tenth of a second of every scene that is a box, on few tetrahedra.
 int runSmall(Options options) {
   options.duration = options.duration.value_or(0.1);
-  options.repeats = 1;
+  options.repeats = options.cycles = 1;
   bool usable = true;
   printBenchHead();
   for (const BenchScene& scene : benchScenes()) {
@@ -125,6 +127,8 @@ int run(const Options& options) {
   if (options.duration) requirePositive("--duration", *options.duration);
   requirePositive("--frame", options.frame);
   if (options.choice.edge_length) requirePositive("--edge-length", *options.choice.edge_length);
+  if (options.choice.finest) requirePositive("--finest", *options.choice.finest);
+  requirePositive("--growth", options.choice.growth);
   const std::vector<std::string> elements = fem::elementNames();
   const std::string element = options.choice.element.value_or(elements.front());
   if (!std::count(elements.begin(), elements.end(), element)) {
@@ -151,7 +155,11 @@ void addBench(CLI::App& app, Action& action) {
   command.flag("--small", &options->small, "Small versions of the scenes, in seconds");
   command.option("--tets", &options->choice.tets, "About so many tetrahedra (boxes)")
       .between(6, 2000000);
-  command.option("--edge-length", &options->choice.edge_length, "Of the tetrahedra [m] (livers)");
+  command.option("--edge-length", &options->choice.edge_length,
+                 "Of the tetrahedra [m] (livers, graded meshes)");
+  command.option("--finest", &options->choice.finest,
+                 "Of the tetrahedra where the tool goes [m]: a graded mesh");
+  command.option("--growth", &options->choice.growth, "Of a graded mesh, edge per distance");
   command.option("--poisson-ratio", &options->choice.poisson_ratio, "Of the soft material");
   command.option("--element", &options->choice.element, "Finite element");
   const auto shorthand = [&](const char* option, const char* key, const char* what) {
@@ -172,6 +180,8 @@ void addBench(CLI::App& app, Action& action) {
   command.option("--frame", &options->frame, "Displacements are kept this far apart [s]");
   command.option("--repeat", &options->repeats, "Runs from the start; times are of all of them")
       .between(1, 1000);
+  command.option("--cycles", &options->cycles, "More repeats, until so many cycles were run in all")
+      .between(1, 1000000);
   command.option("--seconds", &options->seconds, "Begin no other repeat after so long");
   command.option("--out", &options->out,
                  "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");

@@ -26,19 +26,20 @@ Times timesOf(const std::vector<double>& ms, double duration) {
   return {p.p50, p.p99, p.max, sum / duration};
 }
 
-// Three ways to say it: the fastest repeat as a whole; each figure's median over the repeats; and
-// the repeats' fastest time of each cycle, which other work on the machine spoils least (all
-// repeats do the same work, bit for bit).
+// Four ways to say it: the fastest repeat as a whole; each figure's median over the repeats; the
+// repeats' fastest time of each cycle, which other work on the machine spoils least (all repeats do
+// the same work, bit for bit); and the cycles of all repeats together, which a percentile needs.
 struct AllTimes {
-  Times fastest, typical, quiet;
+  Times fastest, typical, quiet, pooled;
 };
 
 AllTimes allTimes(const BenchResult& result) {
   const double duration = result.cycles.back().t;
   std::vector<Times> repeats;
-  std::vector<double> best = result.milliseconds.front();
+  std::vector<double> best = result.milliseconds.front(), all;
   for (const std::vector<double>& ms : result.milliseconds) {
     repeats.push_back(timesOf(ms, duration));
+    all.insert(all.end(), ms.begin(), ms.end());
     for (std::size_t k = 0; k < ms.size(); ++k) best[k] = std::min(best[k], ms[k]);
   }
   const auto middle = [&](double Times::*figure) {
@@ -51,7 +52,8 @@ AllTimes allTimes(const BenchResult& result) {
   return {
       *std::min_element(repeats.begin(), repeats.end(), less),
       {middle(&Times::median), middle(&Times::p99), middle(&Times::max), middle(&Times::second)},
-      timesOf(best, duration)};
+      timesOf(best, duration),
+      timesOf(all, duration * static_cast<double>(result.milliseconds.size()))};
 }
 
 // Sums over the cycles.
@@ -104,6 +106,7 @@ std::string summaryJson(const BenchTitle& title, const BenchResult& result) {
   all.add("fastest", timesJson(times.fastest));
   all.add("typical", timesJson(times.typical));
   all.add("quiet", timesJson(times.quiet));
+  all.add("pooled", timesJson(times.pooled));
   all.add("newton_iterations", count(work.newton));
   all.add("linear_iterations", count(work.linear));
   all.add("skipped", work.skipped);
@@ -180,6 +183,7 @@ void printBench(const BenchTitle& title, const BenchResult& result) {
   printTimes("fastest repeat", times.fastest);
   printTimes("median of the repeats", times.typical);
   printTimes("each cycle's fastest", times.quiet);
+  printTimes("all repeats together", times.pooled);
   std::printf("  Newton iterations %d, linear iterations %d, work skipped %.0f times\n",
               work.newton, work.linear, work.skipped);
   std::printf("  cycles at the iteration limit %d, in shorter steps %d, failed %d\n", work.limited,

@@ -91,7 +91,7 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
   const double step = bench.scene.solver.step;
   const int cycles = std::max(1, static_cast<int>(std::lround(timing.duration / step)));
   const auto first = Clock::now();
-  for (int repeat = 0; repeat < timing.repeats; ++repeat) {
+  for (int repeat = 0; repeat < timing.repeats || repeat * cycles < timing.cycles; ++repeat) {
     if (repeat > 0 && since(first, 1.0) > timing.seconds) break;
     rewind(bench, &simulator);
     std::vector<double> milliseconds;

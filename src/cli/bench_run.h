@@ -34,8 +34,9 @@ struct BenchResult {
 struct BenchTiming {
   double duration;  ///< Simulated [s].
   double frame;     ///< Displacements are kept this far apart [s].
-  int repeats;      ///< From the start each time.
-  double seconds;   ///< No other repeat begins later than this [s].
+  int repeats;      ///< From the start each time; at least so many,
+  int cycles;       ///< and at least so many cycles in all repeats,
+  double seconds;   ///< but no other repeat begins later than this [s].
 };
 
 /// Runs the case: sim::Simulator, one cycle a step of the scene. Time is taken around

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/resource.h"
+#include "palpate/formats/surface_io.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr double kEdge = 0.1;      // of the cube [m]
 constexpr double kRadius = 0.015;  // of the ball that presses it [m]
+constexpr double kTip = 0.005;     // of the shipped probe's ball [m]
 constexpr double kGap = 0.001;     // between ball and cube at the start [m]
 constexpr double kDepth = 0.015;   // to which the ball goes in [m]
 constexpr double kThrow = 0.15;    // speed of the beam at the start [m/s]
@@ -66,24 +69,47 @@ Eigen::Vector3i cellsFor(int tets, const Eigen::Vector3i& ratio) {
   return n;
 }
 
-// A box of about `tets` tetrahedra, held at z = 0.
+// Short edges where a ball of `radius` [m] goes, as far as 1.6 radii from its `way`.
+scene::FinePlaceConfig finePlace(const BenchChoice& choice, double radius, mesh::Polyline way) {
+  scene::FinePlaceConfig place;
+  place.finest = *choice.finest;
+  place.growth = choice.growth;
+  place.radius = 1.6 * radius;
+  place.where = std::move(way);
+  return place;
+}
+
+// A box of about `tets` tetrahedra, or graded along the tool's `way`; held at z = 0.
 scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
-                       const BenchChoice& choice, const std::string& folder) {
-  if (choice.edge_length) refuse("a box", "--edge-length", "give --tets");
-  const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
-  formats::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
+                       const BenchChoice& choice, const std::string& folder,
+                       const mesh::Polyline& way = {}) {
   scene::OrganConfig organ;
   organ.name = "body";
-  organ.tetrahedra = "body.vtu";
+  organ.supports = {{mesh::PlaneRegion{2, 0.0, -1.0}}};
+  if (!choice.finest) {
+    if (choice.edge_length) refuse("a box", "--edge-length", "give --tets, or --finest beside it");
+    const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
+    formats::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
+    organ.tetrahedra = "body.vtu";
+  } else {
+    if (choice.tets) refuse("a graded mesh", "--tets", "give --finest and --edge-length");
+    if (way.points.empty()) refuse("this scene", "--finest", "no tool touches it");
+    const mesh::TetMesh corners = mesh::boxMesh(size, Eigen::Vector3i::Ones());
+    formats::writeSurface(folder + "/body.obj",
+                          {corners.points, mesh::boundaryTriangles(corners.tets)});
+    organ.surface = "body.obj";
+    organ.edge_length = {choice.edge_length.value_or(std::max(0.2 * size.x(), *choice.finest)),
+                         {finePlace(choice, kRadius, way)}};
+    organ.supports = {{mesh::PlaneRegion{2, 0.0, 1e-6}}};
+  }
   organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
   organ.element = choice.element.value_or(organ.element);
-  organ.supports = {{mesh::PlaneRegion{2, 0.0, -1.0}}};
   return organ;
 }
 
-void addBall(const std::string& folder, scene::Scene* scene) {
+void addBall(const std::string& folder, scene::Scene* scene, double radius = kRadius) {
   std::string urdf = kBall;
-  urdf.replace(urdf.find("RADIUS"), 6, formatNumber(kRadius));
+  urdf.replace(urdf.find("RADIUS"), 6, formatNumber(radius));
   writeFileAtomically(folder + "/ball.urdf", urdf);
   scene::InstrumentConfig ball;
   ball.name = "ball";
@@ -102,8 +128,10 @@ Eigen::VectorXd pressAndSlide(double t) {
 BenchCase cube(const BenchChoice& choice, const std::string& folder) {
   BenchCase made;
   made.scene.gravity.setZero();
-  made.scene.organs = {box(Vec3::Constant(kEdge), {1, 1, 1}, 4374, choice, folder)};
-  made.scene.contact.stiffness = 7.5e6;
+  const double down = (kGap + kDepth) / kSpeed, slid = kSpeed * (made.duration - down);
+  const Vec3 middle(kEdge / 2, kEdge / 2, kEdge);
+  made.scene.organs = {box(Vec3::Constant(kEdge), {1, 1, 1}, 4374, choice, folder,
+                           {{middle, middle + slid * Vec3::UnitX()}})};
   addBall(folder, &made.scene);
   made.joints = pressAndSlide;
   return made;
@@ -126,6 +154,29 @@ BenchCase capsule(const BenchChoice& choice, const std::string& folder) {
   skin.select = mesh::DepthRegion{0.0, 0.006};
   skin.material = gel(1.0e5, choice.poisson_ratio.value_or(0.45));
   made.scene.organs[0].regions = {skin};
+  return made;
+}
+
+// A membrane of 60 x 40 x 3 mm whose ends are held, 50 kPa, under a ball of 5 mm that goes 6 mm
+// down and then along it.
+BenchCase flap(const BenchChoice& choice, const std::string& folder) {
+  constexpr double radius = 0.005, gap = 0.0005, depth = 0.006, thick = 0.003;  // [m]
+  const Vec3 size(0.06, 0.04, thick), start(0.025, 0.02, thick);
+  const double down = (gap + depth) / kSpeed;
+  BenchCase made;
+  made.scene.gravity.setZero();
+  made.scene.organs = {box(size, {10, 6, 1}, 2880, choice, folder,
+                           {{start, start + kSpeed * (made.duration - down) * Vec3::UnitX()}})};
+  scene::OrganConfig& organ = made.scene.organs[0];
+  if (choice.finest) organ.edge_length.near[0].radius = 1.6 * radius;
+  organ.material = gel(5.0e4, choice.poisson_ratio.value_or(0.45));
+  organ.damping.mass = 20.0;
+  organ.supports = {{mesh::PlaneRegion{0, 0.0, 1e-6}}, {mesh::PlaneRegion{0, size.x(), 1e-6}}};
+  addBall(folder, &made.scene, radius);
+  made.joints = [=](double t) {
+    const Vec3 slid = kSpeed * std::max(0.0, t - down) * Vec3::UnitX();
+    return Vec3(start + slid + (radius + gap - kSpeed * std::min(t, down)) * Vec3::UnitZ());
+  };
   return made;
 }
 
@@ -167,12 +218,16 @@ BenchCase liverOf(double edge_length, const BenchChoice& choice) {
   };
   made.scene = scene::readScene(shipped("scenes/liver_palpation.yaml"));
   scene::OrganConfig& organ = made.scene.organs[0];
-  organ.edge_length.coarsest = choice.edge_length.value_or(edge_length);
+  const std::string recorded = shipped("trajectories/liver_palpation.csv");
+  organ.edge_length = {choice.edge_length.value_or(edge_length), {}};
+  if (choice.finest) {
+    organ.edge_length.near = {finePlace(choice, kTip, {})};
+    organ.edge_length.near[0].trajectory = recorded;
+  }
   if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};
   organ.element = choice.element.value_or(organ.element);
   made.scene.solver.threads = 1;
-  const auto table = std::make_shared<const formats::Trajectory>(
-      formats::readTrajectory(shipped("trajectories/liver_palpation.csv")));
+  const auto table = std::make_shared<const formats::Trajectory>(formats::readTrajectory(recorded));
   made.joints = [table](double t) { return interpolate(*table, kApproach + t); };
   made.duration = 4.0;
   return made;
@@ -191,6 +246,8 @@ const std::vector<BenchScene>& benchScenes() {
       {"inclusion", "the cube with a ball of 20 times the stiffness under the surface", 750,
        inclusion},
       {"capsule", "the cube with an outer layer of 20 times the stiffness", 750, capsule},
+      {"flap", "membrane of 60 x 40 x 3 mm held at both ends, a ball of 5 mm presses and slides",
+       360, flap},
       {"beam", "gel beam of 100 x 100 x 400 mm held at one end, thrown sideways at 0.15 m/s", 192,
        beam},
       {"rest", "the cube at rest under its weight, the ball far above", 162, rest},

@@ -14,7 +14,9 @@ namespace palpate::cli {
 /// What may be asked of a scene; what is left open is the scene's own choice.
 struct BenchChoice {
   std::optional<int> tets;            ///< About so many; scenes that are boxes only.
-  std::optional<double> edge_length;  ///< [m]; scenes that are meshed from a surface only.
+  std::optional<double> edge_length;  ///< [m]; scenes that are meshed from a surface, or graded.
+  std::optional<double> finest;       ///< Edges where the tool goes [m]: a graded mesh.
+  double growth = 0.3;                ///< What these grow by for each metre farther away.
   std::optional<double> poisson_ratio;
   std::optional<std::string> element;
 };

@@ -23,6 +23,15 @@ std::vector<LinkPoses> between(const std::vector<LinkPoses>& from, const std::ve
   return poses;
 }
 
+// The report of all sub-steps so far; wrenches and contacts stay those of the last one.
+void addEarlier(const StepResult& earlier, StepResult* result) {
+  addSubSteps(earlier.report, &result->report);
+  for (std::size_t i = 0; i < result->instruments.size(); ++i) {
+    double& deepest = result->instruments[i].max_penetration;
+    deepest = std::max(deepest, earlier.instruments[i].max_penetration);
+  }
+}
+
 }  // namespace
 
 void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
@@ -31,10 +40,10 @@ void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector
   const double parts = std::max(std::ceil(duration / longest - 1e-6), 1.0);
   parts_ = static_cast<int>(parts);
   for (int k = 1; k <= static_cast<int>(parts); ++k) {
-    const StepReport earlier = result_.report;
+    const StepResult earlier = result_;
     result_ = k < parts ? simulator_->step(between(from, to, k / parts), duration / parts)
                         : simulator_->step(to, duration / parts);
-    if (k > 1) addSubSteps(earlier, &result_.report);
+    if (k > 1) addEarlier(earlier, &result_);
   }
 }
 

@@ -2,17 +2,11 @@
 #include "kept_stiffness.h"
 
 namespace palpate::solver {
-namespace {
-
-// Change of an edge vector, of its length, that the elastic part is kept over.
-constexpr double kStrain = 0.05;
-
-}  // namespace
 
 // The pattern has a block for every edge.
 bool KeptStiffness::near(const Points& x) const {
   const fem::BlockMatrix& K = elastic_.blocks();
-  const double strain_squared = kStrain * kStrain;
+  const double strain_squared = kMostStrain * kMostStrain;
   for (int i = 0; i < K.numNodes(); ++i) {
     for (int slot = K.diagonal(i) + 1; slot < K.rowEnd(i); ++slot) {
       const int j = K.column(slot);

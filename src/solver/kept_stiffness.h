@@ -11,6 +11,10 @@ namespace palpate::solver {
 /// assembled. All other terms, and the scale of the elastic part, are always those of now.
 class KeptStiffness {
  public:
+  /// Change of an edge vector, as a part of its length, over which the elastic part is kept;
+  /// docs/theory.md has what other values cost.
+  static constexpr double kMostStrain = 0.05;
+
   /// `pattern` is the body's.
   explicit KeptStiffness(const fem::Stiffness& pattern) : elastic_(pattern) {}
 

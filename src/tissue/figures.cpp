@@ -6,7 +6,8 @@ namespace palpate::tissue {
 const std::vector<Figure<StepFigures>>& stepFigures() {
   using F = StepFigures;
   using M = Merge;
-  // Of sub-steps, R.csv shows residual, tolerance and min_jacobian of the last one.
+  // Over time residual and tolerance are each the largest, so that where every step met its own the
+  // one stays below the other; whether every step did is the status.
   static const std::vector<Figure<F>> kAll = {
       {"status", "string",
        "converged, iteration_limit, deadline, line_search_failed, not_positive_definite or "
@@ -21,11 +22,11 @@ const std::vector<Figure<StepFigures>>& stepFigures() {
       {"factor_waits", nullptr, "waits for a factor made beside; depends on how fast that was",
        &F::factor_waits, M::kSum, M::kSum, M::kSum},
       {"residual", "float64", "norm of the unbalanced forces [N]", &F::residual, M::kRootOfSquares,
-       M::kLargest, M::kLast},
+       M::kLargest, M::kLargest},
       {"tolerance", "float64", "what the residual was asked to be below [N]", &F::tolerance,
-       M::kRootOfSquares, M::kLargest, M::kLast},
+       M::kRootOfSquares, M::kLargest, M::kLargest},
       {"min_jacobian", "float64", "smallest det F of any element [-]; <= 0: inverted",
-       &F::min_jacobian, M::kLeast, M::kLeast, M::kLast},
+       &F::min_jacobian, M::kLeast, M::kLeast, M::kLeast},
       {"kinetic_energy", "float64", "[J]", &F::kinetic_energy, M::kSum, M::kSum, M::kLast},
       {"elastic_energy", "float64", "of viscous organs the potential of the last step [J]",
        &F::elastic_energy, M::kSum, M::kSum, M::kLast},

@@ -145,6 +145,9 @@ Errors solve(const std::string& element, int cells) {
   return errors(mesh, body.get(), x);
 }
 
+// An order that is lost shows as 1; on meshes this coarse the next term of the error shows as well.
+constexpr double kMostOff = 0.2;
+
 struct Expected {
   const char* element;
   int coarse, fine;
@@ -165,7 +168,7 @@ TEST_P(ManufacturedSolution, ConvergesAtTheElementsOrder) {
                           std::string("order of the ") + norm + " (error on the fine mesh " +
                               std::to_string(1e3 * size) + "e-3)",
                           order, reference, "theory: Ciarlet 1978, theorem 3.2.5",
-                          std::abs(order - reference), 0.2});
+                          std::abs(order - reference), kMostOff});
   };
   record("L2 norm", std::log(coarse.l2 / fine.l2) / refinement, expected.l2_order, fine.l2);
   record("energy norm", std::log(coarse.energy / fine.energy) / refinement, expected.energy_order,

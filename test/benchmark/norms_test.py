@@ -2,15 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Error norms, Pareto fronts, exponents, goals: what a wrong formula would get wrong."""
 
+import json
 import math
+import pathlib
 import sys
+import tempfile
 import unittest
+from unittest import mock
 
 try:
     import numpy as np
 
-    from work_precision import norms
-    from work_precision.runs import Config
+    from work_precision import converged, norms
+    from work_precision.runs import P99_CYCLES, Config, Run
     from work_precision.suites.kernels import fastest
     from work_precision.suites.reach import Goal
 except ModuleNotFoundError as missing:
@@ -72,6 +76,32 @@ class DisplacementError(unittest.TestCase):
         self.assertTrue(math.isnan(norms.displacement_error(np.zeros(1), still, np.zeros(1), still)))
 
 
+class ConvergedForce(unittest.TestCase):
+    def run_of(self, times, forces, failed=False):
+        return mock.Mock(failed=failed, forces=lambda: (times, forces))
+
+    def test_is_judged_while_the_run_lasts(self):
+        times = np.array([0.1, 0.2, 0.3])
+        forces = np.array([[0, 0, 1.0], [0, 0, 2.0], [0, 0, 8.0]])
+        limit = converged.Converged(times, forces, [], 8.0, 2.0, 0.0)
+        rms, largest = limit.errors(self.run_of(times[:2], forces[:2] + [0, 0, 0.5]))
+        self.assertAlmostEqual(rms, 0.25)  # of 2 N, not of the 8 N that come later
+        self.assertAlmostEqual(largest, 0.25)
+        self.assertTrue(math.isnan(limit.errors(self.run_of(times, forces, failed=True))[0]))
+
+    def test_extrapolates_the_two_finest_at_each_time(self):
+        times, exact = np.array([0.1, 0.2]), np.array([[0, 0, 3.0], [1.0, 0, 5.0]])
+
+        def kept(config):
+            grown = exact * (1 + 1e4 * config.finest ** 2)
+            return mock.Mock(summary={"tets": 6}, forces=lambda: (times, grown))
+        found = converged.converged(mock.Mock(kept=kept), "cube", 0.45)
+        np.testing.assert_allclose(found.forces, exact, atol=1e-12)
+        self.assertAlmostEqual(found.limit, norms.peak(exact))
+        self.assertAlmostEqual(found.order, 2.0)
+        self.assertGreater(found.unknown, 0.0)
+
+
 class Pareto(unittest.TestCase):
     def test_front_by_cost(self):
         errors = [1.0, 0.5, 0.7, 0.1, 0.4, math.nan]
@@ -106,6 +136,10 @@ class Goals(unittest.TestCase):
         self.assertTrue(Goal("a", 1.6, 1.5, "x", least=True).reached)
         self.assertIn("1.50", Goal("a", 1.0, 1.5, "x", least=True).verdict())
 
+    def test_an_aim_of_later_says_so(self):
+        self.assertEqual(Goal("a", 1.0, 1.0, "ms", later="added after measuring").verdict(),
+                         "reached; added after measuring")
+
     def test_nothing_measured_reaches_nothing(self):
         for least in (False, True):
             goal = Goal("a", math.nan, 1.0, "ms", least=least)
@@ -120,6 +154,15 @@ class Configs(unittest.TestCase):
                                               "--set", "solver.step=0.01", "--set", "contact.smoothing=1"])
         self.assertNotEqual(config.name(), config.but(poisson_ratio=0.49).name())
         self.assertEqual(config.name(), config.but(tets=6).name())
+
+
+class Percentile(unittest.TestCase):
+    def test_needs_enough_cycles_in_all_repeats(self):
+        for repeats, text in ((P99_CYCLES // 50, "3.50"), (P99_CYCLES // 50 - 1, "-")):
+            with tempfile.TemporaryDirectory() as folder:
+                summary = {"cycles": 50, "repeats": repeats, "fastest": {"p99_ms": 1.0}, "pooled": {"p99_ms": 3.5}}
+                (pathlib.Path(folder) / "summary.json").write_text(json.dumps(summary))
+                self.assertEqual(Run(None, pathlib.Path(folder)).p99_text, text)
 
 
 class Kernels(unittest.TestCase):

@@ -28,7 +28,7 @@ class BenchCommand : public ::testing::Test {
 TEST_F(BenchCommand, ListsScenesWithoutOne) {
   const test::CliResult result = runCli("bench");
   EXPECT_EQ(result.status, 0);
-  for (const char* scene : {"cube", "beam", "inclusion", "capsule", "rest", "liver_500"}) {
+  for (const char* scene : {"cube", "beam", "flap", "inclusion", "capsule", "rest", "liver_500"}) {
     EXPECT_TRUE(contains(result.out, scene)) << result.out;
   }
 }
@@ -45,6 +45,37 @@ TEST_F(BenchCommand, WritesWhatItMeasured) {
   EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 7);
   EXPECT_EQ(test::fileBytes(path("a/displacements.bin")).size(), 3u * 64u * 3u * sizeof(double));
   EXPECT_EQ(formats::readTetMesh(path("a/mesh.vtu")).numPoints(), 64);
+}
+
+// Six cycles a repeat: the repeats that were asked for, and more where they are too few.
+TEST_F(BenchCommand, RepeatsUntilThereAreEnoughCycles) {
+  ASSERT_EQ(cube("a").status, 0);
+  EXPECT_TRUE(contains(test::fileBytes(path("a/summary.json")), "\"repeats\": 2,"));
+  ASSERT_EQ(cube("b", "--cycles 25").status, 0);
+  const std::string summary = test::fileBytes(path("b/summary.json"));
+  EXPECT_TRUE(contains(summary, "\"repeats\": 5,")) << summary;
+  EXPECT_TRUE(contains(summary, "\"pooled\": {\"median_ms\": "));
+  ASSERT_EQ(cube("c", "--cycles 100000 --seconds 1e-9").status, 0);
+  EXPECT_TRUE(contains(test::fileBytes(path("c/summary.json")), "\"repeats\": 1,"));
+}
+
+TEST_F(BenchCommand, GradesAMeshWhereTheToolGoes) {
+  const auto nodes = [&](const std::string& out, const std::string& more) {
+    const test::CliResult result =
+        runCli("bench --duration 0.02 --repeat 1 --out '" + path(out) + "' --scene " + more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return formats::readTetMesh(path(out + "/mesh.vtu")).points;
+  };
+  const auto near = [](const Points& points, const Vec3& place) {
+    return ((points.colwise() - place).colwise().norm().array() < 0.015).count();
+  };
+  const Points graded = nodes("a", "cube --finest 0.005 --edge-length 0.03");
+  EXPECT_GT(near(graded, {0.055, 0.05, 0.1}), 10 * near(graded, {0.05, 0.05, 0.0}));
+  const Points flap = nodes("b", "flap --finest 0.003");
+  EXPECT_GT(near(flap, {0.04, 0.02, 0.003}), 0);
+  EXPECT_EQ(runCli("bench --scene cube --finest 0.005 --tets 100").status, 2);
+  EXPECT_EQ(runCli("bench --scene beam --finest 0.005").status, 2);
+  EXPECT_EQ(runCli("bench --scene cube --finest 0").status, 2);
 }
 
 // The ball is 2 mm inside at the end: the tissue pushes it up.
@@ -117,7 +148,7 @@ TEST_F(BenchCommand, SaysWhereItCannotPutItsFiles) {
 TEST_F(BenchCommand, SmallRunsEverySceneThatIsABox) {
   const test::CliResult result = runCli("bench --small");
   EXPECT_EQ(result.status, 0) << result.err;
-  for (const char* scene : {"cube", "inclusion", "capsule", "beam", "rest"}) {
+  for (const char* scene : {"cube", "inclusion", "capsule", "flap", "beam", "rest"}) {
     EXPECT_TRUE(contains(result.out, scene)) << result.out;
   }
 }

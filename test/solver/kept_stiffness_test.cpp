@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/inertia.h"
+#include "support/contains.h"
 #include "support/random.h"
+#include "support/source_folder.h"
+#include "support/temp_folder.h"
 
 namespace palpate::solver {
 namespace {
@@ -168,6 +172,14 @@ TEST_P(Kept, SolvesWithWhatHasChangedToTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(Elements, Kept, testing::Values("tet4", "anp"),
                          [](const auto& element) { return std::string(element.param); });
+
+TEST(KeptStiffness, IsKeptOverWhatThePageSays) {
+  std::ostringstream sentence;
+  sentence << "more than " << 100.0 * KeptStiffness::kMostStrain << " % of its length";
+  EXPECT_TRUE(
+      test::contains(test::fileBytes(test::sourceFolder() + "/docs/theory.md"), sentence.str()))
+      << sentence.str();
+}
 
 }  // namespace
 }  // namespace palpate::solver

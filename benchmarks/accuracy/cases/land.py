@@ -17,7 +17,6 @@ SPREAD = "spread of eleven groups [Land et al. 2015, problem 1]"
 OWN = "dolfinx 0.5.2, Taylor-Hood, incompressible, {} x {} x {} cells"
 THEIRS = ((30, 2, 2), (40, 4, 4))
 MESHES = {"tet10": ((20, 2, 2), (30, 2, 2)), "anp": ((20, 2, 2), (40, 4, 4))}
-BOUND = {"tet10": 0.02}
 
 
 def run(context):
@@ -41,11 +40,11 @@ def run(context):
                            fibres={"direction": [1, 0, 0]})
             tip = 1e3 * (TIP[2] + result.at(TIP)[2])
             size = "{} x {} x {} cells, {}".format(*cells, mesh.size())
-            finest = cells == sizes[-1]
-            rows.append(Row(CASE, size, element, "z of the tip [mm]", tip, reference, source,
-                            BOUND.get(element) if finest else None))
+            # Other programs with other elements lie so far from their middle: no more is known of either.
+            bound = half / middle if cells == sizes[-1] and element == "tet10" else None
+            rows.append(Row(CASE, size, element, "z of the tip [mm]", tip, reference, source, bound))
             rows.append(Row(CASE, size, element, "z of the tip, middle of the spread [mm]", tip, middle, SPREAD,
-                            half / middle if finest and element == "tet10" else None))
+                            bound))
             context.progress(f"{element} {cells}: {tip:.4f} mm, {result.seconds:.1f} s")
     return Section("Land's heart benchmark, problem 1", TEXT, rows, tables=[rows_table(rows)])
 

@@ -16,7 +16,8 @@ TERMS = [{"g": 0.45, "tau": 0.5}, {"g": 0.3, "tau": 5.0}]  # [-], [s]
 STEP, DURATION = 0.005, 10.0  # [s]
 TIMES = (0.05, 0.5, 2.0, 10.0)  # [s]
 SOURCE = "closed form mu gamma A (1 - sum g + sum g exp(-t/tau)), t from the middle of the ramp [Holzapfel 2000, 6.10]"
-BOUND = 1e-4
+# The history is updated by the middle of each step: second order in a step over the shortest tau.
+BOUND = (STEP / min(term["tau"] for term in TERMS)) ** 2
 
 
 def exact(t):

@@ -8,9 +8,10 @@ import math
 from accuracy.rows import Section, table
 from accuracy.solve import Failed
 
-from .. import norms
+from .. import converged, norms
 from ..runs import Config
 from . import beam, kernels, size, threads
+from .organs import LIVER
 
 QUICK = False
 MARK = 20250  # tetrahedra of the cube of 15^3 cells
@@ -26,6 +27,7 @@ class Goal:
     unit: str
     least: bool = False
     otherwise: str = ""  # what to say where there is no figure
+    later: str = ""  # what was added to the aim, or changed in it, after the first measurement
 
     @property
     def reached(self):
@@ -33,6 +35,9 @@ class Goal:
         return self.value >= self.goal if self.least else self.value <= self.goal
 
     def verdict(self):
+        return self._outcome() + (f"; {self.later}" if self.later else "")
+
+    def _outcome(self):
         if not math.isfinite(self.value):
             return f"**missed: {self.otherwise}**" if self.otherwise else "**not measured**"
         if self.reached:
@@ -60,7 +65,8 @@ def _kernels(context):
                                  ("product", "read_as_product", "in conjugate gradients")):
             share = found[work + end]["bytes_per_second"] / found[read + end]["bytes_per_second"]
             yield Goal(f"matrix of `{element}` times vector {what}, {MARK} tetrahedra: share of the read "
-                       "bandwidth", 100 * share, 80.0, "%", least=True)
+                       "bandwidth", 100 * share, 80.0, "%", least=True,
+                       later=LATER if work == "product" else "")
 
 
 def _beam(context):
@@ -77,6 +83,7 @@ def _cube(context):
     cases = (("anp", 0.45, 12.0), ("tet4", 0.45, 12.0), ("anp", 0.49, 27.0))
     context.prepare([CUBE.but(element=e, poisson_ratio=p) for e, p, _ in cases])
     for element, poisson, goal in cases:
+        limit = converged.converged(context, "cube", poisson)
         good, least_error = [], math.inf
         for integrator, tolerance in itertools.product(("backward_euler", "bdf2"), (1e-4, 1e-3, 1e-2)):
             run = context.measure(CUBE.but(element=element, poisson_ratio=poisson, tolerance=tolerance,
@@ -84,12 +91,12 @@ def _cube(context):
             rms = context.errors(run)["rms"]
             least_error = min(least_error, rms)
             if rms <= 0.005:
-                good.append((run.step_ms, integrator, tolerance, rms))
-        what = f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 %"
+                good.append((run.step_ms, integrator, tolerance, rms, limit.errors(run)[0]))
+        what = f"cube, {MARK} `{element}`, nu = {poisson:g}, pressed and slid, force within 0.5 % on the same mesh"
         if good:
-            ms, integrator, tolerance, rms = min(good)
-            yield Goal(f"{what} ({100 * rms:.2f} % with `{integrator}`, tolerance {tolerance:g}): mean of "
-                       "a step", ms, goal, "ms")
+            ms, integrator, tolerance, rms, true = min(good)
+            yield Goal(f"{what} ({100 * rms:.2f} % with `{integrator}`, tolerance {tolerance:g}; {100 * true:.0f} % "
+                       "off the converged force): mean of a step", ms, goal, "ms", later=EASED if integrator == "bdf2" else "")
         else:
             yield Goal(f"{what}: mean of a step", math.nan, goal, "ms",
                        otherwise=f"{100 * least_error:.2f} % at best")
@@ -108,7 +115,7 @@ def _small(context):
 
 
 def _growth(context):
-    runs = [context.measure(size.base(context, tets, "anp", "implicit_pcg"), repeats=2, seconds=3.0)
+    runs = [context.measure(size.base(context, tets, "anp", "implicit_pcg"), repeats=2)
             for tets in size.SIZES]
     grows = norms.exponent([r.summary["tets"] for r in runs], [r.step_ms for r in runs])
     yield Goal("time of a step over tetrahedra, 1000 to 50 000 `anp`, nu = 0.45: exponent", grows, 1.25, "")
@@ -116,16 +123,28 @@ def _growth(context):
                runs[-1].summary["peak_megabytes"], 400.0, "MB")
 
 
+def _newtons(context, run):
+    """RMS and largest force error of a run, in newtons."""
+    errors, peak = context.errors(run), norms.peak(context.reference(run.config).forces()[1])
+    return f"{errors['rms'] * peak:.3f}, {errors['max'] * peak:.3f} N"
+
+
 def _yardstick(context):
-    """How much faster than the plainest method a scene may be: shown, there is no goal."""
+    """How much faster than the plainest method a scene may be, and how wrong each is: shown, there is no
+    goal. On plain tet4, for which the method was published."""
     for scene in ("liver_150", "liver_500"):
-        base = Config(scene, duration=2.0)
-        plain = context.attempt(base.but(method="newton_bicgstab"), repeats=1)
+        base = Config(scene, duration=2.0, element="tet4")
+        plain = context.attempt(base.but(method="newton_bicgstab"), repeats=1, seconds=20.0)
         auto = context.attempt(base.but(method="auto"))
         if plain is None or auto is None:
             continue
-        yield [scene, plain.summary["tets"], f"{plain.step_ms:.3g} ms", f"{auto.step_ms:.3g} ms",
-               f"{plain.step_ms / auto.step_ms:.1f}", f"{plain.p99_ms / auto.p99_ms:.1f}"]
+        faster, limit = plain.p99_ms / auto.p99_ms, converged.converged(context, *LIVER)
+        yield [scene, plain.summary["tets"], f"{plain.step_ms:.3g} ms", _newtons(context, plain),
+               f"{100 * limit.errors(plain)[0]:.0f} %",
+               f"{auto.step_ms:.3g} ms", _newtons(context, auto),
+               f"{100 * limit.errors(auto)[0]:.0f} %",
+               f"{norms.peak(context.reference(base).forces()[1]):.3f} N",
+               f"{plain.step_ms / auto.step_ms:.1f}", f"{faster:.1f}" if math.isfinite(faster) else "-"]
 
 
 def run(context):
@@ -138,18 +157,31 @@ def run(context):
     tables = [table(["what", "measured", "aim", ""], [g.line() for g in goals])]
     yardstick = list(_yardstick(context))
     if yardstick:
-        tables.append("Beside the plainest method, quasi-static Newton-Raphson with Eigen's BiCGSTAB:\n\n" + table(
-            ["scene", "tetrahedra", "`newton_bicgstab`, mean of a cycle", "`auto`", "times faster",
+        tables.append(YARDSTICK + table(
+            ["scene", "tetrahedra", "`newton_bicgstab`: mean of a cycle", "force error: RMS, largest",
+             "RMS against the converged force", "`auto`: mean of a cycle", "force error: RMS, largest",
+             "RMS against the converged force", "largest force", "times faster",
              "p99: times faster"], yardstick))
     tables.append(WHY)
-    done = sum(g.reached for g in goals)
-    return Section("What was aimed at", TEXT + f" {done} of {len(goals)} are reached.", [], [], tables)
+    first = [g for g in goals if not g.later]
+    text = (f"{TEXT} Of the {len(first)} that stand as they were set {sum(g.reached for g in first)} are reached, "
+            f"of the {len(goals) - len(first)} that were added or eased later "
+            f"{sum(g.reached for g in goals if g.later)}.")
+    return Section("What was aimed at", text, [], [], tables)
 
 
-TEXT = """Aims that were set before, for one core of the processor below (AVX-512), each beside what this run
-measured."""
+LATER = "added after measuring"
+EASED = "eased after measuring: `bdf2` may be chosen"
+TEXT = """Aims for one core of the processor below (AVX-512), each beside what this run measured. They were set
+before anything was measured but where it is said."""
 
-WHY = """What stands in the way where an aim is missed:
+YARDSTICK = """Beside the plainest method, quasi-static Newton-Raphson with Eigen's BiCGSTAB, both on plain `tet4`, as
+that was published. Its force differs as well: it has no inertia, and what a tool touches sticks to it.
+Errors are against the reference on the same mesh, and against the converged force, in which the mesh counts.
+
+"""
+
+WHY = """What stood in the way where an aim was missed, found on an Intel Xeon (model 207, AVX-512) and written by hand:
 
 - `anp` goes over its elements twice, for the volumes around the nodes and for the stresses, and adds 36
   numbers an element to the rows of its nodal volumes besides the 54 of its blocks; the aims for gradient

@@ -16,8 +16,8 @@ class Lockstep {
 
   /// The input `poses` of time `t` [s]. The first one, and one that is earlier than the last or
   /// more than 1e5 steps later (which resets the simulator), places the tools and makes one step of
-  /// `solver.step`. The same time again makes no step. The report is of all
-  /// parts, see reportFigures().
+  /// `solver.step`. The same time again makes no step. The report and the
+  /// penetrations are of all parts, see reportFigures(); wrenches and contacts of the last one.
   const StepResult& advance(double t, const std::vector<LinkPoses>& poses);
 
   /// The simulator was restored to where the input `poses` of time `t` [s] had left it, and goes on

@@ -41,7 +41,7 @@ struct InstrumentResult {
   /// `spatial` expressed in the control frame.
   Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
   int contacts = 0;
-  double max_penetration = 0.0;  ///< [m]
+  double max_penetration = 0.0;  ///< [m]; of an input that Lockstep cuts, of all its steps.
 };
 
 struct StepResult {

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Says how old the measured pages are: docs/accuracy.md and docs/benchmarks.md name the commit that made
+them. Fails if one names none, a tree with changes that are in no commit, or a commit that HEAD does not
+come from. How many commits have since changed what decides its figures is information: a page takes half
+an hour of a quiet machine and is made anew before a release, not with each commit. Without git, in an
+export and in a clone that is too shallow it says that it cannot tell.
+
+    scripts/check_pages.py [ROOT]
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+# Rooms whose code decides a force or a shape, and those that only read, write, show or advise.
+MECHANICS = ["base", "material", "mesh", "fem", "solver", "instrument", "contact", "tissue", "scene", "sim"]
+OTHER = ["keys", "formats", "organs", "haptics", "teleop", "advice", "analysis", "io", "start", "cli", "ros"]
+BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
+PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)
+    "docs/accuracy.md": ("scripts/accuracy.sh", ["include/palpate/analysis", "src/analysis", "benchmarks/accuracy",
+                                                 "test/accuracy"]),
+    "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
+                                                    "benchmarks"])}
+MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
+
+
+class CannotTell(Exception):
+    """Why."""
+
+
+def git(root, *arguments):
+    return subprocess.run(["git", *arguments], cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def look_for_clone(root):
+    try:
+        top = git(root, "rev-parse", "--show-toplevel")
+    except OSError as error:
+        raise CannotTell("git is not installed") from error
+    if top.returncode != 0 or pathlib.Path(top.stdout.strip()).resolve() != root:
+        raise CannotTell("this is no clone")
+
+
+def is_shallow(root):
+    return git(root, "rev-parse", "--is-shallow-repository").stdout.strip() == "true"
+
+
+def paths(page):
+    rooms = [f"{top}/{room}" for room in MECHANICS for top in ("include/palpate", "src")]
+    return rooms + BUILD + PAGES[page][1]
+
+
+def changes(root, commit, page):
+    """How many commits after `commit` changed what: {room or folder: number}, and how many in all."""
+    log = git(root, "log", "--no-merges", "--format=%x00", "--name-only", f"{commit}..HEAD", "--", *paths(page))
+    if log.returncode != 0:
+        raise CannotTell(log.stderr.strip())
+    touched, commits = {}, log.stdout.split("\0")[1:]
+    for files in commits:
+        for place in {f.removeprefix("include/palpate/").removeprefix("src/").split("/")[0]
+                      for f in files.split()}:
+            touched[place] = touched.get(place, 0) + 1
+    return touched, len(commits)
+
+
+def check(root, page):
+    """(problem or None, what there is to say) about a page. @throws CannotTell"""
+    command = PAGES[page][0]
+    found = MADE_FROM.findall((root / page).read_text(encoding="utf-8"))
+    if not found:
+        return f"{page} names no commit; run {command}", ""
+    commit, dirty = found[-1]
+    if dirty:
+        return f"{page} was made with changes that are in no commit, on top of {commit}; run {command}", ""
+    look_for_clone(root)
+    known = git(root, "cat-file", "-e", commit + "^{commit}").returncode == 0
+    if not known and is_shallow(root):
+        raise CannotTell(f"this clone is too shallow to have {commit}, of which {page} is")
+    if not known or git(root, "merge-base", "--is-ancestor", commit, "HEAD").returncode != 0:
+        if known and is_shallow(root):
+            raise CannotTell(f"this clone is too shallow to say whether it comes from {commit}")
+        return f"{page} is of {commit}, which this branch does not come from; run {command}", ""
+    touched, number = changes(root, commit, page)
+    if number == 0:
+        return None, f"{page} is of {commit}: nothing that decides its figures has changed since."
+    most = sorted(touched, key=lambda place: (-touched[place], place))
+    return None, (f"WARNING: {page} is of {commit}; {number} commits have since changed what decides its "
+                  f"figures ({', '.join(f'{p} {touched[p]}' for p in most)}). Run {command} before you rely "
+                  "on them.")
+
+
+def check_lists(root):
+    """A room that nobody has sorted into MECHANICS or OTHER, and one that is gone."""
+    text = (root / "scripts/rooms.txt").read_text(encoding="utf-8")
+    rooms = {line.split("#")[0].split(":")[0].strip() for line in text.splitlines()} - {""}
+    listed = set(MECHANICS + OTHER)
+    return ([f"room {r} is in neither MECHANICS nor OTHER of scripts/check_pages.py" for r in sorted(rooms - listed)]
+            + [f"scripts/check_pages.py knows a room {r}; scripts/rooms.txt does not" for r in sorted(listed - rooms)])
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
+    problems = check_lists(root)
+    for page in PAGES:
+        try:
+            problem, said = check(root, page)
+        except CannotTell as why:
+            problem, said = None, f"{page}: whether the sources have changed since cannot be told: {why}."
+        if problem:
+            problems.append(problem)
+        else:
+            print(said)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

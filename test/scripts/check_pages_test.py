@@ -1,0 +1,145 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What scripts/check_pages.py says of pages of every origin, in a small repository; and that what
+benchmarks/provenance.py writes is what it reads."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+SOURCES = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = SOURCES / "scripts" / "check_pages.py"
+sys.path.insert(0, str(SOURCES / "benchmarks"))
+import provenance  # noqa: E402
+
+
+class Pages(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = pathlib.Path(folder.name).resolve()
+        self.root = self.top / "clone"
+        self.write("scripts/rooms.txt", (SOURCES / "scripts/rooms.txt").read_text())
+        self.write("src/fem/one.cpp", "")
+        self.write("src/ros/node.cpp", "")
+        self.git("init", "-q")
+        self.made_from()
+
+    def write(self, name, text):
+        file = self.root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    def git(self, *arguments, cwd=None):
+        return subprocess.run(["git", "-c", "user.name=t", "-c", "user.email=t@t", *arguments],
+                              cwd=cwd or self.root, check=True, capture_output=True, text=True).stdout.strip()
+
+    def commit(self):
+        self.git("add", "-A")
+        self.git("commit", "-q", "-m", "c", "--allow-empty")
+        return self.git("rev-parse", "--short=12", "HEAD")
+
+    def made_from(self, text=None):
+        """Both pages as the scripts write them, of the present sources, or with `text` as their origin."""
+        if text is None:
+            self.commit()
+            state = provenance.State.now(self.root)
+            with mock.patch.dict(os.environ, {"PALPATE_NO_BUILD": ""}):
+                text = provenance.sentence(state, provenance.State.now(self.root))
+        for page in ("accuracy", "benchmarks"):
+            self.write(f"docs/{page}.md", f"# Page\n\n## Made with\n\n{text}; a processor; 1 minute.\n")
+        self.commit()
+
+    def check(self, root=None):
+        done = subprocess.run([sys.executable, str(PROGRAM), str(root or self.root)],
+                              capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_of_the_present_sources(self):
+        status, said = self.check()
+        self.assertEqual(status, 0, said)
+        self.assertEqual(said.count("nothing that decides its figures has changed since"), 2)
+
+    def test_changes_are_counted_and_are_no_failure(self):
+        for k in range(3):
+            self.write("src/fem/one.cpp", f"// {k}\n")
+            self.commit()
+        self.write("src/ros/node.cpp", "// decides no figure\n")
+        self.write("benchmarks/work_precision/a.py", "# of one page only\n")
+        self.commit()
+        status, said = self.check()
+        self.assertEqual(status, 0, said)
+        self.assertIn("WARNING: docs/accuracy.md", said)
+        self.assertIn("3 commits have since changed what decides its figures (fem 3)", said)
+        self.assertIn("4 commits have since changed what decides its figures (fem 3, benchmarks 1)", said)
+
+    def test_a_page_of_a_tree_with_changes_fails(self):
+        self.write("src/fem/one.cpp", "// in no commit\n")
+        state = provenance.State.now(self.root)
+        self.assertEqual(state.changed, ("src/fem/one.cpp",))
+        self.made_from(provenance.sentence(state, state))
+        status, said = self.check()
+        self.assertEqual(status, 1)
+        self.assertEqual(said.count("changes that are in no commit"), 2)
+
+    def test_sources_that_change_meanwhile_fail(self):
+        begin = provenance.State.now(self.root)
+        self.write("src/fem/one.cpp", "// meanwhile\n")
+        self.commit()
+        self.made_from(provenance.sentence(begin, provenance.State.now(self.root)))
+        self.assertEqual(self.check()[0], 1)
+
+    def test_a_page_that_is_written_is_no_change(self):
+        self.write("docs/accuracy.md", "being written\n")
+        self.assertEqual(provenance.State.now(self.root).changed, ())
+
+    def test_a_commit_of_another_branch_and_none_fail(self):
+        self.git("checkout", "-q", "-b", "other")
+        other = self.commit()
+        self.git("checkout", "-q", "-")
+        self.made_from(f"Commit {other}")
+        status, said = self.check()
+        self.assertEqual((status, said.count("does not come from")), (1, 2), said)
+        self.made_from("Commit 0123456789ab")
+        self.assertEqual(self.check()[0], 1)
+        self.made_from("Made from sources without a commit")
+        status, said = self.check()
+        self.assertEqual((status, said.count("names no commit")), (1, 2), said)
+
+    def test_a_shallow_clone_and_an_export_cannot_tell(self):
+        self.write("src/fem/one.cpp", "// later\n")
+        self.commit()
+        shallow = self.top / "shallow"
+        self.git("clone", "-q", "--depth", "1", self.root.as_uri(), str(shallow), cwd=self.top)
+        status, said = self.check(shallow)
+        self.assertEqual((status, said.count("too shallow")), (0, 2), said)
+        export = self.top / "export"
+        shutil.copytree(self.root, export, ignore=shutil.ignore_patterns(".git"))
+        status, said = self.check(export)
+        self.assertEqual((status, said.count("this is no clone")), (0, 2), said)
+        self.assertIsNone(provenance.State.now(export).commit)
+
+    def test_an_export_within_a_repository_is_an_export(self):
+        export = self.root / "third_party"
+        shutil.copytree(self.root / "docs", export / "docs")
+        shutil.copytree(self.root / "scripts", export / "scripts")
+        self.commit()
+        status, said = self.check(export)
+        self.assertEqual((status, said.count("this is no clone")), (0, 2), said)
+
+    def test_a_room_that_nobody_sorted_fails(self):
+        self.write("scripts/rooms.txt", (SOURCES / "scripts/rooms.txt").read_text() + "magnets:\n")
+        status, said = self.check()
+        self.assertEqual(status, 1)
+        self.assertIn("room magnets is in neither MECHANICS nor OTHER", said)
+
+
+if __name__ == "__main__":
+    if shutil.which("git") is None:
+        print("git is not installed")
+        sys.exit(77)
+    unittest.main()
