@@ -52,10 +52,11 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.choice({"model", "", "What computes the organ's deformation."}, organ.model,
            tissue::modelNames());
   v.choice({"element", "", "Finite element, of model `fem`."}, organ.element, fem::elementNames());
-  v.section({"adapt", "",
-             "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
-             "near, before it touches, and joined behind it."},
-            organ.adapt);
+  v.section(
+      {"adapt", "",
+       "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
+       "near, before it touches, and joined behind it."},
+      organ.adapt);
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);
