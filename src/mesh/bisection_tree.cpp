@@ -35,10 +35,10 @@ class EdgeOrder {
 };
 
 // Which of the edges x2, x3, 23 of a face, x, p2, p3 of them, is the largest.
-std::int8_t largestOf(const EdgeOrder& order, int x, int p2, int p3) {
+std::uint8_t largestOf(const EdgeOrder& order, int x, int p2, int p3) {
   const std::pair<int, int> edges[3] = {{x, p2}, {x, p3}, {p2, p3}};
-  std::int8_t largest = 0;
-  for (std::int8_t k = 1; k < 3; ++k) {
+  std::uint8_t largest = 0;
+  for (std::uint8_t k = 1; k < 3; ++k) {
     if (order.less(edges[largest], edges[k])) largest = k;
   }
   return largest;
@@ -142,7 +142,7 @@ void BisectionTree::addChild(int parent, int kept, int middle) {
   // On cut faces the edge opposite the middle; on the new face too, but in the children of a
   // flagged planar one the edge from the middle to the edge that is next.
   const bool planar = p.mark[0] == p.mark[1] && p.mark[0] != 2;
-  child.mark = {0, static_cast<std::int8_t>(planar && p.flag ? 1 : 0)};
+  child.mark = {0, static_cast<std::uint8_t>(planar && p.flag ? 1 : 0)};
   child.flag = planar && !p.flag;
   addCell(child, 0.5 * volume_[parent]);
 }

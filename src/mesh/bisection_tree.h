@@ -29,9 +29,9 @@ class BisectionTree {
     std::array<int, 4> vertex;    ///< The edge between the first two is the one that is bisected.
     std::array<int, 6> edge;      ///< 01 02 03 12 13 23.
     int parent = -1, child = -1;  ///< The second child follows the first; -1: not yet made.
-    std::array<std::int8_t, 2> mark;  ///< Of faces 023 and 123: 0 edge x2, 1 edge x3, 2 edge 23.
-    std::uint8_t boundary;            ///< Bit k: the face opposite vertex k is on the boundary.
-    bool flag, odd;                   ///< Odd: positive if the last two vertices change places.
+    std::array<std::uint8_t, 2> mark;  ///< Of faces 023 and 123: 0 edge x2, 1 edge x3, 2 edge 23.
+    std::uint8_t boundary;             ///< Bit k: the face opposite vertex k is on the boundary.
+    bool flag, odd;                    ///< Odd: positive if the last two vertices change places.
   };
 
   /// The corners of `mesh`; its tetrahedra are the first cells.
