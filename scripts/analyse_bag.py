@@ -165,6 +165,7 @@ def main():
         for name in reports[0][1].__slots__ if name.startswith(SKIP))
     rows = [
         ("peak force", "%.3f N" % size.max()),
+        ("the mesh's error, estimated", "%.3f N at most" % column(reports, "mesh_error").max()),
         ("contacts, most at once", "%d" % contacts.max()),
         ("contact phases", "%d" % len(phases([t for t, _ in reports], contacts > 0))),
         ("deepest sample in the tool", "%.3f mm" % (1e3 * depth.max())),

@@ -10,26 +10,13 @@
 #include "palpate/instrument/geometry.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/tissue/fem/force_excess.h"
 
 namespace palpate::advice {
 namespace {
 
 constexpr double kWorthSaying = 0.15;  // of the force
 constexpr double kWanted = 0.08;       // a hand hardly tells it
-
-// excess = factor ratio^power, least squares of the logarithms. Computed by the benchmark `graded`.
-struct PowerLaw {
-  const char* element;
-  double factor, power;
-};
-constexpr PowerLaw kLaws[] = {
-    {"anp", 0.34, 1.40}, {"tet4", 0.69, 1.12}, {"p1p1", 0.28, 1.39}, {"tet10", 0.09, 1.94}};
-
-const PowerLaw* lawOf(const std::string& element) {
-  const auto* const law = std::find_if(std::begin(kLaws), std::end(kLaws),
-                                       [&](const PowerLaw& l) { return element == l.element; });
-  return law == std::end(kLaws) ? nullptr : law;
-}
 
 Eigen::Matrix3Xi outside(const mesh::CellMesh& cells) {
   if (cells.cells.rows() == 3) return cells.cells;
@@ -98,18 +85,19 @@ std::string percent(double part) {
 
 // What to write for edges that make the force too large by kWanted.
 std::string remedy(const scene::OrganConfig& organ, double edge) {
-  const std::string finest = rounded(edge);
-  if (organ.surface.empty()) return "a mesh with edges of " + finest + " m there";
+  if (organ.element != "tet10") return "adapt: {finest: " + rounded(edge) + "}";
+  if (organ.surface.empty()) return "a mesh with edges of " + rounded(edge) + " m there";
   return "edge_length: {coarsest: " + rounded(organ.edge_length.coarsest) +
-         ", near: [{finest: " + finest + ", ...}]}";
+         ", near: [{finest: " + rounded(edge) + ", ...}]}";
 }
 
 std::string adviceFor(const scene::OrganConfig& organ, const SurfaceEdges& edges,
                       const Tool& tool) {
-  const double edge = edges.graded() ? edges.finest : edges.mean;
-  const double excess = forceExcess(organ.element, edge / tool.radius).value_or(0.0);
-  const double wanted = edgeRatioFor(organ.element, kWanted).value_or(0.0) * tool.radius;
-  return "organ " + organ.name + ": " + (edges.graded() ? "where it is finest, " : "") +
+  const bool adapts = organ.adapt.on();
+  const double edge = adapts ? organ.adapt.finest : edges.graded() ? edges.finest : edges.mean;
+  const double excess = tissue::forceExcess(organ.element, edge / tool.radius).value_or(0.0);
+  const double wanted = tissue::edgeRatioFor(organ.element, kWanted).value_or(0.0) * tool.radius;
+  return "organ " + organ.name + ": " + (adapts || edges.graded() ? "where it is finest, " : "") +
          "edges of " + millimetres(edge) + " against a " +
          (tool.ball ? "ball of " : "shape like a ball of ") + millimetres(tool.radius) + " (" +
          tool.name + "): the force will be about " + percent(excess) + " too large; 8 % with " +
@@ -117,18 +105,6 @@ std::string adviceFor(const scene::OrganConfig& organ, const SurfaceEdges& edges
 }
 
 }  // namespace
-
-std::optional<double> forceExcess(const std::string& element, double ratio) {
-  const PowerLaw* law = lawOf(element);
-  if (law == nullptr) return {};
-  return law->factor * std::pow(ratio, law->power);
-}
-
-std::optional<double> edgeRatioFor(const std::string& element, double excess) {
-  const PowerLaw* law = lawOf(element);
-  if (law == nullptr) return {};
-  return std::pow(excess / law->factor, 1.0 / law->power);
-}
 
 SurfaceEdges surfaceEdges(const mesh::CellMesh& cells) {
   const Eigen::Matrix3Xi triangles = outside(cells);
@@ -167,14 +143,15 @@ std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator) {
     const scene::OrganConfig& organ = simulator.scene().organs[static_cast<std::size_t>(i)];
     if (organ.model != "fem") continue;
     const SurfaceEdges edges = surfaceEdges(simulator.cells(i));
-    const double edge = edges.graded() ? edges.finest : edges.mean;
+    double edge = edges.graded() ? edges.finest : edges.mean;
+    if (organ.adapt.on()) edge = std::min(edge, organ.adapt.finest);
     std::optional<Tool> thinnest;
     for (int k = 0; k < simulator.numInstruments(); ++k) {
       const std::optional<Tool> tool = toolOf(simulator, k);
       if (tool && (!thinnest || tool->radius < thinnest->radius)) thinnest = tool;
     }
     if (!thinnest || !(edge > 0.0)) continue;
-    if (forceExcess(organ.element, edge / thinnest->radius).value_or(0.0) > kWorthSaying) {
+    if (tissue::forceExcess(organ.element, edge / thinnest->radius).value_or(0.0) > kWorthSaying) {
       advice.push_back(adviceFor(organ, edges, *thinnest));
     }
   }

@@ -51,6 +51,10 @@ void printSummary(const io::Replay& replay, const std::vector<double>& step_ms) 
   const Percentiles ms = percentiles(step_ms);
   std::printf("peak force %.4g N, contacts at most %d, steps %zu (%d not converged)\n",
               replay.peakForce(), replay.mostContacts(), step_ms.size(), replay.failedSteps());
+  if (replay.meshErrorAtPeak() > 0.0) {
+    std::printf("of that the mesh's error is about %.2g N (docs/meshes.md)\n",
+                replay.meshErrorAtPeak());
+  }
   std::printf("step time p50 %.3f, p99 %.3f, max %.3f ms\n", ms.p50, ms.p99, ms.max);
 }
 

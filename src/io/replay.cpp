@@ -69,7 +69,9 @@ const sim::StepResult& Replay::next() {
   const sim::StepResult& result = lockstep_.advance(trajectory_.t[row_], posesOf(row_));
   ++row_;
   for (const sim::InstrumentResult& tool : result.instruments) {
-    peak_force_ = std::max(peak_force_, tool.spatial.force.norm());
+    if (tool.spatial.force.norm() <= peak_force_) continue;
+    peak_force_ = tool.spatial.force.norm();
+    mesh_error_ = result.report.mesh_error;
   }
   most_contacts_ = std::max(most_contacts_, result.report.contacts);
   failed_steps_ += !result.report.ok();

@@ -18,6 +18,7 @@ void ReplaySummary::add(const sim::StepResult& result, double cycle_ms) {
   for (std::size_t i = 0; i < peak_force_.size(); ++i) {
     peak_force_[i] = std::max(peak_force_[i], result.instruments[i].spatial.force.norm());
   }
+  mesh_error_ = std::max(mesh_error_, result.report.mesh_error);
   contacts_ = std::max(contacts_, result.report.contacts);
   unsolved_ += result.report.ok() ? 0 : 1;
   skipped_ += result.report.skipped.total();
@@ -32,6 +33,7 @@ void ReplaySummary::print(std::ostream& out, double simulated, double wall, long
   for (std::size_t i = 0; i < names_.size(); ++i) {
     row("peak force of " + names_[i] + " [N]") << peak_force_[i] << '\n';
   }
+  row("mesh error, largest [N]") << mesh_error_ << '\n';
   row("contacts, most") << contacts_ << '\n';
   const Percentiles p = percentiles(cycle_ms_);
   row("cycle p50/p99/max [ms]") << p.p50 << " / " << p.p99 << " / " << p.max << '\n';

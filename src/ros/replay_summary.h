@@ -20,6 +20,7 @@ class ReplaySummary {
  private:
   std::vector<std::string> names_;
   std::vector<double> peak_force_;  // [N]
+  double mesh_error_ = 0.0;         // [N]
   int contacts_ = 0;
   long unsolved_ = 0, skipped_ = 0;
   std::vector<double> cycle_ms_;

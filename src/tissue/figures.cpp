@@ -30,6 +30,9 @@ const std::vector<Figure<StepFigures>>& stepFigures() {
       {"kinetic_energy", "float64", "[J]", &F::kinetic_energy, M::kSum, M::kSum, M::kLast},
       {"elastic_energy", "float64", "of viscous organs the potential of the last step [J]",
        &F::elastic_energy, M::kSum, M::kSum, M::kLast},
+      {"mesh_error", "float64",
+       "estimate of what the tools' forces are too large by because edges are long [N]",
+       &F::mesh_error, M::kSum, M::kSum, M::kLast},
   };
   return kAll;
 }

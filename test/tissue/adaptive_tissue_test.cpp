@@ -240,6 +240,45 @@ TEST(AdaptiveTissue, KeepsWhatTouchesRemember) {
   EXPECT_LT((force - before).norm(), 0.05 * before.norm());
 }
 
+// The estimate beside the force, against what a much finer mesh feels.
+TEST(AdaptiveTissue, SaysWhatOfTheForceIsTheMeshs) {
+  struct Held {
+    double force, error;
+  };
+  const auto press = [](const AdaptiveSlab& slab, bool adapts) {
+    const auto tissue =
+        adapts ? slab.make() : makeFemTissue(slab.mesh, slab.composition, slab.free, slab.settings);
+    Ball ball(Vec3(0.05, 0.05, 0.052));
+    Held held{};
+    for (int k = 0; k < 50; ++k) {
+      const TissueStep& step =
+          tissue->step(ball.to(Vec3(0.05, 0.05, 0.052 - 0.0003 * std::min(k, 40))), kStep);
+      held = {onTool(step).norm(), step.mesh_error};
+    }
+    return held;
+  };
+  const auto slabOf = [](const Eigen::Vector3i& cells, double finest) {
+    AdaptiveSlab slab;
+    static_cast<test::Slab&>(slab) = test::Slab(cells);
+    slab.settings = AdaptiveSlab().settings;
+    slab.settings.integrator = "static";
+    slab.adapt.finest = finest;
+    return slab;
+  };
+  const Held fine = press(slabOf({8, 8, 4}, 0.0016), true);
+  const double limit = fine.force - fine.error;
+  EXPECT_LT(fine.error, 0.06 * fine.force);
+  double before = 1e3;
+  for (const double finest : {0.0, 0.008, 0.005, 0.003}) {
+    const Held held = press(slabOf({8, 8, 4}, finest), finest > 0.0);
+    const double error = held.force - limit;
+    EXPECT_LT(held.error, before) << finest;
+    EXPECT_GT(held.error, 0.5 * error) << finest << " " << held.force << " " << limit;
+    EXPECT_LT(held.error, 2.0 * error) << finest << " " << held.force << " " << limit;
+    before = held.error;
+  }
+}
+
 TEST(AdaptiveTissue, RefusesWhatItCannotDo) {
   AdaptiveSlab slab;
   slab.settings.method = "linear_precomputed";

@@ -34,6 +34,8 @@ class Replay {
   void writeRow(double step_ms, CsvWriter* csv) const;
 
   double peakForce() const { return peak_force_; }  ///< Of any instrument so far [N].
+  /// Of the mesh, estimated, where that was; see StepFigures::mesh_error [N].
+  double meshErrorAtPeak() const { return mesh_error_; }
   int mostContacts() const { return most_contacts_; }
   int failedSteps() const { return failed_steps_; }
 
@@ -45,7 +47,7 @@ class Replay {
   formats::Trajectory trajectory_;
   std::vector<std::vector<int>> joint_column_;  // of each joint of each instrument
   std::size_t row_ = 0;
-  double peak_force_ = 0.0;
+  double peak_force_ = 0.0, mesh_error_ = 0.0;
   int most_contacts_ = 0, failed_steps_ = 0;
 };
 

@@ -25,6 +25,7 @@ struct StepFigures {
   double min_jacobian = 1.0;
   double kinetic_energy = 0.0;  ///< [J]
   double elastic_energy = 0.0;  ///< [J]
+  double mesh_error = 0.0;      ///< [N]
   PhaseTimes phases;            ///< Wall time; the one part that differs between equal runs.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }

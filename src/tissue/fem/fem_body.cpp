@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "palpate/solver/static_solver.h"
+#include "palpate/tissue/fem/force_excess.h"
 
 namespace palpate::tissue {
 namespace {
@@ -38,6 +39,13 @@ fem::Composition withViscousTerms(fem::Composition composition) {
   return composition;
 }
 
+// See Touch. Quadratic faces are four triangles of half their edges.
+std::function<double(double)> excessOf(const std::string& element) {
+  if (!forceExcess(element, 1.0)) return {};
+  const double edges = element == "tet10" ? 2.0 : 1.0;
+  return [element, edges](double ratio) { return *forceExcess(element, edges * ratio); };
+}
+
 }  // namespace
 
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
@@ -58,7 +66,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
                                                       pool)),
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
-      touch(mesh.points, triangles, settings),
+      touch(mesh.points, triangles, settings, 0, excessOf(settings.element)),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "touch.h"
 
+#include <utility>
+
 namespace palpate::tissue {
 
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-             int organ)
+             int organ, std::function<double(double)> excess)
     : contact(contact::sampleSurface(X, triangles, settings.sample_spacing),
               contact::makeResponse(settings.contact, settings.responses)),
       sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
       organ_(organ),
+      X_(X),
+      excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
@@ -28,14 +32,30 @@ double Touch::report(const Points& x, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
   contact.collectAtEnd(x, &contacts_);
   nodal_.setZero(3, x.cols());
+  too_much_.clear();
   for (const contact::Contact& c : contacts_) {
     const contact::Touch& touch = c.touch;
     out->contacts.push_back(
         {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W, organ_});
     const contact::SurfaceSample& s = contact.samples()[touch.sample];
     for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
+    if (!excess_) continue;
+    const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle));
+    if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
+    const double excess = excess_(edgeAt(s) / touch.radius);
+    too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }
+  for (const Vec3& force : too_much_) out->mesh_error += force.norm();
   return nodal_.norm();
+}
+
+// Mean of the edges of the triangle that it lies in, at rest [m].
+double Touch::edgeAt(const contact::SurfaceSample& sample) const {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    sum += (X_.col(sample.nodes[(k + 1) % 3]) - X_.col(sample.nodes[k])).norm();
+  }
+  return sum / 3.0;
 }
 
 void Touch::countInactive(TissueStep* out) const {

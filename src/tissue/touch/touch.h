@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "palpate/contact/contact_potential.h"
@@ -16,9 +17,10 @@ namespace palpate::tissue {
 class Touch {
  public:
   /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
-  /// named in contacts.
+  /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
+  /// obstacle's inscribed radius; empty: nobody knows.
   Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-        int organ = 0);
+        int organ = 0, std::function<double(double r)> excess = {});
   Touch(const Touch&) = delete;  // the sweep refers to the contact
   Touch& operator=(const Touch&) = delete;
 
@@ -28,7 +30,8 @@ class Touch {
              double dt, TissueStep* out);
   /// Whether anything may touch in this cycle.
   bool possible() const { return contact.hasCandidates(); }
-  /// Adds the contacts at x, where the cycle ends. Returns the norm of their nodal forces [N].
+  /// Adds the contacts at x, where the cycle ends, and what of their forces is due to the mesh.
+  /// Returns the norm of their nodal forces [N].
   double report(const Points& x, TissueStep* out);
   /// After that: the points within reach that did not touch.
   void countInactive(TissueStep* out) const;
@@ -37,7 +40,12 @@ class Touch {
   ToolSweep sweep;
 
  private:
+  double edgeAt(const contact::SurfaceSample& sample) const;
+
   int organ_;
+  Points X_;
+  std::function<double(double)> excess_;
+  std::vector<Vec3> too_much_;  // by owner [N]
   bool skip_inactive_;
   std::vector<contact::Contact> contacts_;
   Points nodal_;
