@@ -9,6 +9,7 @@
 
 #include "bisection_tree.h"
 #include "leaves.h"
+#include "palpate/mesh/size_estimate.h"
 
 namespace palpate::mesh {
 namespace {
@@ -196,11 +197,5 @@ void NestedMesh::coarsen() {
 
 std::string NestedMesh::bisected() const { return impl_->bisected(); }
 void NestedMesh::restore(const std::string& bisected) { impl_->restore(bisected); }
-
-double edgeLength(double volume) {
-  // As estimateTets(): the mean tetrahedron has this part of the cube of the mean edge.
-  constexpr double kTetPerCube = 0.095;
-  return std::cbrt(volume / kTetPerCube);
-}
 
 }  // namespace palpate::mesh

@@ -7,6 +7,10 @@
 namespace palpate::mesh {
 namespace {
 
+// Measured on the shipped organs: the mean tetrahedron has this part of the cube of the mean edge;
+// a regular one has 0.118.
+constexpr double kTetPerCube = 0.095;
+
 constexpr double kSizeChange = 0.5;  // of the size in a box, from its nearest to its farthest point
 constexpr double kBorder = 1.0 / 40.0;  // of the body's diagonal: boxes on the surface are as small
 constexpr long kMostBoxes = 1000000;    // beyond it they are taken as they are
@@ -92,11 +96,10 @@ class Counter {
 }  // namespace
 
 double estimateTets(double volume, double edge_length) {
-  // Measured on the shipped organs: the mean tetrahedron has this part of the cube of the mean
-  // edge; a regular one has 0.118.
-  constexpr double kTetPerCube = 0.095;
   return volume / (kTetPerCube * edge_length * edge_length * edge_length);
 }
+
+double edgeLength(double volume) { return std::cbrt(volume / kTetPerCube); }
 
 SizeEstimate estimateTets(const SurfaceMesh& surface, const SizeField& field, double most) {
   return Counter(surface, field, most).result();

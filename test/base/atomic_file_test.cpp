@@ -111,7 +111,7 @@ TEST_F(AtomicFileTest, SaysWhyItCannotBeWritten) {
 }
 
 TEST_F(AtomicFileTest, WithoutPermissionTheOldOneStays) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  if (::geteuid() == 0) GTEST_SKIP() << "needs a user who may not write everywhere; this is root";
   folder_.write("state.csv", "old");
   fs::permissions(fs::path(file_).parent_path(), fs::perms::owner_read | fs::perms::owner_exec);
   EXPECT_TRUE(contains(complaint(file_), "Permission denied"));

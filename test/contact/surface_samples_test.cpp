@@ -21,6 +21,21 @@ double totalArea(const std::vector<SurfaceSample>& samples) {
   return sum;
 }
 
+// Of the surface of a cube of 100 mm.
+void expectNoGap(const mesh::TetMesh& box, const std::vector<SurfaceSample>& samples,
+                 double spacing) {
+  test::Random random;
+  for (int trial = 0; trial < 500; ++trial) {
+    Vec3 p = Vec3(random.uniform(0, 0.1), random.uniform(0, 0.1), random.uniform(0, 0.1));
+    p[trial % 3] = trial % 2 ? 0.1 : 0.0;
+    double nearest = 1.0;
+    for (const SurfaceSample& s : samples) {
+      nearest = std::min(nearest, (s.position(box.points) - p).norm());
+    }
+    EXPECT_LE(nearest, spacing);
+  }
+}
+
 TEST(SurfaceSamples, AreTheNodesWhereNoSpacingIsAsked) {
   const auto samples = sampleSurface(kBox.points, kSurface, 0.0);
   EXPECT_EQ(samples.size(), 26u);  // 27 nodes, one inside
@@ -83,16 +98,7 @@ TEST(SurfaceSamples, AreFewerInSmallTrianglesOfAGradedSurface) {
 TEST(SurfaceSamples, LeaveNoGap) {
   constexpr double kSpacing = 0.015;
   const auto samples = sampleSurface(kBox.points, kSurface, kSpacing);
-  test::Random random;
-  for (int trial = 0; trial < 500; ++trial) {
-    Vec3 p = Vec3(random.uniform(0, 0.1), random.uniform(0, 0.1), random.uniform(0, 0.1));
-    p[trial % 3] = trial % 2 ? 0.1 : 0.0;
-    double nearest = 1.0;
-    for (const SurfaceSample& s : samples) {
-      nearest = std::min(nearest, (s.position(kBox.points) - p).norm());
-    }
-    EXPECT_LE(nearest, kSpacing);
-  }
+  expectNoGap(kBox, samples, kSpacing);
 }
 
 // However small the triangles are against the spacing: a tool feels faces, not nodes alone, which
@@ -129,16 +135,7 @@ TEST(SurfaceSamples, AreDenseOnlyWhereTrianglesAreLarge) {
   EXPECT_LT((moment - expected).norm(), 1e-15);
   // As many as the area and the spacing need, not as the smallest triangle would have.
   EXPECT_LT(static_cast<double>(samples.size()), 4.0 * area / (kSpacing * kSpacing));
-  test::Random random;
-  for (int trial = 0; trial < 300; ++trial) {
-    Vec3 p = Vec3(random.uniform(0, 0.1), random.uniform(0, 0.1), random.uniform(0, 0.1));
-    p[trial % 3] = trial % 2 ? 0.1 : 0.0;
-    double nearest = 1.0;
-    for (const SurfaceSample& s : samples) {
-      nearest = std::min(nearest, (s.position(box.points) - p).norm());
-    }
-    EXPECT_LE(nearest, kSpacing);
-  }
+  expectNoGap(box, samples, kSpacing);
 }
 
 }  // namespace

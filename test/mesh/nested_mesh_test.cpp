@@ -8,6 +8,7 @@
 #include <set>
 
 #include "palpate/mesh/quality.h"
+#include "palpate/mesh/size_estimate.h"
 
 namespace palpate::mesh {
 namespace {

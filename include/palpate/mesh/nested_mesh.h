@@ -68,7 +68,4 @@ class NestedMesh {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Of a tetrahedron of `volume` [m^3]: the edge length [m] that a mesh of such ones has on average.
-double edgeLength(double volume);
-
 }  // namespace palpate::mesh

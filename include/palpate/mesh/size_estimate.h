@@ -10,6 +10,9 @@ namespace palpate::mesh {
 /// About how many tetrahedra of mean edge length `edge_length` [m] fill `volume` [m^3].
 double estimateTets(double volume, double edge_length);
 
+/// Of a tetrahedron of `volume` [m^3]: the edge length [m] that a mesh of such ones has on average.
+double edgeLength(double volume);
+
 /// What a size field makes of a body.
 struct SizeEstimate {
   double tets = 0.0;             ///< About so many tetrahedra.

@@ -7,6 +7,7 @@
 
 #include "fem_organ.h"
 #include "next_mesh.h"
+#include "palpate/base/error.h"
 #include "palpate/base/state_bytes.h"
 
 namespace palpate::tissue {
@@ -137,12 +138,15 @@ std::unique_ptr<TissueModel> makeAdaptiveTissue(const mesh::TetMesh& mesh,
                                                 const FemSettings& settings,
                                                 const AdaptSettings& adapt, ThreadPool* pool) {
   if (mesh.quadratic() || settings.element == "tet10") {
-    throw std::invalid_argument("adapt needs an element of 4 nodes, not tet10");
+    std::vector<std::string> allowed = fem::elementNames();
+    allowed.erase(std::remove(allowed.begin(), allowed.end(), "tet10"), allowed.end());
+    throw std::invalid_argument("element = " + settings.element +
+                                ", with adapt.finest: must be one of " + joinNames(allowed));
   }
   if (settings.method == "linear_precomputed") {
     throw std::invalid_argument(
-        "adapt needs another method than linear_precomputed, which computes its answers for one "
-        "mesh before it begins");
+        "method = linear_precomputed, with adapt.finest: must be another one; it computes its "
+        "answers for one mesh before it begins");
   }
   return std::make_unique<AdaptiveTissue>(mesh, composition, free, settings, adapt, pool);
 }

@@ -19,7 +19,6 @@ void FemOrgan::settle() {
 }
 
 void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
-  settled_ = change.interpolate(old.settled_);
   body_.goOnFrom(old.body_, change);
   method_->goOnFrom(*old.method_, change);
   rest_.wake();

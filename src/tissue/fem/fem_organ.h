@@ -26,7 +26,8 @@ class FemOrgan final : public TissueModel {
   /// @throws as makeFemTissue()
   void settle();
   /// Goes on where `old` is, which is the same body on another mesh, of which this one's came by
-  /// `change`: positions, velocities, and all memory that has a place.
+  /// `change`: positions, velocities, and all memory that has a place. What reset() goes back to
+  /// stays.
   void goOnFrom(const FemOrgan& old, const mesh::MeshChange& change);
 
   Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }

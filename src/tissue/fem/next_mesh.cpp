@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "adaptive_tissue.h"
+#include "palpate/mesh/size_estimate.h"
 
 namespace palpate::tissue {
 
