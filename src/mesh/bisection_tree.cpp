@@ -2,7 +2,6 @@
 #include "bisection_tree.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace palpate::mesh {
@@ -19,31 +18,6 @@ bool isOdd(const std::array<int, 4>& order) {
   return inversions % 2 == 1;
 }
 
-// A strict order of the edges of the coarse mesh, the same in all its tetrahedra.
-class EdgeOrder {
- public:
-  EdgeOrder(const TetMesh& mesh, const Eigen::Vector4i& tet) : mesh_(mesh), tet_(tet) {}
-  bool less(std::pair<int, int> e, std::pair<int, int> f) const { return key(e) < key(f); }
-
- private:
-  std::tuple<double, int, int> key(std::pair<int, int> e) const {
-    const auto [low, high] = std::minmax(tet_[e.first], tet_[e.second]);
-    return {(mesh_.points.col(low) - mesh_.points.col(high)).squaredNorm(), low, high};
-  }
-  const TetMesh& mesh_;
-  Eigen::Vector4i tet_;
-};
-
-// Which of the edges x2, x3, 23 of a face, x, p2, p3 of them, is the largest.
-std::uint8_t largestOf(const EdgeOrder& order, int x, int p2, int p3) {
-  const std::pair<int, int> edges[3] = {{x, p2}, {x, p3}, {p2, p3}};
-  std::uint8_t largest = 0;
-  for (std::uint8_t k = 1; k < 3; ++k) {
-    if (order.less(edges[largest], edges[k])) largest = k;
-  }
-  return largest;
-}
-
 }  // namespace
 
 BisectionTree::BisectionTree(const TetMesh& mesh) {
@@ -54,27 +28,10 @@ BisectionTree::BisectionTree(const TetMesh& mesh) {
   const std::vector<std::uint8_t> boundary = outerSides(mesh.tets);
   for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {
     const Eigen::Vector4i tet = mesh.tets.col(t);
-    const EdgeOrder edges(mesh, tet);
-    std::pair<int, int> longest{0, 1};
-    for (int a = 0; a < 4; ++a) {
-      for (int b = a + 1; b < 4; ++b) {
-        if (edges.less(longest, {a, b})) longest = {a, b};
-      }
-    }
-    std::array<int, 4> order{longest.first, longest.second, -1, -1};
-    for (int k = 0, at = 2; k < 4; ++k) {
-      if (k != longest.first && k != longest.second) order[at++] = k;
-    }
     Cell cell;
-    cell.boundary = 0;
-    for (int k = 0; k < 4; ++k) {
-      cell.vertex[k] = tet[order[k]];
-      if (boundary[static_cast<std::size_t>(t)] & (1 << order[k])) cell.boundary |= 1 << k;
-    }
-    cell.mark = {largestOf(edges, order[0], order[2], order[3]),
-                 largestOf(edges, order[1], order[2], order[3])};
-    cell.flag = false;
-    cell.odd = isOdd(order);
+    cell.vertex = {tet[0], tet[1], tet[2], tet[3]};
+    cell.boundary = boundary[static_cast<std::size_t>(t)];
+    cell.odd = false;
     addCell(cell, signedVolume(mesh.points, tet));
   }
 }
@@ -97,7 +54,37 @@ int BisectionTree::middleOf(int edge) {
   return e.middle;
 }
 
-void BisectionTree::addCell(const Cell& cell, double volume) {
+// Longer ones are greater; the middle decides between those of the same length, so that the order
+// of two edges is the same in all cells and does not depend on numbers.
+std::array<double, 4> BisectionTree::rank(int a, int b) const {
+  const Vec3 twice_middle = rest_[a] + rest_[b];
+  return {(rest_[a] - rest_[b]).squaredNorm(), twice_middle[0], twice_middle[1], twice_middle[2]};
+}
+
+// Brings the longest edge to the front.
+void BisectionTree::order(Cell* cell) const {
+  const std::array<int, 4> v = cell->vertex;
+  std::pair<int, int> longest{0, 1};
+  for (int a = 0; a < 4; ++a) {
+    for (int b = a + 1; b < 4; ++b) {
+      if (rank(v[longest.first], v[longest.second]) < rank(v[a], v[b])) longest = {a, b};
+    }
+  }
+  std::array<int, 4> place{longest.first, longest.second, -1, -1};
+  for (int k = 0, at = 2; k < 4; ++k) {
+    if (k != longest.first && k != longest.second) place[at++] = k;
+  }
+  const std::uint8_t boundary = cell->boundary;
+  cell->boundary = 0;
+  for (int k = 0; k < 4; ++k) {
+    cell->vertex[k] = v[place[k]];
+    if (boundary >> place[k] & 1) cell->boundary |= 1 << k;
+  }
+  cell->odd = cell->odd != isOdd(place);
+}
+
+void BisectionTree::addCell(Cell cell, double volume) {
+  order(&cell);
   const int c = static_cast<int>(cells_.size());
   cells_.push_back(cell);
   volume_.push_back(volume);
@@ -113,37 +100,20 @@ void BisectionTree::addCell(const Cell& cell, double volume) {
 void BisectionTree::bisect(int c) {
   const int middle = middleOf(cells_[c].edge[0]);
   cells_[c].child = static_cast<int>(cells_.size());
-  addChild(c, 0, middle);
   addChild(c, 1, middle);
+  addChild(c, 0, middle);
 }
 
-// The child with the parent's vertex `kept`, 0 or 1, and the middle in the place of the other one.
-void BisectionTree::addChild(int parent, int kept, int middle) {
-  const Cell p = cells_[parent];
-  const int lost = 1 - kept;
-  // Its new edge is the marked one of the face that it has from the parent: between places from and
-  // to of the parent; `rest` is the third one there.
-  const int mark = p.mark[kept];
-  const int from = mark == 2 ? 2 : kept, to = mark == 0 ? 2 : 3;
-  const int rest = kept + 2 + 3 - from - to;
+// The child with the middle in the place of the parent's vertex `lost`, 0 or 1. The face opposite
+// that vertex is the parent's, the one opposite the vertex that it keeps is new, and the other two
+// are halves of the parent's.
+void BisectionTree::addChild(int parent, int lost, int middle) {
   Cell child;
+  child.vertex = cells_[parent].vertex;
+  child.vertex[lost] = middle;
   child.parent = parent;
-  child.vertex = {p.vertex[from], p.vertex[to], p.vertex[rest], middle};
-  std::array<int, 4> order{from, to, rest, lost};
-  child.odd = p.odd != isOdd(order);
-  // The face opposite a vertex: of the inherited ones that of the middle, cut ones those of 2
-  // and 3.
-  const auto onBoundary = [&](int place) { return (p.boundary >> place & 1) != 0; };
-  child.boundary = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (order[k] >= 2 && onBoundary(order[k])) child.boundary |= 1 << k;
-  }
-  if (onBoundary(lost)) child.boundary |= 1 << 3;
-  // On cut faces the edge opposite the middle; on the new face too, but in the children of a
-  // flagged planar one the edge from the middle to the edge that is next.
-  const bool planar = p.mark[0] == p.mark[1] && p.mark[0] != 2;
-  child.mark = {0, static_cast<std::uint8_t>(planar && p.flag ? 1 : 0)};
-  child.flag = planar && !p.flag;
+  child.boundary = cells_[parent].boundary & ~(1 << (1 - lost));
+  child.odd = cells_[parent].odd;
   addCell(child, 0.5 * volume_[parent]);
 }
 

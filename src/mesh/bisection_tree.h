@@ -11,9 +11,12 @@
 namespace palpate::mesh {
 
 /// The tetrahedra that bisection makes of a mesh, as binary trees that grow where they are asked
-/// for. How a tetrahedron is bisected follows from its marked edges alone [Arnold, Mukherjee, Pouly
-/// 2000, "Locally adapted tetrahedral meshes using bisection"]: first the longest edge of each,
-/// and then in an order that leaves a bounded number of shapes.
+/// for. A tetrahedron is cut at the middle of its longest edge [Rivara 1991, "Local modification of
+/// meshes for adaptive and/or multigrid finite-element methods"]. All that share a face find the
+/// same longest edge in it, so that cutting on wherever an edge of a cell is cut ends with a mesh
+/// that conforms. Shapes stay bounded in practice [Hannukainen, Korotov, Krizek 2014, "On numerical
+/// regularity of the face-to-face longest-edge bisection algorithm for tetrahedral partitions"],
+/// and are better ones than those of bisection by marks, for which there is a proof.
 class BisectionTree {
  public:
   struct Vertex {
@@ -26,12 +29,11 @@ class BisectionTree {
     std::vector<int> cells;  ///< All that have it.
   };
   struct Cell {
-    std::array<int, 4> vertex;    ///< The edge between the first two is the one that is bisected.
+    std::array<int, 4> vertex;    ///< The longest edge, between the first two, is bisected.
     std::array<int, 6> edge;      ///< 01 02 03 12 13 23.
     int parent = -1, child = -1;  ///< The second child follows the first; -1: not yet made.
-    std::array<std::uint8_t, 2> mark;  ///< Of faces 023 and 123: 0 edge x2, 1 edge x3, 2 edge 23.
-    std::uint8_t boundary;             ///< Bit k: the face opposite vertex k is on the boundary.
-    bool flag, odd;                    ///< Odd: positive if the last two vertices change places.
+    std::uint8_t boundary;        ///< Bit k: the face opposite vertex k is on the boundary.
+    bool odd;                     ///< Positive if the last two vertices change places.
   };
 
   /// The corners of `mesh`; its tetrahedra are the first cells.
@@ -45,6 +47,9 @@ class BisectionTree {
   int numEdges() const { return static_cast<int>(edges_.size()); }
   int numCells() const { return static_cast<int>(cells_.size()); }
   double volume(int c) const { return volume_[c]; }  ///< At rest [m^3].
+  double longestEdge(int c) const {                  ///< At rest [m].
+    return (rest_[cells_[c].vertex[0]] - rest_[cells_[c].vertex[1]]).norm();
+  }
 
   /// Makes the children of a cell that has none.
   void bisect(int c);
@@ -52,8 +57,10 @@ class BisectionTree {
  private:
   int edgeBetween(int a, int b);
   int middleOf(int edge);
-  void addCell(const Cell& cell, double volume);
-  void addChild(int parent, int kept, int middle);
+  std::array<double, 4> rank(int a, int b) const;
+  void order(Cell* cell) const;
+  void addCell(Cell cell, double volume);
+  void addChild(int parent, int lost, int middle);
 
   std::vector<Vertex> vertices_;
   std::vector<Vec3> rest_;

@@ -9,14 +9,13 @@
 
 #include "bisection_tree.h"
 #include "leaves.h"
-#include "palpate/mesh/size_estimate.h"
 
 namespace palpate::mesh {
 namespace {
 
-// Bisected while larger than this, so that edge lengths, halved in volume, spread around what is
-// asked for: the sixth root of two.
-constexpr double kSpread = 1.122462048309373;
+// Tetrahedra are bisected while their longest edge is longer than this part of what is asked for.
+// The mean of all edges of a region of uniform size then is what is asked for, to a few percent.
+constexpr double kLongest = 1.6;
 // Tetrahedra are not joined to one that would be compressed to less than this part of its volume.
 constexpr double kLeastJacobian = 0.5;
 
@@ -116,8 +115,7 @@ struct NestedMesh::Impl {
       if (!bisect) {
         const bool was = cut.has(c);
         const double allowed = size(middle(c, x));
-        const double length = edgeLength(tree.volume(c));
-        bisect = length > kSpread * (was ? limits.join_below : 1.0) * allowed;
+        bisect = tree.longestEdge(c) > kLongest * (was ? limits.join_below : 1.0) * allowed;
         if (bisect && !was && left-- <= 0) bisect = false;
         if (!bisect && was) bisect = jacobian(c, x) < kLeastJacobian;
       }

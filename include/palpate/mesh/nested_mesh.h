@@ -18,14 +18,14 @@ namespace palpate::mesh {
 /// from what the mesh was before.
 class NestedMesh {
  public:
-  /// How large tetrahedra are wanted whose middle is at p [m] in the deformed body: the edge length
-  /// of those of the same volume, see edgeLength(). They get up to 12 % larger.
+  /// How long the edges of tetrahedra whose middle is at p [m] in the deformed body are to be in
+  /// the mean, at rest [m]. None gets longer than 1.6 times that.
   using Size = std::function<double(const Vec3& p)>;
 
   /// What limits the work of one change.
   struct Limits {
-    /// Bisected tetrahedra are joined where they are smaller than this part of what is asked for,
-    /// < 1, so that a mesh does not change to and fro.
+    /// Bisected tetrahedra are joined to one of which no edge gets longer than this part of what
+    /// is allowed, < 1, so that a mesh does not change to and fro.
     double join_below = 0.7;
     /// As many tetrahedra are bisected anew, but for those that conformity asks for; more are left
     /// to the next change, coarse ones first.
