@@ -97,10 +97,11 @@ CaseOutcome solveCase(const Case& problem, int threads,
     force = dynamics.body().supportForces();
     outcome.result.strain_energy = dynamics.body().elasticEnergy();
   }
+  outcome.result.min_jacobian = model.elasticity()->minJacobian(x);
+  status = solver::judged(status, outcome.result.min_jacobian);
   outcome.converged = status == solver::SolveStatus::kConverged;
   outcome.result.status = solver::toString(status);
   if (!problem.regions.empty()) outcome.result.energy_by_region = energyByRegion(problem, model, x);
-  outcome.result.min_jacobian = model.elasticity()->minJacobian(x);
   outcome.result.probes = probes.measure(model, x, force);
   fillFields(model, x, force, &outcome);
   return outcome;

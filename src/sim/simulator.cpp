@@ -19,7 +19,7 @@ void addModel(const tissue::TissueStep& cycle, StepReport* report) {
   }
   Vec3 on_tissue = cycle.support_force + cycle.gravity_force + cycle.inertia_force;
   for (const tissue::TissueContact& c : cycle.contacts) on_tissue -= c.force_W;
-  if (cycle.ok()) report->imbalance += on_tissue.norm();
+  if (solver::balanced(cycle.status)) report->imbalance += on_tissue.norm();
 }
 
 }  // namespace

@@ -7,6 +7,8 @@ std::string_view toString(SolveStatus status) {
   switch (status) {
     case SolveStatus::kConverged:
       return "converged";
+    case SolveStatus::kInverted:
+      return "inverted";
     case SolveStatus::kIterationLimit:
       return "iteration_limit";
     case SolveStatus::kDeadline:

@@ -10,8 +10,8 @@ const std::vector<Figure<StepFigures>>& stepFigures() {
   // one stays below the other; whether every step did is the status.
   static const std::vector<Figure<F>> kAll = {
       {"status", "string",
-       "converged, iteration_limit, deadline, line_search_failed, not_positive_definite or "
-       "non_finite",
+       "converged, inverted, iteration_limit, deadline, line_search_failed, "
+       "not_positive_definite or non_finite",
        &F::status, M::kLargest, M::kLargest, M::kLargest},
       {"sweep_stages", "int32", "parts that the tools' motion was cut into", &F::sweep_stages,
        M::kLargest, M::kLargest, M::kLargest},

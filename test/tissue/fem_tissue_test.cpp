@@ -167,6 +167,27 @@ TEST(FemTissue, KeepsItsLastGoodStateWhenASolveFails) {
   EXPECT_TRUE(tissue->step({}, kStep).ok());
 }
 
+// In balance, and yet none of the shapes that a body can have.
+TEST(FemTissue, SaysWhenAnElementIsInsideOut) {
+  Slab slab;
+  slab.settings.gravity.setZero();
+  const auto tissue = slab.make();
+  const TissueStep& step = tissue->step({}, kStep);
+  EXPECT_TRUE(step.ok());
+  // Held at its bottom and mirrored above it: it cannot come back within a microsecond.
+  Points mirrored = tissue->positions(0);
+  mirrored.row(2) = 2.0 * slab.mesh.points.row(2).minCoeff() - mirrored.row(2).array();
+  tissue->place(0, mirrored, Points::Zero(3, mirrored.cols()));
+  tissue->step({}, 1e-6);
+  EXPECT_LT(step.min_jacobian, 0.0);
+  EXPECT_EQ(step.status, solver::SolveStatus::kInverted);
+  EXPECT_TRUE(solver::usable(step.status));
+  EXPECT_TRUE(solver::balanced(step.status));
+  tissue->reset();
+  tissue->step({}, kStep);
+  EXPECT_TRUE(step.ok());
+}
+
 TEST(FemTissue, RefusesABodyThatWouldFall) {
   Slab slab;
   slab.free.setOnes();

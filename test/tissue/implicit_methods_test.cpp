@@ -81,7 +81,8 @@ TEST_P(EveryImplicitMethod, HeldNodesStayInTheirPlacesToTheLastBit) {
     const auto tissue = slab.make();
     Press press;
     for (int k = 0; k < 120; ++k) {
-      ASSERT_TRUE(tissue->step({press.next()}, 0.0005).ok()) << integrator;
+      // So fast a tool turns elements inside out.
+      ASSERT_TRUE(solver::balanced(tissue->step({press.next()}, 0.0005).status)) << integrator;
       const Points moved =
           (tissue->positions() - slab.mesh.points).array() * (1.0 - slab.free.array());
       ASSERT_EQ(moved.cwiseAbs().maxCoeff(), 0.0) << integrator << ", step " << k;

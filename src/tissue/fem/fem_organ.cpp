@@ -99,6 +99,7 @@ void FemOrgan::stop() {
 void FemOrgan::reportState() {
   const PhaseTimer timer(&out_.phases, Phase::kForces);
   out_.min_jacobian = body_.elasticity->minJacobian(body_.x);
+  out_.status = solver::judged(out_.status, out_.min_jacobian);
   out_.kinetic_energy =
       0.5 * body_.v.colwise().squaredNorm().transpose().cwiseProduct(method_->masses()).sum();
   const std::optional<double> own = method_->elasticEnergy();
