@@ -131,6 +131,24 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::St
   });
 }
 
+bool ContactPotential::addPush(const Points& x, const std::vector<Pose>& motions,
+                               Points* push) const {
+  bool any = false;
+  forEach(x, skip_inactive_, true, [&](const Touch& touch) {
+    const SurfaceSample& s = samples_[touch.sample];
+    const Vec3 p = s.position(x);
+    const Pose& motion = motions[static_cast<std::size_t>(touch.obstacle)];
+    // As if the sample went the other way, and the force turned with the obstacle.
+    const TouchForce f = response_->force(touch);
+    const Vec3 now = -(f.normal * touch.normal_W + f.other_W);
+    const Vec3 force = response_->stiffness(touch, fem::Tangent::kExact) * (motion * p - p) +
+                       (motion.linear() * now - now);
+    for (int k = 0; k < 3; ++k) push->col(s.nodes[k]) += s.weights[k] * force;
+    any |= force != Vec3::Zero();
+  });
+  return any;
+}
+
 double ContactPotential::maxStep(const Points& x, const Points& d) const {
   double largest = 1.0;
   for (const Candidate& c : candidates_) {

@@ -2,6 +2,7 @@
 #include "palpate/solver/newton.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "kept_stiffness.h"
@@ -39,6 +40,10 @@ Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bo
 }
 
 Newton::~Newton() = default;
+
+void Newton::elasticityChanged() {
+  if (elastic_) elastic_->drop();
+}
 
 void Newton::restart() {
   if (elastic_) elastic_->drop();
@@ -108,7 +113,6 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
                               Points* x) {
   NewtonReport report;
   kept_ = false;
-  if (elastic_ && potential.elasticity->viscous()) elastic_->drop();  // K depends on the step
   linear_->setInterrupt(settings.interrupt);
   double before = 0.0, term = settings.linear_tolerance;
   double value = 0.0;
@@ -142,6 +146,18 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     before = report.residual;
     ++report.iterations;
   }
+}
+
+bool Newton::tangentStep(const Potential& potential, const Points& x, const Points& push,
+                         double linear_tolerance, Points* d, NewtonReport* report) {
+  const double value = potential.gradient(x, &g_);
+  if (!std::isfinite(value) || !g_.allFinite()) return false;
+  g_ -= push;
+  const LinearReport solved = direction(potential, x, linear_tolerance, report);
+  if (!usable(solved.status) || !d_.allFinite()) return false;
+  *d = d_;
+  ++report->iterations;
+  return true;
 }
 
 double Newton::roundoffForce(const Points& x) const { return solver::roundoffForce(A_, x); }

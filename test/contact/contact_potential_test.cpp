@@ -69,6 +69,25 @@ TEST_P(ContactWithEveryShape, HessianIsThatOfTheGradient) {
   }
 }
 
+TEST_P(ContactWithEveryShape, PushIsWhatTouchesGainWhenTheToolMoves) {
+  const auto forces = [&](const Pose& motion) {
+    const Pose X_WG_moved = motion * X_WG;
+    potential.setObstacles({{body.geometry, 0, X_WG_moved, X_WG_moved}});
+    Points g = Points::Zero(3, mesh.numPoints());
+    potential.addGradient(mesh.points, &g);
+    return Points(-g);
+  };
+  const Pose there = poseFromXyzRpy(Vec3(2e-7, 1e-7, -3e-7), Vec3(2e-6, -1e-6, 3e-6));
+  const Points gained = 0.5 * (forces(there) - forces(there.inverse()));
+  forces(Pose::Identity());
+  Points push = Points::Zero(3, mesh.numPoints());
+  ASSERT_TRUE(potential.addPush(mesh.points, {there}, &push));
+  EXPECT_LT((push - gained).norm(), 1e-3 * push.norm());
+  Points none = Points::Zero(3, mesh.numPoints());
+  EXPECT_FALSE(potential.addPush(mesh.points, {Pose::Identity()}, &none));
+  EXPECT_TRUE(none.isZero(0.0));
+}
+
 TEST_P(ContactWithEveryShape, ProjectedHessianIsPositiveSemidefinite) {
   fem::Stiffness K = matrix();
   potential.addHessian(mesh.points, fem::Tangent::kProjected, &K);

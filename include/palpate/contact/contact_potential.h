@@ -52,6 +52,10 @@ class ContactPotential final : public fem::EnergyTerm {
   /// The nodes that candidates lie between, ascending.
   void candidateNodes(std::vector<int>* nodes) const;
 
+  /// += the forces on the nodes, 3 x n [N], that touches at x gain, to first order, while obstacle
+  /// k moves by motions[k] and x stays. False: there are none.
+  bool addPush(const Points& x, const std::vector<Pose>& motions, Points* push) const;
+
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
   void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;

@@ -45,6 +45,14 @@ class Minimizer {
   /// at x says, a good first guess for the next load step. x is untouched if the solve fails.
   virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;
 
+  /// The step d, 3 x n, of the free components that the tangent at x says if the force `push`, 3 x
+  /// n [N], is added: A d = push - g. Its cost goes into `report`. False: there is none.
+  virtual bool tangentStep(const Potential& /*potential*/, const Points& /*x*/,
+                           const Points& /*push*/, double /*linear_tolerance*/, Points* /*d*/,
+                           NewtonReport* /*report*/) {
+    return false;
+  }
+
   /// All components of the gradient where the last minimize() ended; on held ones it is the force
   /// that the support exerts on the body.
   virtual const Points& gradient() const = 0;
@@ -58,6 +66,8 @@ class Minimizer {
   /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
   /// into use.
   virtual void beginCycle(double /*dt*/) {}
+  /// The elastic energy is not the function of x that it was: nothing that was kept of it serves.
+  virtual void elasticityChanged() {}
   /// Forgets what it learnt: from here on it does what a new one would.
   virtual void restart() {}
   /// All that it learnt. Work that is being done beside goes on; it is saved as what it is done on.

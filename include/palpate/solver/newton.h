@@ -23,10 +23,13 @@ class Newton final : public Minimizer {
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                         Points* x) override;
   SolveStatus predict(const Potential& potential, const Points& move, Points* x) override;
+  bool tangentStep(const Potential& potential, const Points& x, const Points& push,
+                   double linear_tolerance, Points* d, NewtonReport* report) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override { linear_->beginCycle(dt); }
+  void elasticityChanged() override;
   void restart() override;
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;

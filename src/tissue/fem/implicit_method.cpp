@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "palpate/solver/line_search.h"
+
 namespace palpate::tissue {
 namespace {
 
@@ -11,6 +13,10 @@ constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
+// Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
+// step or two.
+constexpr double kWorthFollowing = 100.0;
+constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
 
 }  // namespace
 
@@ -90,6 +96,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
 bool ImplicitMethod::timeStep(double begin, double end, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
+  if (body_.elasticity->viscous()) minimizer_->elasticityChanged();
   if (!prepared_) minimizer_->prepare(potential_, body_.x);
   prepared_ = true;
   startFromPredictor(begin, h);
@@ -109,6 +116,7 @@ void ImplicitMethod::startFromPredictor(double s, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   body_.sweep.place(s);
   body_.sweep.beginStep(body_.x);
+  begin_x_ = body_.x;
   const double value_here = valueHere();
   integrator_.extrapolate(h, &way_);
   way_ = way_.cwiseProduct(body_.free);  // held components: only rounding, which would grow
@@ -131,12 +139,13 @@ void ImplicitMethod::solveStages(double begin, double end) {
   out_->tolerance = body_.tolerance();
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
+    const double from = s;
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
       s = body_.sweep.next(body_.x, s, end);
       ++out_->sweep_stages;
-      body_.sweep.place(s);
     }
+    followTools(from, s, from == begin ? begin_x_ : body_.x);
     solved.status = moveHeld(s);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
@@ -145,6 +154,38 @@ void ImplicitMethod::solveStages(double begin, double end) {
   out_->residual = solved.residual;
   out_->satisfied =
       out_->newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
+}
+
+// Brings the tools from part `from` of the cycle to part `to`, and what they touch with them: from
+// `x` as the tangent there says, to first order, if that is better than where the body is. It
+// spares Newton's method finding the points that stay in touch one after another.
+void ImplicitMethod::followTools(double from, double to, const Points& x) {
+  double value = 0.0;
+  {
+    const PhaseTimer timer(&out_->phases, Phase::kContact);
+    const bool touching = body_.sweep.pushTo(to, x, &push_);
+    body_.sweep.place(to);
+    if (!touching) return;
+    value = potential_.gradient(body_.x, &gradient_there_);
+    const double residual = solver::freeNorm(gradient_there_, body_.free);
+    if (residual <= kWorthFollowing * out_->tolerance) return;
+    body_.sweep.place(from);
+  }
+  solver::NewtonReport step;
+  const bool found = minimizer_->tangentStep(potential_, x, push_, kFollowTolerance, &way_, &step);
+  add(step);
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
+  body_.sweep.place(to);
+  if (!found) return;
+  predicted_ = x + potential_.maxStep(x, way_) * way_;
+  if (potential_.gradient(predicted_, &gradient_there_) < value) body_.x.swap(predicted_);
+}
+
+void ImplicitMethod::add(const solver::NewtonReport& report) {
+  out_->newton_iterations += report.iterations;
+  out_->linear_iterations += report.linear_iterations;
+  out_->kept_stiffnesses += report.kept_stiffnesses;
+  out_->phases += report.phases;
 }
 
 // Held nodes that move take the others along as the tangent says.
@@ -166,10 +207,7 @@ solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
     solved = minimizer_->minimize(potential_, settings, &body_.x);
-    out_->newton_iterations += solved.iterations;
-    out_->linear_iterations += solved.linear_iterations;
-    out_->kept_stiffnesses += solved.kept_stiffnesses;
-    out_->phases += solved.phases;
+    add(solved);
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     if (body_.sweep.candidatesHold(body_.x)) break;
     body_.sweep.search(body_.x);

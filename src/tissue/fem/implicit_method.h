@@ -31,6 +31,8 @@ class ImplicitMethod final : public StepMethod {
   void startFromPredictor(double s, double h);
   double valueHere();
   void solveStages(double begin, double end);
+  void followTools(double from, double to, const Points& x);
+  void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s);
   solver::NewtonReport solveStage(bool on_the_way);
   bool acceptable() const;
@@ -41,7 +43,7 @@ class ImplicitMethod final : public StepMethod {
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
 
-  Points elastic_gradient_, inertia_forces_, predicted_, gradient_there_, way_;
+  Points begin_x_, elastic_gradient_, inertia_forces_, predicted_, gradient_there_, push_, way_;
   TissueStep* out_ = nullptr;  // of the cycle under way
 };
 

@@ -42,6 +42,17 @@ void ToolSweep::place(double s) {
   contact_.setObstacles(placed_);
 }
 
+bool ToolSweep::pushTo(double s, const Points& x, Points* push) {
+  if (!contact_.hasCandidates()) return false;
+  motions_.clear();
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    const Pose X_WG = contact::interpolate(near_[k].X_WG_begin, near_[k].X_WG_end, s);
+    motions_.push_back(X_WG * placed_[k].X_WG_end.inverse());
+  }
+  push->setZero(3, x.cols());
+  return contact_.addPush(x, motions_, push);
+}
+
 void ToolSweep::beginStep(const Points& x) {
   for (contact::Obstacle& obstacle : placed_) obstacle.X_WG_begin = obstacle.X_WG_end;
   contact_.beginStep(x);

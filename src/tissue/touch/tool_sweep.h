@@ -27,6 +27,9 @@ class ToolSweep {
   }
   /// Brings the obstacles to part s of their way.
   void place(double s);
+  /// The forces on the nodes, 3 x n [N], that touches at x gain, to first order, while the
+  /// obstacles go from where they are to part s of their way and x stays. False: there are none.
+  bool pushTo(double s, const Points& x, Points* push);
   /// A step, or the first one of the cycle, begins with the tissue at x and the obstacles where
   /// they are.
   void beginStep(const Points& x);
@@ -50,6 +53,7 @@ class ToolSweep {
   std::vector<contact::Obstacle> near_;    // on their way through the cycle
   std::vector<contact::Obstacle> placed_;  // from where the step began to where they are
   std::vector<double> reach_, allowed_;    // of each near one [m]
+  std::vector<Pose> motions_;              // likewise
   Points searched_at_;
 };
 
