@@ -2,10 +2,12 @@
 // The tissues that are shipped.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 
 #include "palpate/scene/tissue_file.h"
+#include "support/law_response.h"
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "support/uniaxial.h"
@@ -91,6 +93,23 @@ TEST(TissueLibrary, BrainOfSurgeryRelaxes) {
   double left = 1.0;
   for (const material::PronyTerm& term : solidOf("brain_surgical").prony) left -= term.g;
   EXPECT_NEAR(left, 0.185, 1e-12);
+}
+
+// Law of the organs that tools are pressed into hard.
+TEST(TissueLibrary, SoftOrgansDoNotTurnInsideOut) {
+  for (const char* name : {"kidney_cortex", "liver", "muscle", "pancreas", "spleen"}) {
+    const material::Material law = solidOf(name).law;
+    const double mu = material::moduli(law).mu;
+    double last = 0.0;
+    for (const double squeeze : {0.1, 0.01, 0.001}) {
+      const Mat3 F = Eigen::Vector3d(1.0, 1.0, squeeze).asDiagonal();
+      const double energy = test::energyDensity(law, F);
+      EXPECT_GT(energy, last + mu) << name;
+      last = energy;
+    }
+    const Mat3 inverted = Eigen::Vector3d(1.0, 1.0, -0.1).asDiagonal();
+    EXPECT_TRUE(std::isinf(test::energyDensity(law, inverted))) << name;
+  }
 }
 
 TEST(TissuePage, CommittedPageIsTheGeneratedOne) {
