@@ -33,6 +33,7 @@ const std::map<std::string, double> kShearModuli = {
     {"brain_surgical", 842.0},
     {"dermis", 40.0e3 / 2.9},
     {"epidermis", 4.0e6 / 2.9},
+    {"gallbladder", 4.0e3 / 2.9},
     {"hepatic_vein", 0.62e6 / 2.9},
     {"hypodermis", 15.0e3 / 2.9},
     {"kidney_cortex", 5.0e3 / 2.9},
@@ -41,6 +42,7 @@ const std::map<std::string, double> kShearModuli = {
     {"muscle", 3.91e3},
     {"myocardium", 134.8},
     {"pancreas", 4.8e3 / 2.9},
+    {"phantom", 1.0e4 / 2.9},
     {"skin", 1.18e6 / 2.9},
     {"skin_cat", 3.94e3 * 5.03},
     {"spleen", 2.9e3 / 2.9},
@@ -91,9 +93,8 @@ TEST(TissueLibrary, BrainIsStifferInCompression) {
 
 // What is left of the shear modulus after long, as the sources print it.
 const std::map<std::string, double> kLeft = {
-    {"brain_surgical", 0.185},      {"dermis", 0.47},
-    {"liver", 0.91 / 2.04},         {"muscle", 1.0 - 0.549},
-    {"kidney_cortex", 0.91 / 2.04},
+    {"brain_surgical", 0.185}, {"dermis", 0.47},        {"gallbladder", 0.91 / 2.04},
+    {"liver", 0.91 / 2.04},    {"muscle", 1.0 - 0.549}, {"kidney_cortex", 0.91 / 2.04},
 };
 
 TEST(TissueLibrary, TissuesRelaxAsMuchAsTheirSourcesSayInTheTimesOfAHand) {
@@ -112,7 +113,8 @@ TEST(TissueLibrary, TissuesRelaxAsMuchAsTheirSourcesSayInTheTimesOfAHand) {
 
 // Law of the organs that tools are pressed into hard.
 TEST(TissueLibrary, SoftOrgansDoNotTurnInsideOut) {
-  for (const char* name : {"kidney_cortex", "liver", "muscle", "pancreas", "spleen"}) {
+  for (const char* name :
+       {"gallbladder", "kidney_cortex", "liver", "muscle", "pancreas", "phantom", "spleen"}) {
     const material::Material law = solidOf(name).law;
     const double mu = material::moduli(law).mu;
     double last = 0.0;
