@@ -87,35 +87,43 @@ void NodalPressure::buildRows(const RestShape<4>& shape) {
   pattern_ = std::make_shared<VolumeStiffness::Pattern>();
   pattern_->start.push_back(0);
   std::vector<int>& nodes = pattern_->node;
-  std::vector<int> seen_in(static_cast<std::size_t>(shape.masses.size()), -1);
+  constexpr int kUnseen = -1, kSeen = -2;
+  std::vector<int> entry(static_cast<std::size_t>(shape.masses.size()), kUnseen);
+  entry_.resize(16, pressure_.cols());
+  own_entry_.resize(solid_.size());
   for (std::size_t n = 0; n < solid_.size(); ++n) {
+    const int first = pattern_->start.back();
     for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
-      for (int a = 0; a < 4; ++a) {
-        int& seen = seen_in[static_cast<std::size_t>(shape.nodes(a, *e))];
-        if (seen != static_cast<int>(n)) nodes.push_back(shape.nodes(a, *e));
-        seen = static_cast<int>(n);
+      for (int i : shape.nodes.col(*e)) {
+        if (entry[i] == kUnseen) nodes.push_back(i);
+        entry[i] = kSeen;
       }
     }
-    std::sort(nodes.begin() + pattern_->start.back(), nodes.end());
+    std::sort(nodes.begin() + first, nodes.end());
     pattern_->start.push_back(static_cast<int>(nodes.size()));
-  }
-  own_entry_.resize(solid_.size());
-  for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {
-    for (int a = 0; a < 4; ++a) {
-      own_entry_[pressure_(a, e)] = rowEntry(static_cast<int>(e), a, shape.nodes(a, e));
+    for (int k = first; k < pattern_->start.back(); ++k) entry[nodes[k]] = k;
+    for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
+      const int own = ownCorner(*e, static_cast<int>(n));
+      for (int b = 0; b < 4; ++b) entry_(4 * own + b, *e) = entry[shape.nodes(b, *e)];
+      own_entry_[n] = entry_(5 * own, *e);
     }
+    for (int k = first; k < pattern_->start.back(); ++k) entry[nodes[k]] = kUnseen;
   }
 }
 
-void NodalPressure::prepareRows(const RestShape<4>& shape) {
+// The corner of element `e` whose pressure is `n`.
+int NodalPressure::ownCorner(int e, int n) const {
+  const auto corners = pressure_.col(e);
+  return static_cast<int>(std::find(corners.begin(), corners.end(), n) - corners.begin());
+}
+
+void NodalPressure::prepareRows() {
   std::vector<int> targets, sources;
   for (std::size_t n = 0; n < solid_.size(); ++n) {
     for (const int* e = elements_.begin(n); e != elements_.end(n); ++e) {
-      const Eigen::Vector4i corners = pressure_.col(*e);
-      const auto own = std::find(corners.begin(), corners.end(), static_cast<int>(n));
+      const int own = ownCorner(*e, static_cast<int>(n));
       for (int a = 0; a < 4; ++a) {
-        targets.push_back(
-            rowEntry(*e, static_cast<int>(own - corners.begin()), shape.nodes(a, *e)));
+        targets.push_back(rowEntry(*e, own, a));
         sources.push_back(4 * *e + a);
       }
     }
@@ -139,13 +147,6 @@ void NodalPressure::setDilatations(const std::vector<double>& theta, ThreadPool*
 double* NodalPressure::clearVolumeChanges() {
   c_.setZero();
   return c_.data();
-}
-
-int NodalPressure::rowEntry(int e, int a, int node) const {
-  const auto p = static_cast<std::size_t>(pressure_(a, e));
-  const auto begin = pattern_->node.begin() + pattern_->start[p];
-  const auto end = pattern_->node.begin() + pattern_->start[p + 1];
-  return static_cast<int>(std::lower_bound(begin, end, node) - pattern_->node.begin());
 }
 
 void NodalPressure::addEnergyBySolid(Eigen::VectorXd* energies) const {

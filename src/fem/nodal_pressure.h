@@ -40,8 +40,8 @@ class NodalPressure {
   const Eigen::VectorXd& pressures() const { return p_; }
   /// Number of the pressure at corner `a` of element `e`.
   int cornerPressure(int e, int a) const { return pressure_(a, e); }
-  /// Entry of `node` in the row of that pressure.
-  int rowEntry(int e, int a, int node) const;
+  /// Entry of the node of corner `b` of that element in the row of that pressure.
+  int rowEntry(int e, int a, int b) const { return entry_(4 * a + b, e); }
   /// Sets the entry of each row's own node to minus the sum of the others: a shift of all nodes
   /// changes no volume. The entries were zero.
   void completeRows(ThreadPool* pool, VolumeStiffness* stiffness) const;
@@ -54,19 +54,21 @@ class NodalPressure {
   /// With rows of zeros.
   VolumeStiffness makeStiffness() const;
   /// Before the first call of gatherRows(): lists what goes where.
-  void prepareRows(const RestShape<4>& shape);
+  void prepareRows();
   /// Rows of B from the gradients V_e/4 d theta_e/dx, 12 x m.
   void gatherRows(const Gradients& gradients, ThreadPool* pool, VolumeStiffness* stiffness) const;
 
  private:
   void numberPressures(const RestShape<4>& shape, const Composition& composition);
   void buildRows(const RestShape<4>& shape);
+  int ownCorner(int e, int n) const;
 
-  Eigen::Matrix4Xi pressure_;   // of the element's corners
-  std::vector<int> solid_;      // of each pressure
-  std::vector<int> own_entry_;  // of each pressure: that of its node in its row
-  Sources<int> elements_;       // around each pressure
-  std::vector<double> volume_;  // V_e [m^3]
+  Eigen::Matrix4Xi pressure_;                     // of the element's corners
+  Eigen::Matrix<int, 16, Eigen::Dynamic> entry_;  // in the row of corner a of corner b, [4 a + b]
+  std::vector<int> solid_;                        // of each pressure
+  std::vector<int> own_entry_;                    // of each pressure: that of its node in its row
+  Sources<int> elements_;                         // around each pressure
+  std::vector<double> volume_;                    // V_e [m^3]
   std::shared_ptr<const PressureMetric> metric_;
   std::shared_ptr<VolumeStiffness::Pattern> pattern_;
   Sources<int> row_sources_;  // of each entry of the pattern, into columns of 3 gradients

@@ -91,8 +91,7 @@ void PackedTetrahedra::pack(const std::vector<int>& elements, const RestShape<4>
         pressures.corner[a][lane] = pressure_->cornerPressure(e, order[a]);
         for (int b = 0; b < 4; ++b) {
           if (b == a) continue;
-          pressures.row[3 * a + b - (b > a)][lane] =
-              3 * pressure_->rowEntry(e, order[a], shape.nodes(order[b], e));
+          pressures.row[3 * a + b - (b > a)][lane] = 3 * pressure_->rowEntry(e, order[a], order[b]);
         }
       }
     }

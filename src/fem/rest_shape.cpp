@@ -29,7 +29,8 @@ Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const mesh::TetMesh& mesh,
 // Where the shape must not turn inside out: corners, and the middles of curved edges.
 template <int N>
 void refuseInverted(const Eigen::Matrix<double, 3, N>& X, Eigen::Index element) {
-  for (int k = 0; k < N; ++k) {
+  constexpr int kPlaces = N == 4 ? 1 : N;  // linear ones have one determinant
+  for (int k = 0; k < kPlaces; ++k) {
     Eigen::Vector4d w = Eigen::Vector4d::Zero();
     if (k < 4) {
       w[k] = 1.0;

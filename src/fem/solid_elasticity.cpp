@@ -65,7 +65,7 @@ void SolidElasticity<N>::allocate() {
   scatter_.prepare(shape_.nodes);
   if (pressure_) {
     volume_gradients_.resize(12, size);
-    if constexpr (N == 4) pressure_->prepareRows(shape_);
+    if constexpr (N == 4) pressure_->prepareRows();
   }
   dilatations_.resize(static_cast<std::size_t>(size));
   energies_.resize(static_cast<std::size_t>(size));

@@ -76,6 +76,8 @@ BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa)
     : impl_(std::make_unique<Impl>(max_iterations, pool, isa)) {}
 BlockPcg::~BlockPcg() = default;
 
+void BlockPcg::takePattern(const fem::Stiffness& A) { impl_->matrix.takePattern(A); }
+
 void BlockPcg::onlyChanged(const std::vector<int>& slots) { impl_->changed = &slots; }
 
 LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,

@@ -36,6 +36,7 @@ double atTheEnd(const NewtonSettings& settings, double residual, double term) {
 
 Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness)
     : A_(A), linear_(std::move(linear)) {
+  linear_->takePattern(A_);
   if (keep_stiffness) elastic_ = std::make_unique<KeptStiffness>(A_);
 }
 

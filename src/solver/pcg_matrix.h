@@ -19,9 +19,11 @@ class PcgMatrix {
  public:
   PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), chunks_(pool) {}
 
-  /// Takes the values of A, and at the first call its pattern. `changed`: slots off the diagonal
-  /// that alone, with those on it and the couplings, differ from what was taken last; null: all
-  /// may. False: a diagonal block is not positive definite.
+  /// Takes the pattern of A.
+  void takePattern(const fem::Stiffness& A);
+  /// Takes the values of A, and at the first call its pattern if that is not known. `changed`:
+  /// slots off the diagonal that alone, with those on it and the couplings, differ from what was
+  /// taken last; null: all may. False: a diagonal block is not positive definite.
   bool assign(const fem::Stiffness& A, const std::vector<int>* changed = nullptr);
 
   /// Of the matrix, all of which a product reads.
@@ -49,7 +51,6 @@ class PcgMatrix {
     Mat3 values;
   };
 
-  void takePattern(const fem::Stiffness& A);
   void takeRows(const fem::Stiffness& A);
   void takeVolumes(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
   void takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns);

@@ -24,6 +24,7 @@ class BlockPcg final : public LinearSolver {
 
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
+  void takePattern(const fem::Stiffness& A) override;
   void onlyChanged(const std::vector<int>& slots) override;
 
  private:

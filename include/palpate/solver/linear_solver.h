@@ -27,6 +27,9 @@ class LinearSolver {
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 
+  /// What can be done for the matrices to come, of which only A's pattern is known: spares the
+  /// first solve().
+  virtual void takePattern(const fem::Stiffness& /*A*/) {}
   /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal,
   /// in these slots off it and in its couplings. Unsaid, it may have changed anywhere.
   virtual void onlyChanged(const std::vector<int>& /*slots*/) {}
