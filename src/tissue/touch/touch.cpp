@@ -4,6 +4,19 @@
 #include <utility>
 
 namespace palpate::tissue {
+namespace {
+
+// Of the triangle that it lies in [m]: as long as it is now, for where the surface is stretched
+// around a tool it is as coarse as it looks there.
+double meanEdge(const Points& x, const contact::SurfaceSample& sample) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    sum += (x.col(sample.nodes[(k + 1) % 3]) - x.col(sample.nodes[k])).norm();
+  }
+  return sum / 3.0;
+}
+
+}  // namespace
 
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
              int organ, std::function<double(double)> excess)
@@ -12,7 +25,6 @@ Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSett
       sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
       organ_(organ),
-      X_(X),
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
@@ -42,20 +54,11 @@ double Touch::report(const Points& x, TissueStep* out) {
     if (!excess_) continue;
     const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle));
     if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
-    const double excess = excess_(edgeAt(s) / touch.radius);
+    const double excess = excess_(meanEdge(x, s) / touch.radius);
     too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }
   for (const Vec3& force : too_much_) out->mesh_error += force.norm();
   return nodal_.norm();
-}
-
-// Mean of the edges of the triangle that it lies in, at rest [m].
-double Touch::edgeAt(const contact::SurfaceSample& sample) const {
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    sum += (X_.col(sample.nodes[(k + 1) % 3]) - X_.col(sample.nodes[k])).norm();
-  }
-  return sum / 3.0;
 }
 
 void Touch::countInactive(TissueStep* out) const {

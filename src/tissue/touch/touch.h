@@ -40,10 +40,7 @@ class Touch {
   ToolSweep sweep;
 
  private:
-  double edgeAt(const contact::SurfaceSample& sample) const;
-
   int organ_;
-  Points X_;
   std::function<double(double)> excess_;
   std::vector<Vec3> too_much_;  // by owner [N]
   bool skip_inactive_;
