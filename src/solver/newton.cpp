@@ -108,7 +108,6 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
                               Points* x) {
   NewtonReport report;
   kept_ = false;
-  if (elastic_ && potential.elasticity->viscous()) elastic_->drop();  // K depends on the step
   linear_->setInterrupt(settings.interrupt);
   double before = 0.0, term = settings.linear_tolerance;
   double value = 0.0;
