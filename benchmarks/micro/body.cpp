@@ -27,11 +27,12 @@ Vec3 deformed(const Vec3& X) {
 
 }  // namespace
 
-Body::Body(int n, const std::string& element, const std::string& law, ThreadPool* pool)
+Body::Body(int n, const std::string& element, const std::string& law, ThreadPool* pool,
+           const std::vector<material::PronyTerm>& prony)
     : mesh(fem::meshFor(element,
                         mesh::boxMesh(Vec3::Constant(kEdge), Eigen::Vector3i::Constant(n)))),
       elasticity(
-          fem::makeElasticity(element, mesh, fem::Composition::uniform(materialOf(law)), pool)),
+          fem::makeElasticity(element, mesh, {{{materialOf(law), 1000.0, prony}}, {}, {}}, pool)),
       x(mesh.points) {
   for (Eigen::Index i = 0; i < x.cols(); ++i) x.col(i) = deformed(mesh.points.col(i));
 }

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "palpate/fem/elasticity.h"
 
@@ -12,7 +13,8 @@ namespace palpate::micro {
 
 /// A gel cube of 100 mm and n^3 cells of six tetrahedra, bent and pressed by some ten per cent.
 struct Body {
-  Body(int n, const std::string& element, const std::string& law, ThreadPool* pool = nullptr);
+  Body(int n, const std::string& element, const std::string& law, ThreadPool* pool = nullptr,
+       const std::vector<material::PronyTerm>& prony = {});
 
   mesh::TetMesh mesh;
   std::unique_ptr<fem::Elasticity> elasticity;

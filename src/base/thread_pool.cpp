@@ -34,6 +34,7 @@ struct ThreadPool::Team {
   std::atomic<std::uint64_t> number{0};  // of the loop that runs or ran last
   std::atomic<std::size_t> busy{0};      // helpers still in it
   std::atomic<bool> stop{false};
+  std::atomic<bool> taken{false};  // a loop is under way
 
   std::mutex mutex;
   std::condition_variable woken;
@@ -95,7 +96,7 @@ ThreadPool::~ThreadPool() {
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }
 
 void ThreadPool::run(std::size_t count, const Loop& loop) {
-  if (!team_) {
+  if (!team_ || team_->taken.exchange(true, std::memory_order_acquire)) {
     if (count > 0) loop.call(loop.body, 0, count);
     return;
   }
@@ -111,6 +112,7 @@ void ThreadPool::run(std::size_t count, const Loop& loop) {
       std::this_thread::yield();  // the helper waits for a processor
     }
   }
+  team_->taken.store(false, std::memory_order_release);
 }
 
 }  // namespace palpate

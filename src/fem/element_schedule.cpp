@@ -26,6 +26,14 @@ std::vector<int> slabs(const Points& X) {
 
 }  // namespace
 
+std::vector<ElementRun> ElementSchedule::runs() const {
+  std::vector<ElementRun> runs;
+  for (const std::vector<Part>& parts : phases) {
+    for (const Part& part : parts) runs.insert(runs.end(), part.begin(), part.end());
+  }
+  return runs;
+}
+
 ElementSchedule scheduleElements(const mesh::TetMesh& mesh, const Composition& composition) {
   const std::vector<int> slab = slabs(mesh.points);
   std::vector<std::pair<int, int>> order;  // smallest node, element

@@ -8,16 +8,21 @@
 
 namespace palpate::fem {
 
+/// Elements of one solid that follow one another.
+struct ElementRun {
+  int solid;
+  std::vector<int> elements;
+};
+
 /// An order in which threads may add up what elements share, with results that do not depend on
 /// how many threads there are: phases follow one another; the parts of one phase touch no common
 /// node, and each part is worked through in its order.
 struct ElementSchedule {
-  struct Run {  ///< Elements of one solid that follow one another.
-    int solid;
-    std::vector<int> elements;
-  };
-  using Part = std::vector<Run>;
+  using Part = std::vector<ElementRun>;
   std::vector<std::vector<Part>> phases;
+
+  /// One part after another.
+  std::vector<ElementRun> runs() const;
 };
 
 /// The nodes are cut into `kScheduleParts` slabs along the mesh's longest side. First come the

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "element_schedule.h"
 #include "for_all.h"
 
 namespace palpate::fem {
@@ -29,33 +28,31 @@ bool sameBits(const Points& a, const Points& b) {
 
 }  // namespace
 
-std::unique_ptr<PackedTetrahedra> PackedTetrahedra::make(
-    const mesh::TetMesh& mesh, const RestShape<4>& shape, const Composition& composition,
-    const std::vector<double>& element_kappa, NodalPressure* pressure, const BlockMatrix& pattern,
-    ThreadPool* pool, Isa isa) {
-  for (const material::Solid& solid : composition.solids) {
-    if (!kernelLaw(solid.law) || !solid.prony.empty()) return nullptr;
-  }
-  return std::unique_ptr<PackedTetrahedra>(
-      new PackedTetrahedra(mesh, shape, composition, element_kappa, pressure, pattern, pool, isa));
+bool PackedTetrahedra::fits(const Composition& composition) {
+  return std::all_of(composition.solids.begin(), composition.solids.end(),
+                     [](const material::Solid& solid) { return kernelLaw(solid.law).has_value(); });
 }
 
-PackedTetrahedra::PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>& shape,
+PackedTetrahedra::PackedTetrahedra(const ElementSchedule& schedule, const RestShape<4>& shape,
                                    const Composition& composition,
                                    const std::vector<double>& element_kappa,
-                                   NodalPressure* pressure, const BlockMatrix& pattern,
-                                   ThreadPool* pool, Isa isa)
-    : kernels_(tetKernels(isa)), pool_(pool), pressure_(pressure), upper_(pattern) {
-  for (const std::vector<ElementSchedule::Part>& parts :
-       scheduleElements(mesh, composition).phases) {
+                                   NodalPressure* pressure, const PronyHistory* history,
+                                   const BlockMatrix& pattern, ThreadPool* pool, Isa isa)
+    : kernels_(tetKernels(isa)),
+      pool_(pool),
+      pressure_(pressure),
+      history_(*history),
+      upper_(pattern) {
+  for (const std::vector<ElementSchedule::Part>& parts : schedule.phases) {
     phases_.emplace_back();
     for (const ElementSchedule::Part& part : parts) {
       phases_.back().emplace_back();
-      for (const ElementSchedule::Run& run : part) {
+      for (const ElementRun& run : part) {
         const material::Material& law = composition.solids[run.solid].law;
         phases_.back().back().push_back(
             {*kernelLaw(law), material::moduli(law).mu, element_kappa[run.solid],
-             static_cast<int>(batches_.size()), static_cast<int>(run.elements.size())});
+             static_cast<int>(batches_.size()), static_cast<int>(run.elements.size()), run.solid,
+             history_.empty() ? -1 : history_.batchOf(run.elements.front())});
         pack(run.elements, shape, pattern);
       }
     }
@@ -113,8 +110,13 @@ void PackedTetrahedra::forRuns(const Visit& visit) const {
 }
 
 TetArrays PackedTetrahedra::arrays() {
-  return {batches_.data(), blocks_.data(), pressure_ ? pressures_.data() : nullptr, J_.data(),
-          energy_.data()};
+  return {batches_.data(),
+          blocks_.data(),
+          pressure_ ? pressures_.data() : nullptr,
+          J_.data(),
+          energy_.data(),
+          history_.empty() ? nullptr : history_.stresses(),
+          history_.factors().data()};
 }
 
 void PackedTetrahedra::moveTo(const Points& x) {
@@ -170,6 +172,12 @@ void PackedTetrahedra::hessian(const Points& x, Stiffness* K) {
   });
   upper_.expand(kernels_, pool_, &K->blocks());
   if (pressure_) pressure_->completeRows(pool_, &K->volume());
+}
+
+void PackedTetrahedra::distortionalStresses(const Points& x, SymmetricBatch* S) {
+  forRuns([&](const TetRun& run) {
+    if (run.first_memory >= 0) kernels_.stress(arrays(), run, x.data(), S);
+  });
 }
 
 double PackedTetrahedra::minJacobian(const Points& x) {

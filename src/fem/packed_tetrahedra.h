@@ -4,12 +4,13 @@
 #include <memory>
 #include <vector>
 
+#include "element_schedule.h"
 #include "kernels/tet_kernels.h"
 #include "nodal_pressure.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/composition.h"
 #include "palpate/fem/stiffness.h"
-#include "palpate/mesh/tet_mesh.h"
+#include "prony_history.h"
 #include "rest_shape.h"
 #include "upper_blocks.h"
 
@@ -19,28 +20,29 @@ namespace palpate::fem {
 /// kept for the next call at the same x.
 class PackedTetrahedra {
  public:
-  /// Null where a solid has a law without kernel, or is viscous. `element_kappa`: the part of each
-  /// solid's bulk modulus that the elements have [Pa]; `pressure` has the rest, if there is one.
-  /// `pattern`: of the matrix.
-  static std::unique_ptr<PackedTetrahedra> make(const mesh::TetMesh& mesh,
-                                                const RestShape<4>& shape,
-                                                const Composition& composition,
-                                                const std::vector<double>& element_kappa,
-                                                NodalPressure* pressure, const BlockMatrix& pattern,
-                                                ThreadPool* pool, Isa isa = bestIsa());
+  /// All solids have laws with kernels.
+  static bool fits(const Composition& composition);
+
+  /// Of solids that fit. `element_kappa`: the part of each solid's bulk modulus that the elements
+  /// have [Pa]; `pressure` has the rest, if there is one. `history` has the points of
+  /// `schedule.runs()`, `pattern` is that of the matrix. All pointers must outlive this.
+  PackedTetrahedra(const ElementSchedule& schedule, const RestShape<4>& shape,
+                   const Composition& composition, const std::vector<double>& element_kappa,
+                   NodalPressure* pressure, const PronyHistory* history, const BlockMatrix& pattern,
+                   ThreadPool* pool, Isa isa = bestIsa());
 
   double energy(const Points& x);
   double gradient(const Points& x, Points* g);
   void hessian(const Points& x, Stiffness* K);
   double minJacobian(const Points& x);
+  /// Of the distortional energy of all viscous points, as PronyHistory::stressesAtEnd().
+  void distortionalStresses(const Points& x, SymmetricBatch* S);
   /// The pressures were changed by somebody else.
   void forget() { at_x_ = false; }
+  /// A step was begun, or the viscous memory is another one.
+  void forgetMemory() { energy_at_x_ = gradient_at_x_ = false; }
 
  private:
-  PackedTetrahedra(const mesh::TetMesh& mesh, const RestShape<4>& shape,
-                   const Composition& composition, const std::vector<double>& element_kappa,
-                   NodalPressure* pressure, const BlockMatrix& pattern, ThreadPool* pool, Isa isa);
-
   void pack(const std::vector<int>& elements, const RestShape<4>& shape,
             const BlockMatrix& pattern);
   /// visit(run) on all runs, in an order that the number of threads does not change.
@@ -54,6 +56,7 @@ class PackedTetrahedra {
   const TetKernels& kernels_;
   ThreadPool* pool_;
   NodalPressure* pressure_;  // may be null
+  const PronyHistory& history_;
   UpperBlocks upper_;
   std::vector<TetBatch> batches_;
   std::vector<TetBlocks> blocks_;

@@ -24,7 +24,7 @@ void addViscousTangent(const Mat3& H, Mat9* C) {
 template <class Law>
 double energyDensity(const Law& law, const PointBatch& batch, int i, double theta) {
   const double psi = batch.factor * law.distortionalEnergy(batch.F[i]);
-  const double viscous = batch.H ? viscousEnergy(*batch.H[i], batch.F[i]) : 0.0;
+  const double viscous = batch.H ? viscousEnergy(batch.H[i], batch.F[i]) : 0.0;
   return psi + 0.5 * batch.kappa * theta * theta + viscous;
 }
 
@@ -62,7 +62,7 @@ void stresses(const material::Material& material, const PointBatch& batch, doubl
           psi[i] = energyDensity(law, batch, i, theta);
           P[i] = batch.factor * law.distortionalStress(F);
           P[i] += pressure(batch, i, theta) * Theta::gradient(F);
-          if (batch.H) P[i] += F * *batch.H[i];
+          if (batch.H) P[i] += F * batch.H[i];
         }
       },
       material);
@@ -79,7 +79,7 @@ void tangents(const material::Material& material, const PointBatch& batch, Mat9*
           const Mat3 gradient = Theta::gradient(F);
           C[i] += batch.kappa * material::vec(gradient) * material::vec(gradient).transpose();
           Theta::addHessian(F, pressure(batch, i, Theta::value(F)), &C[i]);
-          if (batch.H) addViscousTangent(*batch.H[i], &C[i]);
+          if (batch.H) addViscousTangent(batch.H[i], &C[i]);
           if (theta_gradient) theta_gradient[i] = gradient;
         }
       },

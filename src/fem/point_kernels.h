@@ -17,7 +17,7 @@ struct PointBatch {
   double factor;           ///< Of the distortional energy, see PronyHistory.
   double kappa;            ///< [Pa]
   const double* pressure;  ///< Of each point [Pa], or null.
-  const Mat3* const* H;    ///< Of each point [Pa], or null.
+  const Mat3* H;           ///< Of each point [Pa], or null.
 };
 
 // The law is looked up once a call, not once a point.

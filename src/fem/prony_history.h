@@ -3,10 +3,13 @@
 
 #include <vector>
 
+#include "element_schedule.h"
 #include "palpate/base/state_bytes.h"
+#include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
 #include "palpate/mesh/mesh_change.h"
+#include "shared_batches.h"
 
 namespace palpate::fem {
 
@@ -18,24 +21,39 @@ namespace palpate::fem {
 /// [Holzapfel 2000, sec. 6.10, after Simo 1987; Taylor, Pister, Goudreau 1970 for the recursion],
 /// exact for an S that changes linearly over the step. It is the gradient of factor * psi + 1/2 H :
 /// (C - I) with what this class gives, so that a viscous step, too, minimises a potential.
+///
+/// The points of viscous solids lie in batches of eight, component by component, as kernels want
+/// them; solids that are not viscous take no room.
 class PronyHistory {
  public:
-  PronyHistory(const Composition& composition, int num_elements, int points_per_element);
+  /// Points follow one another as the elements of `runs`, each element's together; a run begins a
+  /// batch. `pool` may be null and must outlive the memory.
+  PronyHistory(const Composition& composition, const std::vector<ElementRun>& runs,
+               int num_elements, int points_per_element, ThreadPool* pool);
 
-  /// No solid of the body is viscous: nothing below is to be called.
-  bool empty() const { return points_.empty(); }
+  /// No solid of the body is viscous: nothing below is to be called but factor().
+  bool empty() const { return !viscous_; }
+  bool isViscous(int solid) const { return !state_.terms[solid].empty(); }
 
   /// Begins a step of `h` [s]; infinity: whatever can relax has.
   void beginStep(double h);
-  /// Of the distortional energy, for `solid`.
-  double factor(int solid) const { return factor_[solid]; }
-  /// H at integration point `q` of element `e`, symmetric [Pa].
-  const Mat3& stress(int e, int q) const { return points_[e * points_per_element_ + q].H; }
+  /// Of the distortional energy, of each solid.
+  const std::vector<double>& factors() const { return state_.factor; }
+  double factor(int solid) const { return state_.factor[solid]; }
+  /// H at integration point `q` of element `e`, symmetric [Pa]; zero where it is not viscous.
+  Mat3 stress(int e, int q) const;
+  /// The same of all batches.
+  const SymmetricBatch* stresses() const { return state_.H.data(); }
+  /// That of the first point of `e`; -1: it is not viscous.
+  int batchOf(int e) const;
 
-  /// Ends the step with the stress `S` at that point.
-  void endStep(int e, int q, const Mat3& S);
-  /// The point has had the stress `S` for ever.
-  void relax(int e, int q, const Mat3& S);
+  /// Where all S at the end of a step are put, before endStep() or relax().
+  SymmetricBatch* stressesAtEnd() { return S_end_.data(); }
+  void setStressAtEnd(int e, int q, const Mat3& S);
+  /// Ends the step.
+  void endStep();
+  /// The points have had these stresses for ever.
+  void relax();
 
   /// As Elasticity::goOnFrom(); `old_volumes` of the old elements.
   void goOnFrom(const PronyHistory& old, const mesh::MeshChange& change,
@@ -44,21 +62,43 @@ class PronyHistory {
   /// @throws std::invalid_argument for the memory of another body.
   void restore(StateReader* in);
 
- private:
   struct Term {
     double g, tau, decay, gain;  // exp(-x), g (1 - exp(-x))/x
   };
-  struct Point {
-    Mat3 S = Mat3::Zero(), H = Mat3::Zero();
-    std::vector<Mat3> Q;
+  /// All that changes; a copy costs next to nothing.
+  struct State {
+    std::vector<std::vector<Term>> terms;  // of each solid
+    std::vector<double> factor;
+    SharedBatches S, H, Q;
   };
-  const std::vector<Term>& terms(int e) const { return terms_[solid_of_[e]]; }
+  const State& state() const { return state_; }
+  void setState(const State& state) { state_ = state; }
+
+ private:
+  struct Batch {
+    int solid;
+    int first_Q;  // of its terms' Q, which follow one another
+  };
+  // Where a point is in all arrays but Q.
+  struct Place {
+    int batch, lane;
+  };
+  const std::vector<Term>& terms(const Batch& batch) const { return state_.terms[batch.solid]; }
+  Place place(int e, int q) const;
+  void addBatches(const ElementRun& run);
+  int numTensors(int batch) const;
+  const SymmetricBatch& tensors(int batch, int k) const;
+  /// tensor(e, q, k) for all of all points, in this order; of one that is not viscous k = 0, 1.
+  template <class TensorAt>
+  void setAll(const TensorAt& tensor);
 
   int points_per_element_;
-  std::vector<int> solid_of_;
-  std::vector<std::vector<Term>> terms_;  // of each solid
-  std::vector<double> factor_;
-  std::vector<Point> points_;
+  ThreadPool* pool_;
+  bool viscous_ = false;
+  std::vector<int> first_place_;  // of each element, 8 batch + lane; -1: not viscous
+  std::vector<Batch> batches_;
+  State state_;
+  std::vector<SymmetricBatch> S_end_;
 };
 
 }  // namespace palpate::fem

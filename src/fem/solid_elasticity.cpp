@@ -32,8 +32,7 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
       composition_(composition),
       pool_(pool),
       shape_(mesh, composition),
-      scatter_(shape_.nodes, static_cast<int>(mesh.numPoints())),
-      history_(composition, static_cast<int>(mesh.numTets()), kPoints) {
+      scatter_(shape_.nodes, static_cast<int>(mesh.numPoints())) {
   const std::vector<int> solid_of = fill(composition.solid_of, mesh.numTets());
   std::vector<double> nodal_kappa;
   for (const material::Solid& solid : composition.solids) {
@@ -47,15 +46,26 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
   for (std::size_t e = 0; e < solid_of.size(); ++e) {
     groups_[solid_of[e]].elements.push_back(static_cast<int>(e));
   }
+  ThreadPool* worth = mesh.numTets() >= kWorthThreads ? pool : nullptr;
+  const auto makeHistory = [&](const std::vector<ElementRun>& runs) {
+    history_ = std::make_unique<PronyHistory>(composition, runs, static_cast<int>(mesh.numTets()),
+                                              kPoints, worth);
+  };
   if constexpr (N == 4) {
     if (std::isfinite(treatment.element_modulus)) {
       pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
     }
-    packed_ = PackedTetrahedra::make(mesh, shape_, composition, element_kappa_, pressure_.get(),
-                                     scatter_.pattern(),
-                                     mesh.numTets() >= kWorthThreads ? pool : nullptr);
+    if (PackedTetrahedra::fits(composition)) {
+      const ElementSchedule schedule = scheduleElements(mesh, composition);
+      makeHistory(schedule.runs());
+      packed_ = std::make_unique<PackedTetrahedra>(schedule, shape_, composition, element_kappa_,
+                                                   pressure_.get(), history_.get(),
+                                                   scatter_.pattern(), worth);
+    }
   }
-  if (!packed_) allocate();
+  if (packed_) return;
+  makeHistory(groups_);
+  allocate();
 }
 
 template <int N>
@@ -71,39 +81,6 @@ void SolidElasticity<N>::allocate() {
   energies_.resize(static_cast<std::size_t>(size));
   forces_.resize(Eigen::NoChange, size);
   blocks_.resize(Eigen::NoChange, size);
-}
-
-template <int N>
-template <class Visit>
-void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
-  for (const Group& group : groups_) {
-    const material::Material& law = composition_.solids[group.solid].law;
-    const double kappa = element_kappa_[group.solid];
-    forAll(pool_, group.elements.size(), [&](std::size_t begin, std::size_t end) {
-      Batch batch;
-      batch.law = &law;
-      for (std::size_t at = begin; at < end; at += kBatch) {
-        batch.count = static_cast<int>(std::min<std::size_t>(kBatch, end - at));
-        batch.elements = group.elements.data() + at;
-        for (int k = 0; k < batch.count; ++k) {
-          const auto e = static_cast<std::size_t>(batch.elements[k]);
-          for (int q = 0; q < kPoints; ++q) {
-            const int i = batch.point(k, q);
-            batch.F[i] = deformation(x, e, shape_.points[e][q].gradients);
-            if (pressure_) batch.pressure[i] = pressure_->mean(e);
-            if (viscous()) batch.H[i] = &history_.stress(batch.elements[k], q);
-          }
-        }
-        batch.points = {kPoints * batch.count,
-                        batch.F,
-                        history_.factor(group.solid),
-                        kappa,
-                        pressure_ ? batch.pressure : nullptr,
-                        viscous() ? batch.H : nullptr};
-        visit(batch);
-      }
-    });
-  }
 }
 
 template <int N>
@@ -152,7 +129,7 @@ template <int N>
 Eigen::VectorXd SolidElasticity<N>::energyBySolid(const Points& x) {
   computeEnergies(x);
   Eigen::VectorXd energies = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(groups_.size()));
-  for (const Group& group : groups_) {
+  for (const ElementRun& group : groups_) {
     for (int e : group.elements) energies[group.solid] += energies_[e];
   }
   if (pressure_) pressure_->addEnergyBySolid(&energies);
@@ -214,49 +191,6 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
 template <int N>
 double SolidElasticity<N>::volume() const {
   return std::accumulate(shape_.volumes.begin(), shape_.volumes.end(), 0.0);
-}
-
-template <int N>
-void SolidElasticity<N>::endStep(const Points& x) {
-  if (viscous()) remember(x, &PronyHistory::endStep);
-}
-
-template <int N>
-void SolidElasticity<N>::relax(const Points& x) {
-  if (viscous()) remember(x, &PronyHistory::relax);
-  history_.beginStep(std::numeric_limits<double>::infinity());
-}
-
-template <int N>
-void SolidElasticity<N>::remember(const Points& x,
-                                  void (PronyHistory::*how)(int, int, const Mat3&)) {
-  forBatches(x, [&](const Batch& batch) {
-    Mat3 S[kBatch * kPoints];
-    distortionalStresses(*batch.law, batch.points.count, batch.F, S);
-    for (int k = 0; k < batch.count; ++k) {
-      for (int q = 0; q < kPoints; ++q) {
-        (history_.*how)(batch.elements[k], q, S[batch.point(k, q)]);
-      }
-    }
-  });
-}
-
-template <int N>
-void SolidElasticity<N>::goOnFrom(const Elasticity& old, const mesh::MeshChange& change) {
-  const auto* same = dynamic_cast<const SolidElasticity*>(&old);
-  if (!same) throw std::invalid_argument("the body was of other elements");
-  history_.goOnFrom(same->history_, change, same->shape_.volumes);
-}
-
-template <int N>
-std::unique_ptr<ViscousState> SolidElasticity<N>::saveViscousState() const {
-  if (history_.empty()) return nullptr;
-  return std::make_unique<SavedHistory>(history_);
-}
-
-template <int N>
-void SolidElasticity<N>::restoreViscousState(const ViscousState* state) {
-  if (const auto* saved = dynamic_cast<const SavedHistory*>(state)) history_ = saved->history;
 }
 
 template class SolidElasticity<4>;

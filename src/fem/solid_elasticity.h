@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "element_scatter.h"
+#include "for_all.h"
 #include "nodal_pressure.h"
 #include "packed_tetrahedra.h"
 #include "palpate/fem/elasticity.h"
@@ -47,15 +48,15 @@ class SolidElasticity final : public Elasticity {
   double volume() const override;
   const Eigen::VectorXd& masses() const override { return shape_.masses; }
   const Eigen::VectorXd& loadWeights() const override { return shape_.load_weights; }
-  bool viscous() const override { return !history_.empty(); }
-  void beginStep(double h) override { history_.beginStep(h); }
+  bool viscous() const override { return !history_->empty(); }
+  void beginStep(double h) override;
   void endStep(const Points& x) override;
   void relax(const Points& x) override;
   std::unique_ptr<ViscousState> saveViscousState() const override;
   void restoreViscousState(const ViscousState* state) override;
   void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) override;
-  void save(StateWriter* out) const override { history_.save(out); }
-  void restore(StateReader* in) override { history_.restore(in); }
+  void save(StateWriter* out) const override { history_->save(out); }
+  void restore(StateReader* in) override;
 
  private:
   static constexpr int kPoints = RestShape<N>::kPoints;
@@ -67,18 +68,14 @@ class SolidElasticity final : public Elasticity {
     const material::Material* law;
     Mat3 F[kBatch * kPoints];
     double pressure[kBatch * kPoints];
-    const Mat3* H[kBatch * kPoints];
+    Mat3 H[kBatch * kPoints];
     PointBatch points;
 
     int point(int k, int q) const { return kPoints * k + q; }
   };
-  struct Group {  // elements of one solid
-    int solid;
-    std::vector<int> elements;
-  };
   struct SavedHistory : ViscousState {
-    explicit SavedHistory(PronyHistory h) : history(std::move(h)) {}
-    PronyHistory history;
+    explicit SavedHistory(const PronyHistory::State& s) : state(s) {}
+    PronyHistory::State state;
   };
 
   Mat3 deformation(const Points& x, std::size_t e,
@@ -93,7 +90,9 @@ class SolidElasticity final : public Elasticity {
   void computeEnergies(const Points& x);
   PointState state(const Points& x, int e, const Eigen::Vector4d& w) const;
   /// Hands the stresses at x of all viscous points to the history.
-  void remember(const Points& x, void (PronyHistory::*how)(int, int, const Mat3&));
+  void remember(const Points& x);
+  /// What is kept of energies and stresses is of another memory.
+  void memoryChanged();
 
   TetMesh mesh_;
   Composition composition_;
@@ -101,9 +100,9 @@ class SolidElasticity final : public Elasticity {
   std::vector<double> element_kappa_;  // of each solid [Pa]
   RestShape<N> shape_;
   ElementScatter<N> scatter_;
-  std::vector<Group> groups_;
+  std::vector<ElementRun> groups_;           // elements of each solid
   std::unique_ptr<NodalPressure> pressure_;  // null: the elements have all of kappa
-  PronyHistory history_;
+  std::unique_ptr<PronyHistory> history_;
   std::unique_ptr<PackedTetrahedra> packed_;  // null where the laws have no kernels
 
   std::vector<double> energies_, dilatations_;  // scratch, one an element
@@ -119,6 +118,40 @@ Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
   Mat3 F = x.col(nodes[0]) * gradients.col(0).transpose();
   for (int a = 1; a < N; ++a) F += x.col(nodes[a]) * gradients.col(a).transpose();
   return F;
+}
+
+template <int N>
+template <class Visit>
+void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
+  for (const ElementRun& group : groups_) {
+    const material::Material& law = composition_.solids[group.solid].law;
+    const double kappa = element_kappa_[group.solid];
+    const bool remembers = history_->isViscous(group.solid);
+    forAll(pool_, group.elements.size(), [&](std::size_t begin, std::size_t end) {
+      Batch batch;
+      batch.law = &law;
+      for (std::size_t at = begin; at < end; at += kBatch) {
+        batch.count = static_cast<int>(std::min<std::size_t>(kBatch, end - at));
+        batch.elements = group.elements.data() + at;
+        for (int k = 0; k < batch.count; ++k) {
+          const auto e = static_cast<std::size_t>(batch.elements[k]);
+          for (int q = 0; q < kPoints; ++q) {
+            const int i = batch.point(k, q);
+            batch.F[i] = deformation(x, e, shape_.points[e][q].gradients);
+            if (pressure_) batch.pressure[i] = pressure_->mean(e);
+            if (remembers) batch.H[i] = history_->stress(batch.elements[k], q);
+          }
+        }
+        batch.points = {kPoints * batch.count,
+                        batch.F,
+                        history_->factor(group.solid),
+                        kappa,
+                        pressure_ ? batch.pressure : nullptr,
+                        remembers ? batch.H : nullptr};
+        visit(batch);
+      }
+    });
+  }
 }
 
 }  // namespace palpate::fem

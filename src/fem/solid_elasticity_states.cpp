@@ -48,11 +48,13 @@ PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector
   const int solid = composition_.solid_of.empty() ? 0 : composition_.solid_of[e];
   const material::Material& law = composition_.solids[solid].law;
   const double p = pressure_ ? pressure_->at(static_cast<std::size_t>(e), w) : 0.0;
-  const Mat3* H = viscous() ? &history_.stress(e, nearest) : nullptr;
+  const bool remembers = history_->isViscous(solid);
+  const Mat3 H = remembers ? history_->stress(e, nearest) : Mat3::Zero();
   double psi = 0.0;
   Mat3 P;
-  stresses(law, {1, &F, history_.factor(solid), element_kappa_[solid], &p, H ? &H : nullptr}, &psi,
-           &P);
+  stresses(law,
+           {1, &F, history_->factor(solid), element_kappa_[solid], &p, remembers ? &H : nullptr},
+           &psi, &P);
   return {F * Q.transpose(), P * F.transpose() / F.determinant()};
 }
 

@@ -2,6 +2,11 @@
 #include "kept_stiffness.h"
 
 namespace palpate::solver {
+namespace {
+
+enum class Saved : unsigned char { kNothing, kPlace, kAll };
+
+}  // namespace
 
 // The pattern has a block for every edge.
 bool KeptStiffness::near(const Points& x) const {
@@ -51,6 +56,7 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
   if (!kept) {
     x_ = x;
     valid_ = true;
+    viscous_ = potential.elasticity->viscous();
   }
   if (!kept || !assembled_) potential.elasticity->hessian(x_, fem::Tangent::kExact, &elastic_);
   assembled_ = true;
@@ -78,15 +84,22 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
 }
 
 void KeptStiffness::save(StateWriter* out) const {
-  out->put(valid_);
+  const Saved saved = !valid_ ? Saved::kNothing : viscous_ ? Saved::kAll : Saved::kPlace;
+  out->put(saved);
   if (valid_) out->put(x_);
+  if (saved == Saved::kAll) elastic_.save(out);
 }
 
 void KeptStiffness::restore(StateReader* in) {
-  in->get(&valid_);
+  Saved saved = Saved::kNothing;
+  in->get(&saved);
+  if (saved > Saved::kAll) StateReader::fail();
+  valid_ = saved != Saved::kNothing;
+  viscous_ = assembled_ = saved == Saved::kAll;
+  in_matrix_ = false;
   if (valid_) in->get(&x_);
   if (valid_ && x_.cols() != elastic_.numNodes()) StateReader::fail();
-  assembled_ = in_matrix_ = false;
+  if (saved == Saved::kAll) elastic_.restore(in);
 }
 
 }  // namespace palpate::solver

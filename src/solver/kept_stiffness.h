@@ -33,7 +33,8 @@ class KeptStiffness {
   /// Somebody else has written into A.
   void matrixWasOverwritten() { in_matrix_ = false; }
 
-  /// Where the elastic part was assembled, from which it can be assembled again.
+  /// Where the elastic part was assembled, from which it can be assembled again; of a viscous body
+  /// that depends on its memory of then, and the elastic part itself is saved.
   void save(StateWriter* out) const;
   void restore(StateReader* in);
 
@@ -47,6 +48,7 @@ class KeptStiffness {
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
   Points x_;
   bool valid_ = false;
+  bool viscous_ = false;    // elastic_ depends on more than x_
   bool assembled_ = true;   // elastic_ is that of x_; false after a restore
   bool in_matrix_ = false;  // A is elastic_, scaled and constrained, and what terms added
   double scale_ = 1.0;

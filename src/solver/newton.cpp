@@ -42,10 +42,6 @@ Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bo
 
 Newton::~Newton() = default;
 
-void Newton::elasticityChanged() {
-  if (elastic_) elastic_->drop();
-}
-
 void Newton::restart() {
   if (elastic_) elastic_->drop();
   linear_->restart();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
 #include <vector>
 
 namespace palpate {
@@ -23,6 +24,34 @@ TEST(ThreadPool, VisitsEachIndexOnce) {
       for (int v : visits) ASSERT_EQ(v, 50);
     }
   }
+}
+
+// As where the next mesh is made beside the cycles.
+TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
+  ThreadPool pool(2);
+  const auto work = [&](std::vector<int>* visits) {
+    for (int loop = 0; loop < 2000; ++loop) {
+      pool.forRanges(visits->size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) ++(*visits)[i];
+      });
+    }
+  };
+  std::vector<int> here(300, 0), beside(300, 0);
+  std::thread other([&] { work(&beside); });
+  work(&here);
+  other.join();
+  for (int v : here) ASSERT_EQ(v, 2000);
+  for (int v : beside) ASSERT_EQ(v, 2000);
+
+  std::vector<int> inner(16 * 16, 0);
+  pool.forRanges(16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pool.forRanges(16, [&](std::size_t first, std::size_t last) {
+        for (std::size_t j = first; j < last; ++j) ++inner[16 * i + j];
+      });
+    }
+  });
+  for (int v : inner) ASSERT_EQ(v, 1);
 }
 
 }  // namespace

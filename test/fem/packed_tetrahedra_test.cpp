@@ -34,16 +34,28 @@ class Packed : public ::testing::TestWithParam<bool> {  // with nodal pressures
 
   struct Body {
     Body(const Packed& p, Isa isa, ThreadPool* pool)
-        : shape(p.mesh, p.composition), scatter(shape.nodes, static_cast<int>(p.mesh.numPoints())) {
+        : shape(p.mesh, p.composition),
+          scatter(shape.nodes, static_cast<int>(p.mesh.numPoints())),
+          schedule(scheduleElements(p.mesh, p.composition)),
+          history(p.composition, schedule.runs(), static_cast<int>(p.mesh.numTets()), 1, pool) {
       if (GetParam()) {
         pressure = std::make_unique<NodalPressure>(NodalPressure::Kind::kAveraged,
                                                    std::vector<double>{1.9e4, 7.5e4}, shape,
                                                    p.composition);
       }
-      packed = PackedTetrahedra::make(p.mesh, shape, p.composition, p.element_kappa, pressure.get(),
-                                      scatter.pattern(), pool, isa);
+      packed = std::make_unique<PackedTetrahedra>(schedule, shape, p.composition, p.element_kappa,
+                                                  pressure.get(), &history, scatter.pattern(), pool,
+                                                  isa);
       K = pressure ? Stiffness(scatter.pattern(), pressure->makeStiffness())
                    : Stiffness(scatter.pattern());
+    }
+    // A step from the rest shape to `at`, and the begin of the next one.
+    void remember(const Points& at) {
+      history.beginStep(0.01);
+      packed->distortionalStresses(at, history.stressesAtEnd());
+      history.endStep();
+      history.beginStep(0.02);
+      packed->forgetMemory();
     }
     void compute(const Points& at) {
       energy = packed->gradient(at, &g);
@@ -54,6 +66,8 @@ class Packed : public ::testing::TestWithParam<bool> {  // with nodal pressures
     RestShape<4> shape;
     ElementScatter<4> scatter;
     std::unique_ptr<NodalPressure> pressure;
+    ElementSchedule schedule;
+    PronyHistory history;
     std::unique_ptr<PackedTetrahedra> packed;
     Stiffness K;
     Points g, Kg;
@@ -80,6 +94,47 @@ TEST_P(Packed, GivesTheSameBitsWithAllInstructionsAndThreads) {
       EXPECT_TRUE(body.Kg == first.Kg) << toString(isa) << ", " << threads << " threads";
     }
   }
+}
+
+TEST_P(Packed, ViscousSolidsGiveTheSameBitsWithAllInstructionsAndThreads) {
+  composition.solids[0].prony = {{0.3, 0.1}, {0.2, 1.0}};
+  Body first(*this, Isa::kBaseline, nullptr);
+  first.compute(x);
+  const double at_rest = first.energy;
+  first.remember(0.99 * x);
+  first.compute(x);
+  EXPECT_NE(first.energy, at_rest);
+  StateWriter memory;
+  first.history.save(&memory);
+  for (const Isa isa : availableIsas()) {
+    for (const int threads : {1, 2, 3}) {
+      ThreadPool pool(threads);
+      Body body(*this, isa, &pool);
+      body.remember(0.99 * x);
+      body.compute(x);
+      EXPECT_EQ(body.energy, first.energy) << toString(isa) << ", " << threads << " threads";
+      EXPECT_TRUE(body.g == first.g) << toString(isa) << ", " << threads << " threads";
+      EXPECT_TRUE(body.Kg == first.Kg) << toString(isa) << ", " << threads << " threads";
+      EXPECT_EQ(body.packed->energy(x), first.packed->energy(x));
+      StateWriter bytes;
+      body.history.save(&bytes);
+      EXPECT_EQ(bytes.bytes(), memory.bytes()) << toString(isa) << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST_P(Packed, WhatIsKeptIsForgottenWithTheMemory) {
+  composition.solids[0].prony = {{0.3, 0.1}};
+  Body body(*this, bestIsa(), nullptr), fresh(*this, bestIsa(), nullptr);
+  body.compute(x);
+  body.remember(0.99 * x);
+  fresh.remember(0.99 * x);
+  EXPECT_EQ(body.packed->energy(x), fresh.packed->energy(x));
+  body.compute(x);
+  fresh.compute(x);
+  EXPECT_EQ(body.energy, fresh.energy);
+  EXPECT_TRUE(body.g == fresh.g);
+  EXPECT_TRUE(body.Kg == fresh.Kg);
 }
 
 TEST_P(Packed, WhatIsKeptFromTheLastCallChangesNothing) {
@@ -126,19 +181,12 @@ TEST_P(Packed, InvertedElementHasInfiniteEnergy) {
   EXPECT_LT(body.packed->minJacobian(x), 0.0);
 }
 
-TEST_P(Packed, LeavesOtherLawsAndViscousSolidsToOthers) {
-  const RestShape<4> shape(mesh, composition);
-  const ElementScatter<4> scatter(shape.nodes, static_cast<int>(mesh.numPoints()));
-  Composition other = composition;
-  other.solids[1].law = material::makeMaterial("yeoh", material::exampleConstants("yeoh"));
-  EXPECT_EQ(PackedTetrahedra::make(mesh, shape, other, element_kappa, nullptr, scatter.pattern(),
-                                   nullptr),
-            nullptr);
-  other = composition;
-  other.solids[0].prony = {{0.3, 1.0}};
-  EXPECT_EQ(PackedTetrahedra::make(mesh, shape, other, element_kappa, nullptr, scatter.pattern(),
-                                   nullptr),
-            nullptr);
+TEST_P(Packed, TakesViscousSolidsAndLeavesOtherLawsToOthers) {
+  EXPECT_TRUE(PackedTetrahedra::fits(composition));
+  composition.solids[0].prony = {{0.3, 1.0}};
+  EXPECT_TRUE(PackedTetrahedra::fits(composition));
+  composition.solids[1].law = material::makeMaterial("yeoh", material::exampleConstants("yeoh"));
+  EXPECT_FALSE(PackedTetrahedra::fits(composition));
 }
 
 INSTANTIATE_TEST_SUITE_P(Pressures, Packed, ::testing::Bool(), [](const auto& test) {

@@ -43,11 +43,14 @@ struct Body {
   Inertia inertia;
   Potential potential;
 
-  explicit Body(const std::string& element)
+  explicit Body(const std::string& element, const std::vector<material::PronyTerm>& prony = {})
       : elasticity(fem::makeElasticity(
             element, mesh,
-            fem::Composition::uniform(material::makeMaterial(
-                "stable_neo_hookean", {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}})))),
+            {{{material::makeMaterial("stable_neo_hookean",
+                                      {{"young_modulus", {5e3}}, {"poisson_ratio", {0.45}}}),
+               1000.0, prony}},
+             {},
+             {}})),
         potential{
             elasticity.get(), {&spring, &inertia}, fem::FreeMask::Ones(3, mesh.numPoints()), 1.25} {
     inertia.beginStep(mesh.points, 1e4, elasticity->masses());
@@ -119,6 +122,37 @@ TEST_P(Kept, IsAssembledAnewWhereTheBodyChangesItsShape) {
   EXPECT_TRUE(sameBlocks(A, body.expected(x, x)));
   kept.drop();
   EXPECT_FALSE(kept.hessian(body.potential, x, fem::Tangent::kExact, &A).kept);
+}
+
+TEST_P(Kept, OfAViscousBodyIsThatOfTheMemoryOfThen) {
+  test::Random random;
+  Body body(GetParam(), {{0.4, 0.05}});
+  fem::Stiffness A = body.elasticity->makeMatrix();
+  KeptStiffness kept(A);
+  const Points X = body.mesh.points;
+  const auto step = [&] {
+    body.elasticity->endStep(X + random.points(body.mesh.numPoints(), 1e-3));
+    body.elasticity->beginStep(0.01);
+  };
+  step();
+  const fem::Stiffness then = body.expected(X, X);
+  EXPECT_FALSE(kept.hessian(body.potential, X, fem::Tangent::kExact, &A).kept);
+  EXPECT_TRUE(sameBlocks(A, then));
+  step();
+  EXPECT_FALSE(sameBlocks(body.expected(X, X), then));
+  EXPECT_TRUE(kept.hessian(body.potential, X, fem::Tangent::kExact, &A).kept);
+  EXPECT_TRUE(sameBlocks(A, then));
+
+  StateWriter saved, again;
+  kept.save(&saved);
+  KeptStiffness restored(A);
+  StateReader in(saved.bytes());
+  restored.restore(&in);
+  in.finish();
+  restored.save(&again);
+  EXPECT_EQ(again.bytes(), saved.bytes());
+  EXPECT_TRUE(restored.hessian(body.potential, X, fem::Tangent::kExact, &A).kept);
+  EXPECT_TRUE(sameBlocks(A, then));
 }
 
 TEST_P(Kept, MatrixThatSomebodyElseWroteIntoIsFilledWhole) {

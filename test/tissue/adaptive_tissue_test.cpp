@@ -168,21 +168,25 @@ TEST(AdaptiveTissue, BalancesForcesInEveryCycle) {
   }
 }
 
+// Viscous memory is made beside as well, with the threads of the cycles.
 TEST(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
   ThreadPool pool(2);
-  const AdaptiveSlab slab;
-  const auto one = slab.make(), two = slab.make(&pool);
-  const Points rest = one->positions();
-  const auto run = [&](TissueModel* tissue) {
-    Press press;
-    while (!press.done()) tissue->step({press.next()}, kStep);
-    return tissue->positions();
-  };
-  const Points first = run(one.get());
-  EXPECT_EQ(run(two.get()), first);
-  one->reset();
-  EXPECT_EQ(one->positions(), rest);
-  EXPECT_EQ(run(one.get()), first);
+  for (bool viscous : {false, true}) {
+    AdaptiveSlab slab;
+    if (viscous) slab.composition.solids[0].prony = {{0.4, 0.3}};
+    const auto one = slab.make(), two = slab.make(&pool);
+    const Points rest = one->positions();
+    const auto run = [&](TissueModel* tissue) {
+      Press press;
+      while (!press.done()) tissue->step({press.next()}, kStep);
+      return tissue->positions();
+    };
+    const Points first = run(one.get());
+    EXPECT_EQ(run(two.get()), first);
+    one->reset();
+    EXPECT_EQ(one->positions(), rest);
+    EXPECT_EQ(run(one.get()), first);
+  }
 }
 
 // Also when it was fine in a state that another process goes on from.

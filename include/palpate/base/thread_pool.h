@@ -20,7 +20,8 @@ class ThreadPool {
   int size() const;
 
   /// Calls body(begin, end) on contiguous parts of [0, count), one a thread; returns when all are
-  /// done. One loop at a time, none within another. `body` must not throw. Allocates nothing.
+  /// done. A thread that finds the team at work, or is itself in a loop of it, does all of its loop
+  /// alone. `body` must not throw. Allocates nothing.
   template <class Body>
   void forRanges(std::size_t count, const Body& body) {
     run(count, {[](const void* b, std::size_t begin, std::size_t end) {

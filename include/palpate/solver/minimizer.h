@@ -66,8 +66,6 @@ class Minimizer {
   /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
   /// into use.
   virtual void beginCycle(double /*dt*/) {}
-  /// The elastic energy is not the function of x that it was: nothing that was kept of it serves.
-  virtual void elasticityChanged() {}
   /// Forgets what it learnt: from here on it does what a new one would.
   virtual void restart() {}
   /// All that it learnt. Work that is being done beside goes on; it is saved as what it is done on.

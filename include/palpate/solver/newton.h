@@ -29,7 +29,6 @@ class Newton final : public Minimizer {
   double roundoffForce(const Points& x) const override;
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override { linear_->beginCycle(dt); }
-  void elasticityChanged() override;
   void restart() override;
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;

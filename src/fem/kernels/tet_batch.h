@@ -28,6 +28,11 @@ struct alignas(64) TetPressures {
                               ///< with a the l-th of the other three nodes.
 };
 
+/// Symmetric tensors at eight points, such as stresses: xx yy zz xy yz zx.
+struct alignas(64) SymmetricBatch {
+  double component[6][kBatchSize];
+};
+
 /// Laws that the kernels know.
 enum class TetLaw { kNeoHookean, kStableNeoHookean };
 
@@ -36,6 +41,8 @@ struct TetRun {
   TetLaw law;
   double mu, kappa;  ///< [Pa]; kappa is what the elements themselves have.
   int first_batch, num_elements;
+  int solid;
+  int first_memory;  ///< Of its batches of viscous memory; -1: the solid is not viscous.
 };
 
 struct TetArrays {
@@ -44,6 +51,8 @@ struct TetArrays {
   const TetPressures* pressures;  ///< Null without nodal pressures.
   double* J;                      ///< [batch][element]
   double* energy;                 ///< [batch] [J]
+  const SymmetricBatch* viscous;  ///< H of viscous runs [Pa], see PronyHistory.
+  const double* factor;           ///< Of the distortional energy of each solid, if it is viscous.
 };
 
 struct TetKernels {
@@ -57,6 +66,9 @@ struct TetKernels {
   /// += element matrices into the blocks above the diagonal, += V/4 dJ/dx into `rows`.
   void (*hessian)(const TetArrays&, const TetRun&, const double* x, const double* pressure,
                   double* blocks, double* rows);
+  /// Second Piola-Kirchhoff stress of the distortional energy, factor 1, at x [Pa] into the batches
+  /// S of a viscous run.
+  void (*stress)(const TetArrays&, const TetRun&, const double* x, SymmetricBatch* S);
   /// A row of blocks: `lower` of them as the transposed of upper[9 index], minus the sum's
   /// symmetric part, `higher` of them as they are.
   void (*expand)(const int* index, int lower, int higher, const double* upper, double* row);

@@ -5,6 +5,7 @@
 #include "block_in_registers.h"
 #include "lane_vectors.h"
 #include "palpate/base/lanes.h"
+#include "symmetric_lanes.h"
 #include "tet_laws.h"
 #include "tet_stiffness.h"
 
@@ -46,6 +47,26 @@ inline int numBatches(const TetRun& run) {
   return (run.num_elements + kBatchSize - 1) / kBatchSize;
 }
 
+// Whether a run's solid is viscous, as types: who is not has kernels of its own, without memory.
+struct Elastic {
+  static constexpr bool kViscous = false;
+};
+struct Viscous {
+  static constexpr bool kViscous = true;
+};
+
+// visit(law, Elastic or Viscous)
+template <class Visit>
+inline void forKind(const TetArrays& arrays, const TetRun& run, const Visit& visit) {
+  const auto withLaw = [&](auto law) {
+    if (run.first_memory < 0) return visit(law, Elastic{});
+    law.mu *= arrays.factor[run.solid];  // to which the distortional energy is proportional
+    visit(law, Viscous{});
+  };
+  if (run.law == TetLaw::kNeoHookean) return withLaw(NeoHookeanPoints{run.mu, run.kappa});
+  withLaw(StableNeoHookeanPoints{run.mu, run.kappa});
+}
+
 inline double sum(const double* values, int count) {
   double total = 0.0;
   for (int k = 0; k < count; ++k) total += values[k];
@@ -70,9 +91,8 @@ void deform(const TetArrays& arrays, const TetRun& run, const double* x, double*
   }
 }
 
-template <class Law>
-void energies(const TetArrays& arrays, const TetRun& run, const double* x) {
-  const Law law{run.mu, run.kappa};
+template <class Law, class Kind>
+void energies(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
     const TetBatch& batch = arrays.batches[b];
@@ -81,17 +101,20 @@ void energies(const TetArrays& arrays, const TetRun& run, const double* x) {
       const Mat F = deformation(batch, lane, x);
       const Lanes J = dot(F.col[0], cross(F.col[1], F.col[2]));
       if (!arrays.pressures) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
-      const auto point = law.at(squaredNorm(F), J, Lanes{});
+      auto point = law.at(squaredNorm(F), J, Lanes{});
+      if constexpr (Kind::kViscous) {
+        const Symmetric H = loadSymmetric(arrays.viscous[run.first_memory + k], lane);
+        point.psi += viscousEnergy(H, F, times(F, H));
+      }
       store(energy + lane, load(batch.volume + lane) * point.psi);
     }
     arrays.energy[b] = sum(energy, countOf(run, k));
   }
 }
 
-template <class Law>
-void gradients(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
-               double* g) {
-  const Law law{run.mu, run.kappa};
+template <class Law, class Kind>
+void gradients(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x,
+               const double* pressure, double* g) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
     const TetBatch& batch = arrays.batches[b];
@@ -102,14 +125,23 @@ void gradients(const TetArrays& arrays, const TetRun& run, const double* x, cons
       const Lanes J = dot(F.col[0], cof.col[0]);
       if (!pressure) store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
       const Lanes p = pressure ? meanPressure(arrays.pressures[b], lane, pressure) : Lanes{};
-      const auto point = law.at(squaredNorm(F), J, p);
+      auto point = law.at(squaredNorm(F), J, p);
       const Lanes volume = load(batch.volume + lane);
-      store(energy + lane, volume * point.psi);
       Mat P;
       for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-          P.col[j].v[i] = volume * (point.f * F.col[j].v[i] + point.c * cof.col[j].v[i]);
+          P.col[j].v[i] = point.f * F.col[j].v[i] + point.c * cof.col[j].v[i];
         }
+      }
+      if constexpr (Kind::kViscous) {
+        const Symmetric H = loadSymmetric(arrays.viscous[run.first_memory + k], lane);
+        const Mat FH = times(F, H);
+        point.psi += viscousEnergy(H, F, FH);
+        for (int j = 0; j < 3; ++j) P.col[j] = P.col[j] + FH.col[j];
+      }
+      store(energy + lane, volume * point.psi);
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) P.col[j].v[i] = volume * P.col[j].v[i];
       }
       Vec last{};
       for (int a = 0; a < 3; ++a) {
@@ -130,10 +162,9 @@ void gradients(const TetArrays& arrays, const TetRun& run, const double* x, cons
   }
 }
 
-template <class Law>
-void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
-              double* blocks, double* rows) {
-  const Law law{run.mu, run.kappa};
+template <class Law, class Kind>
+void hessians(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x,
+              const double* pressure, double* blocks, double* rows) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
     const TetBatch& batch = arrays.batches[b];
@@ -147,20 +178,29 @@ void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const
       const auto point = law.at(squaredNorm(F), J, p);
       const Lanes volume = load(batch.volume + lane);
       const Lanes spin = volume * point.c;
-      Vec g[3], f[3], c[3];
+      Vec g[3], f[3], c[3], h[3];
       for (int a = 0; a < 3; ++a) {
         g[a] = shapeGradient(batch, a, lane);
         f[a] = times(F, g[a]);
         c[a] = times(cof, g[a]);
       }
-      const Mat K11 = block(point, volume, dot(g[0], g[0]), f[0], c[0], f[0], c[0]);
-      const Mat K22 = block(point, volume, dot(g[1], g[1]), f[1], c[1], f[1], c[1]);
-      const Mat K33 = block(point, volume, dot(g[2], g[2]), f[2], c[2], f[2], c[2]);
-      Mat K12 = block(point, volume, dot(g[0], g[1]), f[0], c[0], f[1], c[1]);
+      if constexpr (Kind::kViscous) {
+        const Symmetric H = loadSymmetric(arrays.viscous[run.first_memory + k], lane);
+        for (int a = 0; a < 3; ++a) h[a] = times(H, g[a]);
+      }
+      const auto onIdentity = [&](int m, int n) {
+        const Lanes elastic = point.f * dot(g[m], g[n]);
+        if constexpr (Kind::kViscous) return elastic + dot(g[m], h[n]);
+        return elastic;
+      };
+      const Mat K11 = block(point, volume, onIdentity(0, 0), f[0], c[0], f[0], c[0]);
+      const Mat K22 = block(point, volume, onIdentity(1, 1), f[1], c[1], f[1], c[1]);
+      const Mat K33 = block(point, volume, onIdentity(2, 2), f[2], c[2], f[2], c[2]);
+      Mat K12 = block(point, volume, onIdentity(0, 1), f[0], c[0], f[1], c[1]);
       addSpin(spin, times(F, cross(g[0], g[1])), &K12);
-      Mat K13 = block(point, volume, dot(g[0], g[2]), f[0], c[0], f[2], c[2]);
+      Mat K13 = block(point, volume, onIdentity(0, 2), f[0], c[0], f[2], c[2]);
       addSpin(spin, times(F, cross(g[0], g[2])), &K13);
-      Mat K23 = block(point, volume, dot(g[1], g[2]), f[1], c[1], f[2], c[2]);
+      Mat K23 = block(point, volume, onIdentity(1, 2), f[1], c[1], f[2], c[2]);
       addSpin(spin, times(F, cross(g[1], g[2])), &K23);
       const Mat K01 = minusSum(K11, transposed(K12), transposed(K13));
       const Mat K02 = minusSum(K12, K22, transposed(K23));
@@ -183,23 +223,47 @@ void hessians(const TetArrays& arrays, const TetRun& run, const double* x, const
   }
 }
 
+// With J C^-1 = cof(F)^T cof(F)/J: F^-1 (f F + c cof F) = f I + c/J cof(F)^T cof(F).
+template <class Law>
+void stresses(const Law law, const TetArrays& arrays, const TetRun& run, const double* x,
+              SymmetricBatch* S) {
+  for (int k = 0; k < numBatches(run); ++k) {
+    const TetBatch& batch = arrays.batches[run.first_batch + k];
+    for (int lane = 0; lane < kBatchSize; lane += kWidth) {
+      const Mat F = deformation(batch, lane, x);
+      const Mat cof = cofactor(F);
+      const Lanes J = dot(F.col[0], cof.col[0]);
+      const auto point = law.at(squaredNorm(F), J, Lanes{});
+      const Lanes c = point.c / J;
+      double(*out)[kBatchSize] = S[run.first_memory + k].component;
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        store(out[i] + lane, point.f + c * dot(cof.col[i], cof.col[i]));
+        store(out[3 + i] + lane, c * dot(cof.col[i], cof.col[j]));
+      }
+    }
+  }
+}
+
 void energy(const TetArrays& arrays, const TetRun& run, const double* x) {
-  if (run.law == TetLaw::kNeoHookean) return energies<NeoHookeanPoints>(arrays, run, x);
-  energies<StableNeoHookeanPoints>(arrays, run, x);
+  forKind(arrays, run, [&](auto law, auto kind) { energies(law, kind, arrays, run, x); });
 }
 void gradient(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
               double* g) {
-  if (run.law == TetLaw::kNeoHookean) {
-    return gradients<NeoHookeanPoints>(arrays, run, x, pressure, g);
-  }
-  gradients<StableNeoHookeanPoints>(arrays, run, x, pressure, g);
+  forKind(arrays, run,
+          [&](auto law, auto kind) { gradients(law, kind, arrays, run, x, pressure, g); });
 }
 void hessian(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
              double* blocks, double* rows) {
+  forKind(arrays, run, [&](auto law, auto kind) {
+    hessians(law, kind, arrays, run, x, pressure, blocks, rows);
+  });
+}
+void stress(const TetArrays& arrays, const TetRun& run, const double* x, SymmetricBatch* S) {
   if (run.law == TetLaw::kNeoHookean) {
-    return hessians<NeoHookeanPoints>(arrays, run, x, pressure, blocks, rows);
+    return stresses(NeoHookeanPoints{run.mu, 0.0}, arrays, run, x, S);
   }
-  hessians<StableNeoHookeanPoints>(arrays, run, x, pressure, blocks, rows);
+  stresses(StableNeoHookeanPoints{run.mu, 0.0}, arrays, run, x, S);
 }
 
 void expand(const int* index, int lower, int higher, const double* upper, double* row) {
@@ -220,6 +284,6 @@ void expand(const int* index, int lower, int higher, const double* upper, double
 }  // namespace
 
 extern const TetKernels kTetKernels;
-const TetKernels kTetKernels{deform, energy, gradient, hessian, expand};
+const TetKernels kTetKernels{deform, energy, gradient, hessian, stress, expand};
 
 }  // namespace palpate::fem::PALPATE_ISA

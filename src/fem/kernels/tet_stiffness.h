@@ -10,17 +10,19 @@ namespace palpate::fem {
 namespace {
 
 // Blocks of an element: sum of its matrix's parts, up to its volume,
-//   K_ab = f (g_a . g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T) + c S(F (g_a x g_b))
-// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J.
+//   K_ab = (f g_a . g_b + g_a . H g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T) + c S(F (g_a x
+//   g_b))
+// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J; the factor
+// of I is given.
 template <class Point>
-inline Mat block(const Point& point, Lanes volume, Lanes g_dot_g, const Vec& fa, const Vec& ca,
+inline Mat block(const Point& point, Lanes volume, Lanes on_identity, const Vec& fa, const Vec& ca,
                  const Vec& fb, const Vec& cb) {
   Mat K;
   for (int j = 0; j < 3; ++j) {
     const Lanes on_c = volume * (point.cc * cb.v[j] + point.fc * fb.v[j]);
     const Lanes on_f = volume * (point.fc * cb.v[j]);
     for (int i = 0; i < 3; ++i) K.col[j].v[i] = ca.v[i] * on_c + fa.v[i] * on_f;
-    K.col[j].v[j] += volume * (point.f * g_dot_g);
+    K.col[j].v[j] += volume * on_identity;
   }
   return K;
 }

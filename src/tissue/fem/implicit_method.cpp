@@ -96,7 +96,6 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
 bool ImplicitMethod::timeStep(double begin, double end, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
-  if (body_.elasticity->viscous()) minimizer_->elasticityChanged();
   if (!prepared_) minimizer_->prepare(potential_, body_.x);
   prepared_ = true;
   startFromPredictor(begin, h);
