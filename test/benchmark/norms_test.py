@@ -13,7 +13,7 @@ from unittest import mock
 try:
     import numpy as np
 
-    from work_precision import converged, norms
+    from work_precision import bracket, converged, norms
     from work_precision.runs import P99_CYCLES, Config, Run
     from work_precision.suites.kernels import fastest
     from work_precision.suites.reach import Goal
@@ -113,6 +113,39 @@ class Pareto(unittest.TestCase):
 
     def test_empty(self):
         self.assertEqual(norms.pareto([], []), [])
+
+
+class CostAt(unittest.TestCase):
+    def test_along_a_power_law(self):
+        errors = [0.4, 0.2, 0.1, 0.05]
+        self.assertAlmostEqual(norms.cost_at(0.08, errors, [3.0 * e ** -2 for e in errors]), 3.0 * 0.08 ** -2)
+
+    def test_all_better_or_all_worse(self):
+        self.assertEqual(norms.cost_at(0.5, [0.4, 0.2], [1.0, 2.0]), 1.0)
+        self.assertTrue(math.isnan(norms.cost_at(0.08, [0.4, 0.1], [1.0, 2.0])))
+        self.assertTrue(math.isnan(norms.cost_at(0.08, [], [])))
+
+    def test_a_failed_mesh_is_no_neighbour(self):
+        self.assertEqual(norms.cost_at(0.08, [0.4, math.nan, 0.05], [1.0, 2.0, 4.0]), 4.0)
+
+
+class Brackets(unittest.TestCase):
+    force = np.array([[0, 0, 0.0], [0, 0, 1.3], [0, 0, 2.4], [0, 0, 1.3]])
+    truth = np.array([[0, 0, 0.0], [0, 0, 1.0], [0, 0, 2.0], [0, 0, 1.0]])
+
+    def test_at_the_largest_true_force_and_over_all_cycles_that_touch(self):
+        found = bracket.bracket(self.force, np.array([0.0, 0.2, 0.5, 0.31]), self.truth)
+        self.assertAlmostEqual(found.force, 2.4)
+        self.assertAlmostEqual(found.estimate, 0.5)
+        self.assertAlmostEqual(found.error, 0.4)
+        self.assertTrue(found.holds)
+        self.assertAlmostEqual(found.share, 2 / 3)
+        self.assertFalse(bracket.bracket(self.force, np.array([0, 0.4, 0.3, 0.4]), self.truth).holds)
+
+    def test_a_force_that_points_elsewhere_is_wrong_too(self):
+        found = bracket.bracket(self.truth[:, [2, 1, 0]], np.full(4, 0.5), self.truth)
+        self.assertAlmostEqual(found.error, 2.0 * math.sqrt(2.0))
+        self.assertFalse(found.holds)
 
 
 class Exponent(unittest.TestCase):
