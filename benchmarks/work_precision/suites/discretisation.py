@@ -57,7 +57,7 @@ SCENES = (
     Scene("thin flap", Config("flap", **BASE),
           {"tet4": (360, 2880, 9720, 23040), "anp": (360, 2880, 9720, 23040), "tet10": (360,)},
           {"anp": (0.006, 0.004, 0.003, 0.002), "tet10": (0.008, 0.006)},
-          (0.004, 0.003, 0.002, 0.0015), {"tets": 360}))
+          (0.004, 0.003, 0.002, 0.0015), {"tets": 360, "growth": 0.1}))
 AT, FASTER = 0.08, 10.0  # error at which kinds are compared, and how much faster adapted meshes should be
 FROM = 0.15  # error from which on down adapted meshes should be on the hull
 
