@@ -27,7 +27,7 @@ test=(
   ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
   python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy
-  calculix-ccx python3-scipy python3-meshio python3-matplotlib)
+  calculix-ccx python3-scipy python3-meshio python3-matplotlib python3-yaml)
 
 # A running graph without a screen, the recorded bag and its analysis.
 demo=(
@@ -51,7 +51,7 @@ accuracy=(
 # scripts/benchmark.sh: single kernels, other programs on the same meshes, plots.
 benchmark=(
   libbenchmark-dev libbullet-dev calculix-ccx
-  python3-numpy python3-scipy python3-meshio python3-matplotlib)
+  python3-numpy python3-scipy python3-meshio python3-matplotlib python3-yaml)
 
 readme="README.md, section 'Other ways to build'"
 

@@ -17,7 +17,7 @@ plt.rcParams.update({
 
 
 def figure(columns=1, width=6.4, height=3.6, **options):
-    return plt.subplots(1, columns, figsize=(width, height), **options)
+    return plt.subplots(options.pop("nrows", 1), columns, figsize=(width, height), **options)
 
 
 def save(fig, folder, name):

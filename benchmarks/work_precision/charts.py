@@ -5,6 +5,7 @@ import itertools
 import math
 
 from accuracy.plots import COLOUR, figure, save  # before matplotlib: it chooses the backend
+import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
@@ -16,6 +17,7 @@ METHOD_COLOUR = {
     "tled": "#b5322a", "lbfgs": "#7a3b8f", "linear_precomputed": "#2a9d9d",
     "newton_bicgstab": "#999999", "auto": "#000000"}
 MARKERS = "osD^vPX*"
+OVER_TIME = ("#b5322a", "#1f4e79", "#8a5a00", "#3a7d44")
 
 
 def colour(name):
@@ -111,4 +113,19 @@ def growth(folder, file, series, cost_label, size_label="tetrahedra", line=None)
     axis.set(xlabel=size_label, ylabel=cost_label)
     _logarithmic(axis)
     beside.legend(*axis.get_legend_handles_labels(), loc="center left")
+    return save(fig, folder, file)
+
+
+def over_time(folder, file, panels, label):
+    """panels: {title: {series: (times (k) [s], forces (k, 3))}}: their length over time, "converged" in black."""
+    fig, axes = figure(1, width=8.2, height=3.1 * len(panels), nrows=len(panels), squeeze=False)
+    axes = axes[:, 0]
+    for axis, (title, series) in zip(axes, panels.items()):
+        for k, (name, (times, forces)) in enumerate(series.items()):
+            true = name == "converged"
+            axis.plot(times, np.linalg.norm(forces, axis=1), "--" if true else "-", label=name,
+                      color="#000000" if true else OVER_TIME[k % len(OVER_TIME)], linewidth=1.2)
+        axis.set(title=title, ylabel=label)
+        axis.legend(loc="upper left", fontsize=8)
+    axes[-1].set_xlabel("time [s]")
     return save(fig, folder, file)

@@ -17,7 +17,7 @@ from .runs import P99_CYCLES, Run, bench, methods
 # tolerances of forces, positions and linear systems far below those that are judged.
 REFERENCE = {"integrator": "bdf2", "step": 5e-4, "tolerance": 1e-7, "linear_tolerance": 1e-3,
              "max_newton": 50, "threads": 1, "sets": ("solver.position_tolerance=1e-9",)}
-COLUMNS = ["suite", "scene", "tets", "nodes", "finest", "element", "poisson_ratio", "method", "integrator", "step",
+COLUMNS = ["suite", "scene", "tets", "nodes", "finest", "adapt", "element", "poisson_ratio", "method", "integrator", "step",
            "tolerance", "linear_tolerance", "threads", "sets", "force_error_rms", "force_error_max",
            "displacement_error", "median_ms", "max_ms", "ms_per_second", "typical_median_ms",
            "timed_cycles", "p99_ms", "newton_iterations", "linear_iterations", "skipped", "failed_cycles",
@@ -108,7 +108,8 @@ class Context:
 
     def _line(self, run):
         s, settings = run.summary, run.summary["settings"]
-        line = {"suite": self.suite, "finest": run.config.finest or "", "sets": " ".join(run.config.sets), **s["fastest"],
+        line = {"suite": self.suite, "finest": run.config.finest or "",
+                "adapt": run.config.adapt or "", "sets": " ".join(run.config.sets), **s["fastest"],
                 "typical_median_ms": s["typical"]["median_ms"], "timed_cycles": run.timed_cycles,
                 "p99_ms": run.p99_ms if math.isfinite(run.p99_ms) else ""}
         for key in ("scene", "tets", "nodes", "element", "poisson_ratio", "newton_iterations",

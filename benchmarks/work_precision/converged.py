@@ -9,6 +9,7 @@ import numpy as np
 from accuracy import bounds
 
 from . import norms
+from .bracket import bracket
 from .runs import Config
 
 # Edges where the tool goes [m], coarse to fine.
@@ -46,6 +47,11 @@ class Converged:
         times, forces = run.forces()
         meanwhile = self.times <= times[-1] + 1e-9
         return norms.force_error(times, forces, self.times[meanwhile], self.forces[meanwhile])
+
+    def bracket(self, run):
+        """Whether the force's own mesh error holds; of a run that has not failed."""
+        times, forces = run.forces()
+        return bracket(forces, run.column("mesh_error"), self.forces[norms.at(self.times, times)])
 
 
 HEAD = ["scene", "coarse: edge, tetrahedra, peak", "middle", "fine", "extrapolated", "limit of the peaks (order)",

@@ -4,7 +4,7 @@
 import numpy as np
 
 
-def _at(times, wanted):
+def at(times, wanted):
     """Indices of `wanted` in `times`, both ascending [s]; raises ValueError if one is missing."""
     index = np.clip(np.searchsorted(times, wanted - 1e-9), 0, len(times) - 1)
     if np.abs(times[index] - wanted).max(initial=0.0) > 1e-9:
@@ -15,7 +15,7 @@ def _at(times, wanted):
 def force_error(times, forces, reference_times, reference_forces):
     """(RMS, maximum) over the run's times of |F - F_ref|, as parts of the largest |F_ref|.
     times (k) [s], forces (k, 3) [N]; the reference has these times among others."""
-    wanted = reference_forces[_at(reference_times, times)]
+    wanted = reference_forces[at(reference_times, times)]
     scale = peak(reference_forces)
     if not scale > 0.0:
         raise ValueError("the reference feels no force")
@@ -31,7 +31,7 @@ def peak(forces):
 def displacement_error(times, frames, reference_times, reference_frames):
     """Relative L2 over all nodes and common times: frames (k, n, 3) [m] of the same nodes. NaN where
     the reference does not move."""
-    wanted = reference_frames[_at(reference_times, times)]
+    wanted = reference_frames[at(reference_times, times)]
     scale = np.linalg.norm(wanted)
     return float(np.linalg.norm(frames - wanted) / scale) if scale > 0.0 else float("nan")
 
@@ -48,6 +48,17 @@ def pareto(errors, costs):
             front.append(i)
             best = errors[i]
     return front
+
+
+def cost_at(wanted, errors, costs):
+    """What an error of `wanted` costs, of meshes from coarse to fine: between neighbours of which one is worse and
+    the other is not, along a power law; else of the cheapest that is not worse. NaN if all are worse."""
+    found = [c for e, c in zip(errors, costs) if e <= wanted]
+    for (e1, c1), (e2, c2) in zip(zip(errors, costs), zip(errors[1:], costs[1:])):
+        if e2 <= wanted < e1 and e2 > 0.0:
+            part = np.log(e1 / wanted) / np.log(e1 / e2)
+            found.append(float(c1 ** (1 - part) * c2 ** part))
+    return min(found, default=float("nan"))
 
 
 def exponent(sizes, costs):

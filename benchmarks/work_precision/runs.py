@@ -22,6 +22,8 @@ class Config:
     tets: Optional[int] = None
     edge_length: Optional[float] = None
     finest: Optional[float] = None
+    adapt: Optional[float] = None
+    growth: Optional[float] = None
     poisson_ratio: Optional[float] = None
     element: Optional[str] = None
     method: Optional[str] = None
@@ -50,8 +52,8 @@ class Config:
     def name(self):
         """Of a folder: readable, and different for different configurations."""
         text = " ".join(self.arguments())
-        words = "_".join(str(w) for w in (self.scene, self.tets, self.finest, self.element, self.method,
-                                                self.step)
+        words = "_".join(str(w) for w in (self.scene, self.tets, self.finest, self.adapt, self.element,
+                                                self.method, self.step)
                          if w is not None)
         return words + "_" + hashlib.sha256(text.encode()).hexdigest()[:10]
 
@@ -74,6 +76,10 @@ class Run:
         rows = self.table()
         return (np.array([float(r["t"]) for r in rows]),
                 np.array([[float(r[c]) for c in ("fx", "fy", "fz")] for r in rows]))
+
+    def column(self, name):
+        """A figure of each cycle (k): mesh_error [N], nodes, mesh_changes, min_jacobian ..."""
+        return np.array([float(r[name]) for r in self.table()])
 
     def frames(self):
         """Times (k) [s] and displacements (k, n, 3) [m]."""

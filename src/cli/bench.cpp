@@ -87,6 +87,11 @@ BenchResult runScene(const BenchScene& scene, const Options& options, const Benc
                      const std::string& folder, BenchTitle* title) {
   BenchCase bench = scene.make(choice, folder);
   if (bench.scene.file.empty()) bench.scene.file = folder + "/scene";
+  for (scene::OrganConfig& organ : bench.scene.organs) {
+    if (!choice.adapt) break;
+    organ.adapt.finest = *choice.adapt;
+    organ.adapt.growth = choice.growth.value_or(organ.adapt.growth);
+  }
   applySettings(settingsFrom(options), &bench.scene);
   *title = {scene.name, bench.scene.organs[0].element, poissonRatio(bench.scene),
             settingsOf(bench.scene)};
@@ -128,7 +133,8 @@ int run(const Options& options) {
   requirePositive("--frame", options.frame);
   if (options.choice.edge_length) requirePositive("--edge-length", *options.choice.edge_length);
   if (options.choice.finest) requirePositive("--finest", *options.choice.finest);
-  requirePositive("--growth", options.choice.growth);
+  if (options.choice.adapt) requirePositive("--adapt", *options.choice.adapt);
+  if (options.choice.growth) requirePositive("--growth", *options.choice.growth);
   const std::vector<std::string> elements = fem::elementNames();
   const std::string element = options.choice.element.value_or(elements.front());
   if (!std::count(elements.begin(), elements.end(), element)) {
@@ -159,7 +165,10 @@ void addBench(CLI::App& app, Action& action) {
                  "Of the tetrahedra [m] (livers, graded meshes)");
   command.option("--finest", &options->choice.finest,
                  "Of the tetrahedra where the tool goes [m]: a graded mesh");
-  command.option("--growth", &options->choice.growth, "Of a graded mesh, edge per distance");
+  command.option("--adapt", &options->choice.adapt,
+                 "Of the tetrahedra where the tool is [m]: the mesh follows it");
+  command.option("--growth", &options->choice.growth,
+                 "With --finest or --adapt: edge per distance");
   command.option("--poisson-ratio", &options->choice.poisson_ratio, "Of the soft material");
   command.option("--element", &options->choice.element, "Finite element");
   const auto shorthand = [&](const char* option, const char* key, const char* what) {

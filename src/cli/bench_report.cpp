@@ -126,9 +126,9 @@ std::string summaryJson(const BenchTitle& title, const BenchResult& result) {
 }
 
 void writeForces(const std::string& file, const BenchResult& result) {
-  io::CsvWriter csv(
-      file, {"t", "fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration",
-             "newton_iterations", "linear_iterations", "skipped", "min_jacobian", "status"});
+  io::CsvWriter csv(file, {"t", "fx", "fy", "fz", "tx", "ty", "tz", "contacts", "max_penetration",
+                           "newton_iterations", "linear_iterations", "skipped", "min_jacobian",
+                           "status", "mesh_error", "nodes", "mesh_changes"});
   for (const BenchCycle& cycle : result.cycles) {
     const sim::StepReport& report = cycle.report;
     csv << cycle.t;
@@ -136,7 +136,8 @@ void writeForces(const std::string& file, const BenchResult& result) {
     for (int i = 0; i < 3; ++i) csv << cycle.wrench.torque[i];
     csv << report.contacts << report.max_penetration << report.newton_iterations
         << report.linear_iterations << static_cast<double>(report.skipped.total())
-        << report.min_jacobian << std::string(toString(report.status));
+        << report.min_jacobian << std::string(toString(report.status)) << report.mesh_error
+        << report.nodes << report.mesh_changes;
     csv.endRow();
   }
   csv.close();

@@ -2,9 +2,11 @@
 #include "bench_run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "progress_line.h"
@@ -56,6 +58,20 @@ std::vector<sim::LinkPoses> posesAt(double t, const BenchCase& bench,
   return poses;
 }
 
+// Of the points of organ 0 that it has at the start, which it keeps when its mesh is refined.
+Points displacement(const sim::Simulator& simulator, const mesh::CellMesh& start) {
+  const Points& x = simulator.positions(0);
+  const mesh::CellMesh now = simulator.cells(0);
+  const auto key = [](const Points& points, Eigen::Index i) {
+    return std::array<double, 3>{points(0, i), points(1, i), points(2, i)};
+  };
+  std::map<std::array<double, 3>, Eigen::Index> at;
+  for (Eigen::Index i = 0; i < x.cols(); ++i) at[key(now.points, i)] = i;
+  Points moved(3, start.points.cols());
+  for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = x.col(at.at(key(start.points, i)));
+  return moved - start.points;
+}
+
 bool isMultiple(double t, double frame) {
   return std::abs(t / frame - std::round(t / frame)) < 1e-6;
 }
@@ -88,6 +104,7 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
   for (const std::string& warning : simulator.warnings()) result.note += warning + "\n";
   for (const std::string& note : simulator.notes()) result.note += note + "\n";
 
+  const bool adapts = bench.scene.organs[0].adapt.on();
   const double step = bench.scene.solver.step;
   const int cycles = std::max(1, static_cast<int>(std::lround(timing.duration / step)));
   const auto first = Clock::now();
@@ -106,7 +123,8 @@ BenchResult runBench(const BenchCase& bench, const BenchTiming& timing) {
         result.usable &= done.report.usable();
         if (isMultiple(t, timing.frame) || k == cycles) {
           result.frame_times.push_back(t);
-          result.frames.push_back(simulator.positions(0) - result.mesh.points);
+          result.frames.push_back(adapts ? displacement(simulator, result.mesh)
+                                         : Points(simulator.positions(0) - result.mesh.points));
         }
       } else {
         result.same_bits &= sameBits(cycleOf(t, done).wrench, result.cycles[k - 1].wrench);

@@ -73,7 +73,7 @@ Eigen::Vector3i cellsFor(int tets, const Eigen::Vector3i& ratio) {
 scene::FinePlaceConfig finePlace(const BenchChoice& choice, double radius, mesh::Polyline way) {
   scene::FinePlaceConfig place;
   place.finest = *choice.finest;
-  place.growth = choice.growth;
+  place.growth = choice.growth.value_or(place.growth);
   place.radius = 1.6 * radius;
   place.where = std::move(way);
   return place;

@@ -16,7 +16,8 @@ struct BenchChoice {
   std::optional<int> tets;            ///< About so many; scenes that are boxes only.
   std::optional<double> edge_length;  ///< [m]; scenes that are meshed from a surface, or graded.
   std::optional<double> finest;       ///< Edges where the tool goes [m]: a graded mesh.
-  double growth = 0.3;                ///< What these grow by for each metre farther away.
+  std::optional<double> adapt;        ///< Edges where the tool is [m]: meshes that follow it.
+  std::optional<double> growth;       ///< What both grow by for each metre farther away.
   std::optional<double> poisson_ratio;
   std::optional<std::string> element;
 };

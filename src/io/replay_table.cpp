@@ -13,7 +13,7 @@ std::vector<std::string> replayColumns(const scene::Scene& scene) {
   }
   for (const char* name :
        {"newton_iterations", "cg_iterations", "residual", "min_jacobian", "kinetic_energy",
-        "elastic_energy", "status", "step_ms", "skipped", "mesh_error"}) {
+        "elastic_energy", "status", "step_ms", "skipped", "mesh_error", "nodes", "mesh_changes"}) {
     names.emplace_back(name);
   }
   return names;
@@ -29,7 +29,7 @@ void writeReplayRow(double t, const sim::StepResult& result, double step_ms, Csv
   const sim::StepReport& r = result.report;
   *csv << r.newton_iterations << r.linear_iterations << r.residual << r.min_jacobian
        << r.kinetic_energy << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
-       << static_cast<int>(r.skipped.total()) << r.mesh_error;
+       << static_cast<int>(r.skipped.total()) << r.mesh_error << r.nodes << r.mesh_changes;
   csv->endRow();
 }
 

@@ -58,8 +58,10 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   s.moveBodies(poses);
   s.placeControlFrames();
   for (const scene::ModelPart& model : s.parts.models) {
+    const std::uint64_t before = Impl::revision(*model.tissue);
     const tissue::TissueStep& cycle = model.tissue->step(s.bodies, dt);
     addModel(cycle, &s.result.report);
+    s.countMeshes(*model.tissue, before);
     s.sumWrenches(cycle, model.organs);
   }
   s.time += dt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,20 @@ struct Simulator::Impl {
       ++tool.contacts;
       const int organ = organs[static_cast<std::size_t>(c.organ)];
       result.contacts.push_back({c.instrument, organ, c.p_W, c.force_W});
+    }
+  }
+
+  /// Grows with every change of the mesh of one of its organs.
+  static std::uint64_t revision(const tissue::TissueModel& model) {
+    std::uint64_t sum = 0;
+    for (int i = 0; i < model.numOrgans(); ++i) sum += model.shape(i).revision;
+    return sum;
+  }
+  /// `before`: revision(model) when the cycle began.
+  void countMeshes(const tissue::TissueModel& model, std::uint64_t before) {
+    result.report.mesh_changes += static_cast<int>(revision(model) - before);
+    for (int i = 0; i < model.numOrgans(); ++i) {
+      result.report.nodes += static_cast<int>(model.positions(i).cols());
     }
   }
 

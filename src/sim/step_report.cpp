@@ -23,6 +23,10 @@ const std::vector<Figure<StepReport>>& reportFigures() {
          M::kLargest, M::kLargest, M::kLargest},
         {"imbalance", "float64", "|tool + support + gravity + inertia forces| [N]", &R::imbalance,
          M::kSum, M::kSum, M::kLargest},
+        {"nodes", nullptr, "of all organs' meshes, as they are now", &R::nodes, M::kSum, M::kSum,
+         M::kLast},
+        {"mesh_changes", nullptr, "how often the mesh of an organ became another", &R::mesh_changes,
+         M::kSum, M::kSum, M::kSum},
     };
     for (const Figure<tissue::StepFigures>& f : tissue::stepFigures()) {
       all.push_back(

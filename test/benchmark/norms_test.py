@@ -13,7 +13,7 @@ from unittest import mock
 try:
     import numpy as np
 
-    from work_precision import converged, norms
+    from work_precision import bracket, converged, jumps, norms, replays
     from work_precision.runs import P99_CYCLES, Config, Run
     from work_precision.suites.kernels import fastest
     from work_precision.suites.reach import Goal
@@ -113,6 +113,92 @@ class Pareto(unittest.TestCase):
 
     def test_empty(self):
         self.assertEqual(norms.pareto([], []), [])
+
+
+class CostAt(unittest.TestCase):
+    def test_along_a_power_law(self):
+        errors = [0.4, 0.2, 0.1, 0.05]
+        self.assertAlmostEqual(norms.cost_at(0.08, errors, [3.0 * e ** -2 for e in errors]), 3.0 * 0.08 ** -2)
+
+    def test_all_better_or_all_worse(self):
+        self.assertEqual(norms.cost_at(0.5, [0.4, 0.2], [1.0, 2.0]), 1.0)
+        self.assertTrue(math.isnan(norms.cost_at(0.08, [0.4, 0.1], [1.0, 2.0])))
+        self.assertTrue(math.isnan(norms.cost_at(0.08, [], [])))
+
+    def test_a_failed_mesh_is_no_neighbour(self):
+        self.assertEqual(norms.cost_at(0.08, [0.4, math.nan, 0.05], [1.0, 2.0, 4.0]), 4.0)
+
+
+class Brackets(unittest.TestCase):
+    force = np.array([[0, 0, 0.0], [0, 0, 1.3], [0, 0, 2.4], [0, 0, 1.3]])
+    truth = np.array([[0, 0, 0.0], [0, 0, 1.0], [0, 0, 2.0], [0, 0, 1.0]])
+
+    def test_at_the_largest_true_force_and_over_all_cycles_that_touch(self):
+        found = bracket.bracket(self.force, np.array([0.0, 0.2, 0.5, 0.31]), self.truth)
+        self.assertAlmostEqual(found.force, 2.4)
+        self.assertAlmostEqual(found.estimate, 0.5)
+        self.assertAlmostEqual(found.error, 0.4)
+        self.assertTrue(found.holds)
+        self.assertAlmostEqual(found.share, 2 / 3)
+        self.assertFalse(bracket.bracket(self.force, np.array([0, 0.4, 0.3, 0.4]), self.truth).holds)
+
+    def test_a_force_that_points_elsewhere_is_wrong_too(self):
+        found = bracket.bracket(self.truth[:, [2, 1, 0]], np.full(4, 0.5), self.truth)
+        self.assertAlmostEqual(found.error, 2.0 * math.sqrt(2.0))
+        self.assertFalse(found.holds)
+
+
+class Jumps(unittest.TestCase):
+    def played(self, forces, changes):
+        columns = {"mesh_changes": np.array(changes)}
+        return mock.MagicMock(forces=np.array([[0, 0, f] for f in forces]), peak=max(forces),
+                              __getitem__=lambda _, key: columns[key])
+
+    def test_steps_of_a_steady_push_are_its_own(self):
+        np.testing.assert_allclose(jumps.steps(np.array([[0, 0, 0.5 * k] for k in range(4)])), [0, 0.5, 0.5, 0.5])
+
+    def test_those_at_changes_are_compared_with_the_others_near_them(self):
+        forces = [1.0 + k + 0.5 * (k >= 6) + 0.2 * (k >= 8) + 7.0 * (k >= 30) for k in range(40)]
+        found = jumps.Jumps(self.played(forces, [int(k in (6, 20)) for k in range(40)]))
+        peak = forces[-1]
+        self.assertEqual(found.changes, 2)
+        self.assertAlmostEqual(found.largest * peak, 1.5)
+        self.assertAlmostEqual(found.elsewhere * peak, 8.0)
+        self.assertAlmostEqual(found.excess * peak, 0.3)  # over the 1.2 near it, not the 8 far away
+        self.assertAlmostEqual(found.rms * peak, math.sqrt((1.5 ** 2 + 1.0) / 2))
+        self.assertEqual(found.above, 0)
+        self.assertEqual(found.added, 0.0)
+
+    def test_what_does_not_touch_does_not_count(self):
+        found = jumps.Jumps(self.played([0.0, 0.0, 2.0, 2.0, 2.0], [1, 1, 1, 0, 0]))
+        self.assertEqual((found.changes, found.largest), (0, 0.0))
+
+
+class Scenes(unittest.TestCase):
+    def test_copies_change_nothing_else(self):
+        scene = replays.shipped("liver_palpation")
+        before = json.dumps(scene)
+        other = replays.but(replays.adapted(scene, 0.002, 1.0), solver={"step": 0.005, "threads": None})
+        self.assertEqual(json.dumps(scene), before)
+        self.assertEqual(other["organs"][0]["adapt"], {"finest": 0.002, "growth": 1.0})
+        self.assertEqual(other["solver"]["step"], 0.005)
+        self.assertNotIn("threads", other["solver"])
+        self.assertNotIn("adapt", replays.adapted(other, None)["organs"][0])
+
+    def test_paths_are_whole(self):
+        scene = replays.shipped("kidney_grasper")
+        for file in (scene["organs"][0]["surface"], scene["instruments"][0]["urdf"]):
+            self.assertTrue(pathlib.Path(file).is_file(), file)
+
+    def test_viscous_terms_are_left_out_of_files_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "m.yaml"
+            file.write_text("law: neo_hookean\nmu: 1.0e3\nsources: []\nviscoelastic:\n- {g: 0.5, tau: 1.0}\n")
+            scene = {"organs": [{"material": {"file": str(file), "density": 1000.0}}]}
+            found, was = replays.elastic(scene)
+            self.assertTrue(was)
+            self.assertEqual(found["organs"][0]["material"], {"law": "neo_hookean", "mu": "1.0e3", "density": 1000.0})
+            self.assertEqual(replays.elastic(found), (found, False))
 
 
 class Exponent(unittest.TestCase):

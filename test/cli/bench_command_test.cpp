@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "palpate/formats/tet_io.h"
 #include "run_cli.h"
@@ -76,6 +77,39 @@ TEST_F(BenchCommand, GradesAMeshWhereTheToolGoes) {
   EXPECT_EQ(runCli("bench --scene cube --finest 0.005 --tets 100").status, 2);
   EXPECT_EQ(runCli("bench --scene beam --finest 0.005").status, 2);
   EXPECT_EQ(runCli("bench --scene cube --finest 0").status, 2);
+}
+
+// The mesh is as coarse as without when the ball is away, has more nodes where it comes, and the
+// force is smaller for it.
+TEST_F(BenchCommand, FollowsTheToolWithItsMesh) {
+  const auto column = [&](const std::string& out, int wanted) {
+    std::istringstream rows(test::fileBytes(path(out + "/forces.csv")));
+    std::vector<double> values;
+    std::string line, cell;
+    std::getline(rows, line);
+    while (std::getline(rows, line)) {
+      std::istringstream cells(line);
+      for (int k = 0; k <= wanted; ++k) std::getline(cells, cell, ',');
+      values.push_back(std::stod(cell));
+    }
+    return values;
+  };
+  ASSERT_EQ(cube("a").status, 0);
+  const test::CliResult adapted = cube("b", "--adapt 0.006");
+  ASSERT_EQ(adapted.status, 0) << adapted.err;
+  EXPECT_TRUE(contains(adapted.out, "162 tetrahedra, 64 nodes"));
+  const std::vector<double> nodes = column("b", 15), changes = column("b", 16);
+  EXPECT_EQ(nodes.front(), 64.0);
+  EXPECT_GT(nodes.back(), 200.0);
+  EXPECT_EQ(column("a", 15).back(), 64.0);
+  EXPECT_GE(std::accumulate(changes.begin(), changes.end(), 0.0), 1.0);
+  EXPECT_LT(column("b", 3).back(), 0.9 * column("a", 3).back());
+  EXPECT_LT(column("b", 14).back(), 0.9 * column("a", 14).back());
+  EXPECT_EQ(test::fileBytes(path("b/displacements.bin")).size(), 3u * 64u * 3u * sizeof(double));
+  ASSERT_EQ(cube("c", "--adapt 0.006 --growth 0.2").status, 0);
+  EXPECT_GT(column("c", 15).back(), nodes.back());
+  EXPECT_EQ(cube("d", "--adapt 0").status, 2);
+  EXPECT_EQ(cube("d", "--adapt 0.006 --element tet10").status, 2);
 }
 
 // The ball is 2 mm inside at the end: the tissue pushes it up.

@@ -27,7 +27,9 @@ TEST_F(ChangingMesh, ShowsItsNewShapeAfterEveryCycle) {
   Eigen::Index triangles = simulator.shape(0).triangles.cols();
   std::uint64_t revision = simulator.shape(0).revision;
   for (int k = 0; k < 5; ++k) {
-    lockstep.advance(0.01 * k, poses);
+    const StepReport& report = lockstep.advance(0.01 * k, poses).report;
+    EXPECT_EQ(report.mesh_changes, 2);
+    EXPECT_EQ(report.nodes, simulator.positions(0).cols() + simulator.positions(1).cols());
     for (int organ = 0; organ < 2; ++organ) {
       const tissue::Shape shape = simulator.shape(organ);
       EXPECT_EQ(shape.positions.cols(), points + k + 1);

@@ -17,6 +17,8 @@ struct StepReport : tissue::StepFigures {
   int contacts = 0;
   double max_penetration = 0.0;  ///< [m]
   double imbalance = 0.0;        ///< [N], see docs.
+  int nodes = 0;                 ///< Of all organs' meshes, as they are now.
+  int mesh_changes = 0;          ///< How often the mesh of an organ became another in the cycle.
   tissue::SkipCounters skipped;
 
   /// The state at the end is one that the tissue really took, if not to full accuracy.
