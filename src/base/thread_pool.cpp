@@ -25,58 +25,66 @@ void pause() {
 }  // namespace
 
 struct ThreadPool::Team {
-  std::vector<std::thread> helpers;
-  std::size_t parts = 1;
+  explicit Team(std::size_t num_parts) : parts(num_parts), taken(num_parts) {}
 
-  // Written before `number` is, read after.
+  std::vector<std::thread> helpers;
+  std::size_t parts;
+
+  // Written before `number` is, read by who has taken a part of that loop.
   Loop loop{};
   std::size_t count = 0;
-  std::atomic<std::uint64_t> number{0};  // of the loop that runs or ran last
-  std::atomic<std::size_t> busy{0};      // helpers still in it
+  std::atomic<std::uint64_t> number{0};           // of the loop that runs or ran last
+  std::vector<std::atomic<std::uint64_t>> taken;  // of each part: in the loop of this number
+  std::atomic<std::size_t> open{0};               // parts that are not done
   std::atomic<bool> stop{false};
-  std::atomic<bool> taken{false};  // a loop is under way
+  std::atomic<bool> at_work{false};
 
   std::mutex mutex;
   std::condition_variable woken;
   std::atomic<int> asleep{0};
 
-  void runPart(std::size_t part) const {
+  /// Does a part of loop `n`, unless somebody has taken it.
+  void runPart(std::size_t part, std::uint64_t n) {
+    std::uint64_t before = taken[part].load(std::memory_order_relaxed);
+    if (before >= n || !taken[part].compare_exchange_strong(before, n)) return;
     const std::size_t begin = count * part / parts, end = count * (part + 1) / parts;
     if (begin < end) loop.call(loop.body, begin, end);
+    open.fetch_sub(1, std::memory_order_release);
   }
 
-  void awaitLoopAfter(std::uint64_t last) {
+  std::uint64_t awaitLoopAfter(std::uint64_t last) {
     for (int k = 0; k < kPausesAwake; ++k) {
-      if (number.load(std::memory_order_acquire) != last) return;
+      const std::uint64_t n = number.load(std::memory_order_acquire);
+      if (n != last) return n;
       pause();
     }
     std::unique_lock<std::mutex> lock(mutex);
     ++asleep;
     woken.wait(lock, [&] { return number.load() != last; });
     --asleep;
+    return number.load();
   }
 
   void help(std::size_t part) {
-    for (std::uint64_t last = 0;; ++last) {
-      awaitLoopAfter(last);
+    for (std::uint64_t n = 0;;) {
+      n = awaitLoopAfter(n);
       if (stop.load()) return;
-      runPart(part);
-      busy.fetch_sub(1, std::memory_order_release);
+      runPart(part, n);
     }
   }
 
-  void begin() {
-    ++number;
-    if (asleep.load() == 0) return;
+  std::uint64_t begin() {
+    const std::uint64_t n = ++number;
+    if (asleep.load() == 0) return n;
     const std::lock_guard<std::mutex> lock(mutex);
     woken.notify_all();
+    return n;
   }
 };
 
 ThreadPool::ThreadPool(int threads) {
   if (threads <= 1) return;
-  team_ = std::make_unique<Team>();
-  team_->parts = static_cast<std::size_t>(threads);
+  team_ = std::make_unique<Team>(static_cast<std::size_t>(threads));
   for (std::size_t part = 1; part < team_->parts; ++part) {
     team_->helpers.emplace_back([team = team_.get(), part] { team->help(part); });
   }
@@ -96,23 +104,24 @@ ThreadPool::~ThreadPool() {
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }
 
 void ThreadPool::run(std::size_t count, const Loop& loop) {
-  if (!team_ || team_->taken.exchange(true, std::memory_order_acquire)) {
+  if (!team_ || team_->at_work.exchange(true, std::memory_order_acquire)) {
     if (count > 0) loop.call(loop.body, 0, count);
     return;
   }
   team_->loop = loop;
   team_->count = count;
-  team_->busy.store(team_->helpers.size(), std::memory_order_relaxed);
-  team_->begin();
-  team_->runPart(0);
-  for (int k = 0; team_->busy.load(std::memory_order_acquire) > 0; ++k) {
+  team_->open.store(team_->parts, std::memory_order_relaxed);
+  const std::uint64_t n = team_->begin();
+  // A helper that has no processor, or still sleeps, is not waited for.
+  for (std::size_t part = 0; part < team_->parts; ++part) team_->runPart(part, n);
+  for (int k = 0; team_->open.load(std::memory_order_acquire) > 0; ++k) {
     if (k < kPausesAwake) {
       pause();
     } else {
-      std::this_thread::yield();  // the helper waits for a processor
+      std::this_thread::yield();  // a helper in its part waits for a processor
     }
   }
-  team_->taken.store(false, std::memory_order_release);
+  team_->at_work.store(false, std::memory_order_release);
 }
 
 }  // namespace palpate
