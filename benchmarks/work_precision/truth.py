@@ -14,7 +14,7 @@ from accuracy import bounds
 from . import bracket, norms
 from .replays import adapted, but, play
 
-ORDER, SHARP = 2, 1  # of linear elements in forces, see converged.py, and where the tool has sharp edges
+ORDER = 2  # of linear elements in forces, see converged.py
 GROWTH = 0.3  # of meshes that follow the tool, finer than by default
 # Twice as many steps of second order and tighter tolerances than scenes have.
 SOLVER = {"integrator": "bdf2", "tolerance": 1e-5, "max_newton_iterations": 50}

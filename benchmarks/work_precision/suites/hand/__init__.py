@@ -6,14 +6,14 @@ from accuracy.rows import Section, table
 from ... import bracket, motions
 from ...charts import over_time
 from ...replays import shipped
-from ...truth import HEAD, SHARP, truth
+from ...truth import HEAD, truth
 from . import holds, palpation, slides, wandering
 from .settings import LADDER, SHIPPED, settings
 
 QUICK = True
 # Arguments of truth(): 1.6 radii of the ball around its way; the jaws, which open far from the way of their frame.
-BALL, JAWS = ((0.003, 0.002, 0.0014), 0.008), ((0.001, 0.0007, 0.0005), None, SHARP)
-QUICK_BALL, QUICK_JAWS = ((0.008, 0.006, 0.005), 0.008), ((0.007, 0.006, 0.005), None, SHARP)
+BALL, JAWS = ((0.003, 0.002, 0.0014), 0.008), ((0.001, 0.0007, 0.0005), None)
+QUICK_BALL, QUICK_JAWS = ((0.008, 0.006, 0.005), 0.008), ((0.007, 0.006, 0.005), None)
 KIDNEY = (-0.04, 0.0)  # where the grasper takes hold [m]
 
 
@@ -72,10 +72,8 @@ tool are those of `organs[].adapt` ([meshes.md](meshes.md#meshes-that-follow-the
 
 CONVERGED = """**The converged forces** are those of three meshes, by `bdf2` with steps of half the length and a tolerance
 of 1e-5, the two finest extrapolated at each time. What this adds to the finest stands beside it: no error below that
-means much. Of the ball the meshes have short edges along its whole way and never change; the order is the second. The
-grasper's jaws are boxes with sharp edges, 2 mm thick, which cut into the tissue: their force still falls where edges
-are a quarter of that, and its limit is but a guess. There the meshes follow the tool, and the order is taken for
-the first.
+means much. Of the ball the meshes have short edges along its whole way and never change; around the grasper's jaws,
+which open far from the way of their frame, they follow the tool. The order is the second.
 
 """
 
