@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/base/thread_pool.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -38,6 +39,12 @@ struct ThreadPool::Team {
   std::atomic<std::size_t> open{0};               // parts that are not done
   std::atomic<bool> stop{false};
   std::atomic<bool> at_work{false};
+  std::atomic<int> beside{0};  // threads at other work
+  // Processors that the team does not need; unknown: as many as one likes.
+  const int spare =
+      std::thread::hardware_concurrency() == 0
+          ? 1000
+          : static_cast<int>(std::thread::hardware_concurrency()) - static_cast<int>(parts);
 
   std::mutex mutex;
   std::condition_variable woken;
@@ -65,11 +72,17 @@ struct ThreadPool::Team {
     return number.load();
   }
 
+  /// Whether the helper of `part` leaves its processor to a thread at other work.
+  bool rests(std::size_t part) const {
+    const int without = beside.load(std::memory_order_relaxed) - std::max(spare, 0);
+    return static_cast<int>(parts - part) <= without;
+  }
+
   void help(std::size_t part) {
     for (std::uint64_t n = 0;;) {
       n = awaitLoopAfter(n);
       if (stop.load()) return;
-      runPart(part, n);
+      if (!rests(part)) runPart(part, n);
     }
   }
 
@@ -99,6 +112,14 @@ ThreadPool::~ThreadPool() {
   }
   team_->woken.notify_all();
   for (std::thread& helper : team_->helpers) helper.join();
+}
+
+ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {
+  if (team_) ++team_->beside;
+}
+
+ThreadPool::Beside::~Beside() {
+  if (team_) --team_->beside;
 }
 
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }

@@ -38,7 +38,7 @@ PronyHistory::PronyHistory(const Composition& composition, const std::vector<Ele
     S_end_.resize(batches_.size());
     state_.S = state_.H = SharedBatches(batches_.size());
   }
-  beginStep(std::numeric_limits<double>::infinity());
+  setTerms(std::numeric_limits<double>::infinity());  // H = 0
 }
 
 void PronyHistory::addBatches(const ElementRun& run) {
@@ -72,7 +72,7 @@ void PronyHistory::setStressAtEnd(int e, int q, const Mat3& S) {
   setTensorAt(S, &S_end_[place(e, q).batch], place(e, q).lane);
 }
 
-void PronyHistory::beginStep(double h) {
+void PronyHistory::setTerms(double h) {
   for (std::size_t solid = 0; solid < state_.terms.size(); ++solid) {
     state_.factor[solid] = 1.0;
     for (Term& term : state_.terms[solid]) {
@@ -82,6 +82,10 @@ void PronyHistory::beginStep(double h) {
       state_.factor[solid] += term.gain - term.g;
     }
   }
+}
+
+void PronyHistory::beginStep(double h) {
+  setTerms(h);
   const SymmetricBatch *S = state_.S.data(), *Q = state_.Q.data();
   SymmetricBatch* H = state_.H.rewrite().now;
   forAll(pool_, batches_.size(), [&](std::size_t begin, std::size_t end) {

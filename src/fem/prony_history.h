@@ -86,6 +86,7 @@ class PronyHistory {
   const std::vector<Term>& terms(const Batch& batch) const { return state_.terms[batch.solid]; }
   Place place(int e, int q) const;
   void addBatches(const ElementRun& run);
+  void setTerms(double h);
   int numTensors(int batch) const;
   const SymmetricBatch& tensors(int batch, int k) const;
   /// tensor(e, q, k) for all of all points, in this order; of one that is not viscous k = 0, 1.

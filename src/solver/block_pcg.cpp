@@ -53,7 +53,10 @@ struct BlockPcg::Impl {
       if (asked.interrupted(*iterations)) return SolveStatus::kDeadline;
       const double curvature = matrix.apply(v);
       if (!std::isfinite(curvature)) return SolveStatus::kNonFinite;
-      if (!(curvature > 0.0)) return SolveStatus::kNotPositiveDefinite;
+      // What was found before is a direction of descent [Nocedal, Wright 2006, alg. 7.1].
+      if (!(curvature > 0.0)) {
+        return *iterations > 0 ? SolveStatus::kIterationLimit : SolveStatus::kNotPositiveDefinite;
+      }
       const double rz_last = rz, alpha = rz / curvature;
       matrix.update(alpha, v, &rz, &rr);
       matrix.direct(alpha, rz / rz_last, v);

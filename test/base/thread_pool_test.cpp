@@ -43,6 +43,12 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
   for (int v : here) ASSERT_EQ(v, 2000);
   for (int v : beside) ASSERT_EQ(v, 2000);
 
+  {
+    const ThreadPool::Beside beside(&pool), another(&pool), none(nullptr);
+    work(&here);
+    for (int v : here) ASSERT_EQ(v, 4000);
+  }
+
   std::vector<int> inner(16 * 16, 0);
   pool.forRanges(16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -197,8 +197,11 @@ TEST(BlockPcg, SaysWhatIsWrong) {
   Points nan = s.b;
   nan(0, 30) = std::nan("");
   EXPECT_EQ(pcg.solve(s.A, nan, 1e-6, &x).status, SolveStatus::kNonFinite);
-  // Indefinite, with a positive diagonal.
+  // Indefinite, with a positive diagonal: found by iterations, of which the ones before serve.
   for (int i = 17; i < 20; ++i) s.A.blocks().block(s.A.blocks().diagonal(i)) *= 0.3;
+  EXPECT_EQ(pcg.solve(s.A, s.b, 1e-6, &x).status, SolveStatus::kIterationLimit);
+  EXPECT_GT(x.cwiseProduct(s.b).sum(), 0.0);
+  s.A.blocks().block(s.A.blocks().diagonal(17)) *= -1.0;
   EXPECT_EQ(pcg.solve(s.A, s.b, 1e-6, &x).status, SolveStatus::kNotPositiveDefinite);
 }
 

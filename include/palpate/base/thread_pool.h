@@ -31,11 +31,27 @@ class ThreadPool {
   }
 
  private:
+  struct Team;
+
+ public:
+  /// While it lives its thread does other work, and where there are no processors for both a helper
+  /// leaves it its own: one that was put aside in the middle of its part would hold up the loop.
+  class Beside {
+   public:
+    explicit Beside(ThreadPool* pool);  ///< May be null.
+    ~Beside();
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
+
+   private:
+    Team* team_;
+  };
+
+ private:
   struct Loop {
     void (*call)(const void* body, std::size_t begin, std::size_t end);
     const void* body;
   };
-  struct Team;
   void run(std::size_t count, const Loop& loop);
 
   std::unique_ptr<Team> team_;  // null for one thread

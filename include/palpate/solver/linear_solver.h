@@ -23,7 +23,8 @@ class LinearSolver {
 
   /// `b` and `x` are 3 x n; `x` is overwritten. An iterative solver stops when |b - A x| <=
   /// `relative_tolerance` |b|. kNotPositiveDefinite: A is not, and `x` is of no use;
-  /// kIterationLimit, kDeadline: `x` is the best so far, still a direction of descent.
+  /// kIterationLimit, kDeadline: `x` is the best so far, still a direction of descent, also where
+  /// iterations find only then that A is not positive definite.
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 

@@ -69,6 +69,7 @@ void NextMesh::begin(const Points& x, const ToolDistance& tools) {
 }
 
 void NextMesh::work() {
+  const ThreadPool::Beside beside(pool_);
   const auto size = [&](const Vec3& p) {
     const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
