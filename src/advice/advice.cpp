@@ -63,7 +63,12 @@ class Adviser {
   // With edges s times as long there are s^-3 as many nodes. Conjugate gradients need s^-1 as many
   // iterations, a factorisation of a body in space grows with the square of the nodes [George
   // 1973]; contact has as many samples as before.
+  // A mesh that follows its tools has most of its edges elsewhere: the slow cycles of the shipped
+  // liver take 17.3, 12.9 and 10.8 ms with 2, 3 and 4 mm at the tool.
   double coarser(double s) const {
+    if (facts_.finest > 0.0) {
+      return part(Phase::kContact) + std::pow(s, -0.75) * (cycle() - part(Phase::kContact));
+    }
     const double nodes = std::pow(s, -3.0);
     const double linear = direct() ? nodes * nodes : nodes / s;
     return part(Phase::kContact) + linear * part(Phase::kLinearSolve) +
@@ -82,6 +87,12 @@ class Adviser {
     }
     const std::string edge =
         rounded(facts_.edge_length) + " m to " + rounded(high * facts_.edge_length) + " m";
+    if (facts_.finest > 0.0) {
+      add("raise adapt.finest of organ " + facts_.organ + " from " + rounded(facts_.finest) +
+              " m to " + rounded(high * facts_.finest) + " m (coarser: less accurate forces)",
+          coarser(high));
+      return;
+    }
     if (facts_.graded) {
       add("raise coarsest and finest in edge_length of organ " + facts_.organ + " by a factor of " +
               rounded(high) + " (coarser: less accurate forces; or let edges grow faster)",

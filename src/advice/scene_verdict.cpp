@@ -66,6 +66,7 @@ SceneFacts sceneFacts(const sim::Simulator& simulator, int cores) {
   if (!methods.empty()) facts.method = tissue::methodFacts(methods.front());
   facts.meshed = !organ.surface.empty();
   facts.graded = !organ.edge_length.uniform();
+  facts.finest = organ.adapt.finest;
   facts.edge_length = mesh::meanEdgeLength(simulator.cells(largest));
   facts.poisson_ratio = largestPoissonRatio(scene);
   return facts;

@@ -121,6 +121,10 @@ TEST(SceneVerdict, SaysHowMuchCoarserAMeshHasToBe) {
   facts.graded = facts.meshed = false;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))),
                       "give organ liver a coarser mesh"));
+  // (17.3 / 9.8)^(1 / 0.75) = 2.13
+  facts.finest = 0.002;
+  EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 17.3e-3))),
+                      "raise adapt.finest of organ liver from 0.002 m to 0.0043 m"));
 }
 
 TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {

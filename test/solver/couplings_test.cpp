@@ -154,8 +154,9 @@ TEST_P(Coupled, IsRefusedWhereTheCouplingsMakeItIndefinite) {
   Points x;
   CholmodSolver cholmod;
   EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNotPositiveDefinite);
-  EXPECT_EQ(BlockPcg(3000).solve(indefinite, s.b, 1e-6, &x).status,
-            SolveStatus::kNotPositiveDefinite);
+  // Conjugate gradients find it on the way, and what they found before goes down.
+  EXPECT_EQ(BlockPcg(3000).solve(indefinite, s.b, 1e-6, &x).status, SolveStatus::kIterationLimit);
+  EXPECT_GT(x.cwiseProduct(s.b).sum(), 0.0);
   EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged);
 }
 

@@ -90,8 +90,8 @@ def run(context):
 
 
 TEXT = (f"A ball of {1e3 * BALL:g} mm radius goes {1e3 * DEPTH:g} mm deep into a block of {1e3 * WIDTH:g} x "
-        f"{1e3 * WIDTH:g} x {1e3 * HEIGHT:g} mm (E = {YOUNG / 1e3:g} kPa, nu = {POISSON:g}, `{LAW}`, as the shipped "
-        "liver) that is held at its ground, by `palpate replay`: the cycle that the hand feels, in static steps. What "
+        f"{1e3 * WIDTH:g} x {1e3 * HEIGHT:g} mm (E = {YOUNG / 1e3:g} kPa, nu = {POISSON:g}, `{LAW}`) "
+        "that is held at its ground, by `palpate replay`: the cycle that the hand feels, in static steps. What "
         "is off is the mesh: it is fine at the ball only, with edges as said within "
         f"{1e3 * REACH:g} mm, and then longer by {GROWTH:g} a unit of distance. The reference has the same law, contact "
         "penalty and depth in a cylinder of the block's area; cylinders within and around the block bound what that "

@@ -24,6 +24,7 @@ struct SceneFacts {
   double edge_length = 0.0;    ///< Mean of the organ's tetrahedra [m].
   bool meshed = false;         ///< The organ is meshed with its key edge_length,
   bool graded = false;         ///< which says where edges are shorter.
+  double finest = 0.0;         ///< Of organs[].adapt [m]; 0: its mesh never changes.
   double poisson_ratio = 0.0;  ///< Largest of all solids, at small strain.
 };
 
