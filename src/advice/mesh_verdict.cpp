@@ -83,16 +83,20 @@ std::string percent(double part) {
   return text.str();
 }
 
-// What to write for edges that make the force too large by kWanted.
-std::string remedy(const scene::OrganConfig& organ, double edge) {
-  if (organ.element != "tet10") return "adapt: {finest: " + rounded(edge) + "}";
-  if (organ.surface.empty()) return "a mesh with edges of " + rounded(edge) + " m there";
-  return "edge_length: {coarsest: " + rounded(organ.edge_length.coarsest) +
-         ", near: [{finest: " + rounded(edge) + ", ...}]}";
+bool hasBentEdges(const mesh::CellMesh& cells) {
+  if (cells.cells.rows() != 10) return false;
+  return mesh::firstBentTet(
+             {cells.points, cells.cells.topRows(4), cells.cells.bottomRows(6), {}, {}}) >= 0;
 }
 
-std::string adviceFor(const scene::OrganConfig& organ, const SurfaceEdges& edges,
-                      const Tool& tool) {
+// What to write for edges that make the force too large by kWanted.
+std::string remedy(const mesh::CellMesh& cells, double edge) {
+  if (hasBentEdges(cells)) return "a mesh with edges of " + rounded(edge) + " m there";
+  return "adapt: {finest: " + rounded(edge) + "}";
+}
+
+std::string adviceFor(const scene::OrganConfig& organ, const mesh::CellMesh& cells,
+                      const SurfaceEdges& edges, const Tool& tool) {
   const bool adapts = organ.adapt.on();
   const double edge = adapts ? organ.adapt.finest : edges.graded() ? edges.finest : edges.mean;
   const double excess = tissue::forceExcess(organ.element, edge / tool.radius).value_or(0.0);
@@ -101,7 +105,7 @@ std::string adviceFor(const scene::OrganConfig& organ, const SurfaceEdges& edges
          "edges of " + millimetres(edge) + " against a " +
          (tool.ball ? "ball of " : "shape like a ball of ") + millimetres(tool.radius) + " (" +
          tool.name + "): the force will be about " + percent(excess) + " too large; 8 % with " +
-         remedy(organ, wanted);
+         remedy(cells, wanted);
 }
 
 }  // namespace
@@ -142,7 +146,8 @@ std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator) {
   for (int i = 0; i < simulator.numOrgans(); ++i) {
     const scene::OrganConfig& organ = simulator.scene().organs[static_cast<std::size_t>(i)];
     if (organ.model != "fem") continue;
-    const SurfaceEdges edges = surfaceEdges(simulator.cells(i));
+    const mesh::CellMesh cells = simulator.cells(i);
+    const SurfaceEdges edges = surfaceEdges(cells);
     double edge = edges.graded() ? edges.finest : edges.mean;
     if (organ.adapt.on()) edge = std::min(edge, organ.adapt.finest);
     std::optional<Tool> thinnest;
@@ -152,7 +157,7 @@ std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator) {
     }
     if (!thinnest || !(edge > 0.0)) continue;
     if (tissue::forceExcess(organ.element, edge / thinnest->radius).value_or(0.0) > kWorthSaying) {
-      advice.push_back(adviceFor(organ, edges, *thinnest));
+      advice.push_back(adviceFor(organ, cells, edges, *thinnest));
     }
   }
   return advice;

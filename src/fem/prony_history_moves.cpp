@@ -2,6 +2,7 @@
 // How viscous memory goes to another mesh, and to bytes and back.
 #include <stdexcept>
 
+#include "point_change.h"
 #include "prony_history.h"
 
 namespace palpate::fem {
@@ -45,24 +46,21 @@ void PronyHistory::goOnFrom(const PronyHistory& old, const mesh::MeshChange& cha
   state_.terms = old.state_.terms;
   state_.factor = old.state_.factor;
   if (empty()) return;
+  const PointChange from(change, points_per_element_, old_volumes);
   setAll([&](int e, int q, int k) -> Mat3 {
     if (first_place_[e] < 0) return Mat3::Zero();
     const int solid = batches_[batchOf(e)].solid;
-    const mesh::MeshChange::Range from = change.tets[static_cast<std::size_t>(e)];
-    const auto before = [&](int element) {
-      const int batch = old.batchOf(element);
+    const auto before = [&](const PointChange::Source& source) {
+      const int batch = old.batchOf(source.element);
       if (batch < 0 || old.batches_[batch].solid != solid) fail();
-      const Place at = old.place(element, q);
+      const Place at = old.place(source.element, source.point);
       return tensorAt(old.tensors(at.batch, k), at.lane);
     };
-    if (from.last == from.first + 1) return before(from.first);
-    double volume = 0.0;
-    for (int part = from.first; part < from.last; ++part) volume += old_volumes[part];
-    Mat3 mean = Mat3::Zero();
-    for (int part = from.first; part < from.last; ++part) {
-      mean += old_volumes[part] / volume * before(part);
-    }
-    return mean;
+    const PointChange::Sources sources = from.sources(e, q);
+    if (sources.isCopy()) return before(*sources.begin());
+    Mat3 sum = Mat3::Zero();
+    for (const PointChange::Source& source : sources) sum += source.weight * before(source);
+    return sum;
   });
 }
 

@@ -193,6 +193,17 @@ double SolidElasticity<N>::volume() const {
   return std::accumulate(shape_.volumes.begin(), shape_.volumes.end(), 0.0);
 }
 
+template <int N>
+mesh::LumpedMasses SolidElasticity<N>::lumpedMasses() const {
+  mesh::LumpedMasses lumped{shape_.masses, Eigen::MatrixXd(N, shape_.nodes.cols())};
+  for (Eigen::Index e = 0; e < shape_.nodes.cols(); ++e) {
+    const double density = composition_.solid(static_cast<int>(e)).density;
+    lumped.shares.col(e) =
+        density * shape_.volumes[static_cast<std::size_t>(e)] * Tetrahedron<N>::massFractions();
+  }
+  return lumped;
+}
+
 template class SolidElasticity<4>;
 template class SolidElasticity<10>;
 

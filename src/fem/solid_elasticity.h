@@ -48,6 +48,7 @@ class SolidElasticity final : public Elasticity {
   double volume() const override;
   const Eigen::VectorXd& masses() const override { return shape_.masses; }
   const Eigen::VectorXd& loadWeights() const override { return shape_.load_weights; }
+  mesh::LumpedMasses lumpedMasses() const override;
   bool viscous() const override { return !history_->empty(); }
   void beginStep(double h) override;
   void endStep(const Points& x) override;

@@ -7,8 +7,6 @@
 namespace palpate::mesh {
 namespace {
 
-constexpr int kEdgeOf[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
-
 // Whether `order`, a permutation of 0 .. 3, is odd.
 bool isOdd(const std::array<int, 4>& order) {
   int inversions = 0;
@@ -33,6 +31,15 @@ BisectionTree::BisectionTree(const TetMesh& mesh) {
     cell.boundary = boundary[static_cast<std::size_t>(t)];
     cell.odd = false;
     addCell(cell, signedVolume(mesh.points, tet));
+  }
+  for (Eigen::Index t = 0; t < mesh.midnodes.cols(); ++t) {
+    for (int k = 0; k < 6; ++k) {
+      const auto [i, j] = kMiddlesBetween[k];
+      Edge& edge = edges_[edgeBetween(mesh.tets(i, t), mesh.tets(j, t))];
+      edge.middle = mesh.midnodes(k, t);
+      vertices_[edge.middle] = {edge.a, edge.b, 1};
+      rest_[edge.middle] = 0.5 * (rest_[edge.a] + rest_[edge.b]);
+    }
   }
 }
 

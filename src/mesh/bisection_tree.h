@@ -10,6 +10,12 @@
 
 namespace palpate::mesh {
 
+/// Number of the edge between two vertices of a cell, see BisectionTree::Cell::edge.
+constexpr int kEdgeOf[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+/// Corners that the middle nodes of a quadratic tetrahedron are between, see TetMesh::midnodes.
+constexpr std::array<std::array<int, 2>, 6> kMiddlesBetween = {
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
 /// The tetrahedra that bisection makes of a mesh, as binary trees that grow where they are asked
 /// for. A tetrahedron is cut at the middle of its longest edge [Rivara 1991, "Local modification of
 /// meshes for adaptive and/or multigrid finite-element methods"]. All that share a face find the
@@ -36,7 +42,8 @@ class BisectionTree {
     bool odd;                     ///< Positive if the last two vertices change places.
   };
 
-  /// The corners of `mesh`; its tetrahedra are the first cells.
+  /// The points of `mesh`; its tetrahedra are the first cells. Middle nodes are the middles of its
+  /// edges, as if these were straight.
   explicit BisectionTree(const TetMesh& mesh);
 
   const Vertex& vertex(int v) const { return vertices_[v]; }
@@ -53,10 +60,11 @@ class BisectionTree {
 
   /// Makes the children of a cell that has none.
   void bisect(int c);
+  /// The vertex in the middle of an edge, made where there is none.
+  int middleOf(int edge);
 
  private:
   int edgeBetween(int a, int b);
-  int middleOf(int edge);
   std::array<double, 4> rank(int a, int b) const;
   void order(Cell* cell) const;
   void addCell(Cell cell, double volume);

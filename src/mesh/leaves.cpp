@@ -53,18 +53,17 @@ void Cut::cover(const BisectionTree& tree) {
   edges.resize(static_cast<std::size_t>(tree.numEdges()), 0);
 }
 
-Leaves::Leaves(const BisectionTree& tree, int num_roots, const Cut& cut)
-    : number(static_cast<std::size_t>(tree.numVertices()), -1) {
+Leaves::Leaves(BisectionTree* with_tree, int num_roots, const Cut& cut, bool quadratic)
+    : number(static_cast<std::size_t>(with_tree->numVertices()), -1) {
+  const BisectionTree& tree = *with_tree;
   std::vector<std::array<int, 4>> tets;
   std::vector<std::array<int, 3>> triangles;
   forCells(tree, num_roots, cut, [&](int c, int root) {
     if (cut.cells[c]) return;
     const BisectionTree::Cell& cell = tree.cell(c);
-    std::array<int, 4> place{0, 1, 2, 3};
-    if (cell.odd) std::swap(place[2], place[3]);
     std::array<int, 4> tet;
     for (int k = 0; k < 4; ++k) {
-      const int v = cell.vertex[place[k]];
+      const int v = cell.vertex[place(cell, k)];
       if (number[v] < 0) {
         number[v] = static_cast<int>(vertices.size());
         vertices.push_back(v);
@@ -72,7 +71,7 @@ Leaves::Leaves(const BisectionTree& tree, int num_roots, const Cut& cut)
       tet[k] = number[v];
     }
     for (int k = 0; k < 4; ++k) {
-      if (cell.boundary >> place[k] & 1) {
+      if (cell.boundary >> place(cell, k) & 1) {
         triangles.push_back({tet[kFaces[k][0]], tet[kFaces[k][1]], tet[kFaces[k][2]]});
       }
     }
@@ -92,6 +91,7 @@ Leaves::Leaves(const BisectionTree& tree, int num_roots, const Cut& cut)
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     surface.col(static_cast<Eigen::Index>(t)) = Eigen::Vector3i(triangles[t].data());
   }
+  if (quadratic) addMiddleNodes(with_tree);
   middles = middlesOf(tree, *this, [](int) { return true; });
 }
 
@@ -107,10 +107,14 @@ MeshChange changeBetween(const BisectionTree& tree, const Leaves& old, const Cut
   MeshChange change;
   change.num_old_points = static_cast<int>(old.vertices.size());
   for (int v : next.vertices) change.old_point.push_back(old.find(v));
+  addTets(tree, old, old_cut, next, &change);
+  if (next.mesh.quadratic()) {
+    addQuadraticChange(tree, old, next, &change);
+    return change;
+  }
   change.added = middlesOf(tree, next, [&](int v) { return old.find(v) < 0; });
   change.removed = middlesOf(tree, old, [&](int v) { return next.find(v) < 0; });
   std::reverse(change.removed.begin(), change.removed.end());
-  addTets(tree, old, old_cut, next, &change);
   return change;
 }
 

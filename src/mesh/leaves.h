@@ -35,16 +35,22 @@ void forCells(const BisectionTree& tree, int num_roots, const Cut& cut, const Vi
 }
 
 /// The mesh of the cells that are not cut, in the order of the trees; points in the order in which
-/// its tetrahedra name them.
+/// its tetrahedra name them, corners before middle nodes. A middle node is the vertex that would
+/// cut its edge.
 struct Leaves {
   Leaves() = default;
-  Leaves(const BisectionTree& tree, int num_roots, const Cut& cut);
+  /// `quadratic`: with middle nodes, for which `tree` gets the vertices that it has not yet.
+  Leaves(BisectionTree* tree, int num_roots, const Cut& cut, bool quadratic);
 
   /// Whether a point hangs in the middle of an edge.
   bool conform(const BisectionTree& tree, const Cut& cut) const;
   /// Number of a vertex, or -1.
   int find(int vertex) const {
     return vertex < static_cast<int>(number.size()) ? number[vertex] : -1;
+  }
+  /// The cell's vertex that is corner `corner` of its tetrahedron.
+  static int place(const BisectionTree::Cell& cell, int corner) {
+    return cell.odd && corner > 1 ? 5 - corner : corner;
   }
 
   TetMesh mesh;
@@ -54,10 +60,17 @@ struct Leaves {
   std::vector<int> number;       ///< Of each vertex of the tree; -1: none.
   std::vector<int> coarse_tets;  ///< Root of each tetrahedron.
   std::vector<MeshChange::Middle> middles;
+
+ private:
+  void addMiddleNodes(BisectionTree* tree);
 };
 
 /// From `old`, with the cells that were cut in `old_cut`, to `next`.
 MeshChange changeBetween(const BisectionTree& tree, const Leaves& old, const Cut& old_cut,
                          const Leaves& next);
+
+/// What a change of quadratic meshes has besides, after `tets` and `old_point`.
+void addQuadraticChange(const BisectionTree& tree, const Leaves& old, const Leaves& next,
+                        MeshChange* change);
 
 }  // namespace palpate::mesh

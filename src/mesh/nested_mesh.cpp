@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -26,12 +27,14 @@ constexpr std::size_t kMostIdle = 4;
 
 struct NestedMesh::Impl {
   explicit Impl(const TetMesh& coarse)
-      : coarse_mesh{coarse.points, coarse.tets, {}, {}, {}},
+      : coarse_mesh{coarse.points, coarse.tets, coarse.midnodes, {}, {}},
         num_roots(static_cast<int>(coarse.numTets())),
         tree(coarse) {
     cut.cover(tree);
-    leaves = Leaves(tree, num_roots, cut);
+    leaves = leavesOf(cut);
   }
+
+  Leaves leavesOf(const Cut& of) { return {&tree, num_roots, of, coarse_mesh.quadratic()}; }
 
   /// Forgets the cells that are not there, if they have become many. Numbers of the mesh stay.
   void prune() {
@@ -71,7 +74,7 @@ struct NestedMesh::Impl {
     }
     if (at != bisected.size()) fail();
     next.cover(tree);
-    Leaves restored(tree, num_roots, next);
+    Leaves restored = leavesOf(next);
     if (!restored.conform(tree, next)) fail();
     cut = std::move(next);
     leaves = std::move(restored);
@@ -89,13 +92,36 @@ struct NestedMesh::Impl {
     return 0.25 * sum;
   }
 
-  /// det F of a cell as it would be without its children.
+  /// det F of a cell as it would be without its children; of a quadratic one the least of four
+  /// places half way between its middle and its corners.
   double jacobian(int c, const Points& x) const {
     const BisectionTree::Cell& cell = tree.cell(c);
     Points corners(3, 4);
     for (int k = 0; k < 4; ++k) corners.col(k) = place(cell.vertex[k], x);
-    const double volume = signedVolume(corners, {0, 1, 2, 3});
-    return (cell.odd ? -volume : volume) / tree.volume(c);
+    if (!coarse_mesh.quadratic()) {
+      const double volume = signedVolume(corners, {0, 1, 2, 3});
+      return (cell.odd ? -volume : volume) / tree.volume(c);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (int at = 0; at < 4; ++at) {
+      Eigen::Vector4d w = Eigen::Vector4d::Constant(0.125);
+      w[at] = 0.625;
+      Eigen::Matrix<double, 3, 4> slopes = corners * (4.0 * w.array() - 1.0).matrix().asDiagonal();
+      for (int i = 0; i < 4; ++i) {
+        for (int j = i + 1; j < 4; ++j) {
+          const Vec3 middle = middleOf(tree.edge(cell.edge[kEdgeOf[i][j]]), x);
+          slopes.col(i) += 4.0 * w[j] * middle;
+          slopes.col(j) += 4.0 * w[i] * middle;
+        }
+      }
+      const double volume = signedVolume(slopes, {0, 1, 2, 3});
+      least = std::min(least, (cell.odd ? -volume : volume) / tree.volume(c));
+    }
+    return least;
+  }
+  Vec3 middleOf(const BisectionTree::Edge& edge, const Points& x) const {
+    if (edge.middle >= 0) return place(edge.middle, x);
+    return 0.5 * (place(edge.a, x) + place(edge.b, x));
   }
 
   /// What is asked for, closed under conformity.
@@ -152,8 +178,12 @@ struct NestedMesh::Impl {
 };
 
 NestedMesh::NestedMesh(const TetMesh& coarse) {
-  if (coarse.quadratic()) {
-    throw std::invalid_argument("a mesh of 10-node tetrahedra cannot be bisected");
+  const Eigen::Index bent = firstBentTet(coarse);
+  if (bent >= 0) {
+    throw std::invalid_argument("tetrahedron " + std::to_string(bent + 1) +
+                                " has a bent edge, and only straight ones can be bisected: use "
+                                "4-node tetrahedra, which tet10 gives nodes in the middle of "
+                                "straight edges");
   }
   impl_ = std::make_unique<Impl>(coarse);
 }
@@ -179,7 +209,7 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
   impl_->cut.cover(impl_->tree);
   if (wanted.cells == impl_->cut.cells) return nullptr;
   std::swap(impl_->cut, wanted);
-  Leaves next(impl_->tree, impl_->num_roots, impl_->cut);
+  Leaves next = impl_->leavesOf(impl_->cut);
   auto change =
       std::make_unique<MeshChange>(changeBetween(impl_->tree, impl_->leaves, wanted, next));
   impl_->leaves = std::move(next);
@@ -190,7 +220,7 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
 void NestedMesh::coarsen() {
   impl_->cut = Cut();
   impl_->cut.cover(impl_->tree);
-  impl_->leaves = Leaves(impl_->tree, impl_->num_roots, impl_->cut);
+  impl_->leaves = impl_->leavesOf(impl_->cut);
 }
 
 std::string NestedMesh::bisected() const { return impl_->bisected(); }

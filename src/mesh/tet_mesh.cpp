@@ -21,6 +21,9 @@ constexpr int kKuhn[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
 // Edges in the order of their middle nodes.
 constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
+// Middle nodes this near to the middle of an edge, in units of its length, are there.
+constexpr double kStraight = 1e-9;
+
 int edgeNumber(int a, int b) {
   int k = 0;
   while (!((kEdges[k][0] == a && kEdges[k][1] == b) || (kEdges[k][0] == b && kEdges[k][1] == a))) {
@@ -152,6 +155,18 @@ TetMesh toQuadratic(const TetMesh& mesh) {
     quadratic.points.col(mesh.numPoints() + static_cast<Eigen::Index>(i)) = points[i];
   }
   return quadratic;
+}
+
+Eigen::Index firstBentTet(const TetMesh& mesh) {
+  for (Eigen::Index e = 0; e < mesh.midnodes.cols(); ++e) {
+    for (int k = 0; k < 6; ++k) {
+      const Vec3 a = mesh.points.col(mesh.tets(kEdges[k][0], e));
+      const Vec3 b = mesh.points.col(mesh.tets(kEdges[k][1], e));
+      const Vec3 off = mesh.points.col(mesh.midnodes(k, e)) - 0.5 * (a + b);
+      if (off.norm() > kStraight * (b - a).norm()) return e;
+    }
+  }
+  return -1;
 }
 
 TetMesh boxMesh(const Vec3& size, const Eigen::Vector3i& cells) {

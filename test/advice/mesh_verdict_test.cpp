@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "palpate/fem/elasticity.h"
+#include "palpate/formats/tet_io.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/tissue/fem/force_excess.h"
 #include "sim/slab_scene.h"
 #include "support/contains.h"
@@ -81,6 +83,25 @@ TEST(AdviceOnMeshes, NamesOrganToolAndRemedy) {
   const std::vector<std::string> notes = loadingNotes(simulator);
   ASSERT_FALSE(notes.empty());
   EXPECT_EQ(notes.back(), advice[0]);
+}
+
+TEST(AdviceOnMeshes, NamesTheSameRemedyForQuadraticElementsUnlessTheyAreBent) {
+  const test::SlabScene slab;
+  scene::Scene scene = slab.scene();
+  scene.organs[0].element = "tet10";
+  const std::vector<std::string> advice = adviseOnMeshes(sim::Simulator(scene));
+  ASSERT_EQ(advice.size(), 1u);
+  EXPECT_TRUE(contains(advice[0], "8 % with adapt: {finest: 0.0047}")) << advice[0];
+
+  scene.organs[0].adapt.finest = 0.0047;
+  EXPECT_TRUE(adviseOnMeshes(sim::Simulator(scene)).empty());
+  scene.organs[0].adapt.finest = 0.0;
+  mesh::TetMesh bent = mesh::toQuadratic(formats::readTetMesh(slab.folder().path("slab.vtu")));
+  bent.points.col(bent.midnodes(0, 0)).array() += 1e-5;
+  formats::writeVtu(slab.folder().path("slab.vtu"), bent, {}, {});
+  const std::vector<std::string> other = adviseOnMeshes(sim::Simulator(scene));
+  ASSERT_EQ(other.size(), 1u);
+  EXPECT_TRUE(contains(other[0], "8 % with a mesh with edges of 0.0047 m there")) << other[0];
 }
 
 // A graded slab of its own, and the figure that is said of it.

@@ -181,6 +181,14 @@ std::vector<Case> cases() {
                      s->solver.threads = 2;
                    }});
   }
+  for (const char* method : {"implicit_pcg", "tled"}) {
+    all.push_back({std::string("adaptive_quadratic_") + method, [method](scene::Scene* s) {
+                     s->solver.method = method;
+                     s->organs[0].element = "tet10";
+                     s->organs[0].material.viscoelastic = {{0.3, 0.05}};
+                     s->organs[0].adapt.finest = 0.015;
+                   }});
+  }
   all.push_back({"islands", [](scene::Scene*) {}, true});
   all.push_back({"thrown", [](scene::Scene*) {}, false, 45});
   all.push_back({"thrown_tled", [](scene::Scene* s) { s->solver.method = "tled"; }, false, 45});

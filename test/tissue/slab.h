@@ -20,13 +20,16 @@ struct Slab {
   tissue::FemSettings settings;
 
   explicit Slab(const Eigen::Vector3i& cells = Eigen::Vector3i(8, 8, 4))
-      : mesh(mesh::boxMesh(Vec3(0.1, 0.1, 0.04), cells)),
-        free(fem::FreeMask::Ones(3, mesh.numPoints())) {
+      : mesh(mesh::boxMesh(Vec3(0.1, 0.1, 0.04), cells)) {
+    holdBottom();
+    settings.gravity = Vec3(0.0, 0.0, -9.81);
+    settings.sample_spacing = 0.005;
+  }
+  void holdBottom() {
+    free = fem::FreeMask::Ones(3, mesh.numPoints());
     for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
       if (mesh.points(2, i) == 0.0) free.col(i).setZero();
     }
-    settings.gravity = Vec3(0.0, 0.0, -9.81);
-    settings.sample_spacing = 0.005;
   }
   std::unique_ptr<tissue::TissueModel> make(ThreadPool* pool = nullptr) const {
     return tissue::makeFemTissue(mesh, fem::Composition::uniform(kLiver, 1060.0), free, settings,

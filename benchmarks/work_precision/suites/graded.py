@@ -4,6 +4,7 @@
 import csv
 import json
 import re
+import shutil
 import subprocess
 
 import numpy as np
@@ -25,6 +26,9 @@ MESHES = ([("anp", edge, None) for edge in (0.015, 0.010, 0.0075, 0.005)]
           + [("tet4", None, finest) for finest in (0.004, 0.003, 0.002, 0.0014, 0.001)]
           + [("tet10", edge, None) for edge in (0.015, 0.010)]
           + [("tet10", None, finest) for finest in (0.006, 0.004, 0.003, 0.002)])
+# Element, `finest` and `growth` of meshes of COARSEST that adapt.
+ADAPTED = ([("anp", finest, 0.5) for finest in (0.003, 0.002, 0.0015)]
+           + [("tet10", finest, growth) for growth in (0.5, 1.0) for finest in (0.006, 0.004, 0.003)])
 
 
 def _write_block(file):
@@ -45,8 +49,11 @@ def _write_press(file):
             rows.writerow([f"{0.01 * k:.2f}", 0, 0, -DEPTH * min(1.0, k / 40), 0, 0, 0])
 
 
-def _write_scene(folder, element, uniform, finest):
-    """JSON, which is YAML. The ball's lowest point begins at the block's top."""
+def _write_scene(folder, element, uniform, finest, growth=None):
+    """JSON, which is YAML. The ball's lowest point begins at the block's top. With `growth`, the
+    mesh adapts."""
+    if growth:
+        uniform = COARSEST
     edge_length = uniform or {"coarsest": COARSEST, "near": [
         {"finest": finest, "point": [0, 0, HEIGHT], "radius": NEAR, "growth": GROWTH}]}
     scene = {
@@ -60,7 +67,13 @@ def _write_scene(folder, element, uniform, finest):
             "name": "probe", "urdf": str(ROOT / "config/instruments/probe.urdf"),
             "base": {"position": [0, 0, HEIGHT + RADIUS]}, "control_frame": "tip"}],
         "solver": {"step": 0.01}}
-    file = folder / f"{element}_{1e6 * (uniform or finest):.0f}{'' if uniform else '_graded'}.yaml"
+    kind = "_graded"
+    if growth:
+        scene["organs"][0]["adapt"] = {"finest": finest, "growth": growth}
+        kind = f"_adapted_{growth:g}"
+    elif uniform:
+        kind = ""
+    file = folder / f"{element}_{1e6 * (finest or uniform):.0f}{kind}.yaml"
     file.write_text(json.dumps(scene))
     return file
 
@@ -73,13 +86,28 @@ def _palpate(*words):
     return done.stdout
 
 
-def press(folder, element, uniform, finest, repeats=3):
-    """{"tets", "nodes", "force" [N] at the end of the hold, "p50", "p99" [ms]} of one mesh; of times
-    the best run."""
-    scene = _write_scene(folder, element, uniform, finest)
+def _size(scene):
     report = _palpate("mesh", "--scene", scene, "--out", scene.with_suffix(".vtu"))
-    found = {key: int(re.search(word + r" +(\d+)", report).group(1))
-             for key, word in (("nodes", "nodes"), ("tets", "tetrahedra"))}
+    return {key: int(re.search(word + r" +(\d+)", report).group(1))
+            for key, word in (("nodes", "nodes"), ("tets", "tetrahedra"))}
+
+
+def _size_at_the_end(scene, folder):
+    """Of a mesh that adapts, from a picture of the last row; with middle nodes."""
+    pictures = folder / "pictures"
+    shutil.rmtree(pictures, ignore_errors=True)
+    _palpate("replay", scene, "--trajectory", folder / "T.csv", "--out", folder / "R.csv",
+             "--vtu", pictures, "--every", 100)
+    head = max(pictures.glob("*.vtu")).read_bytes()[:4000].decode("latin1")
+    return {key: int(re.search(word + '="([0-9]+)"', head).group(1))
+            for key, word in (("nodes", "NumberOfPoints"), ("tets", "NumberOfCells"))}
+
+
+def press(folder, element, uniform, finest, growth=None, repeats=3):
+    """{"tets", "nodes", "force" [N] at the end of the hold, "p50", "p99" [ms]} of one mesh, or as it
+    is in the end where it adapts; of times the best run."""
+    scene = _write_scene(folder, element, uniform, finest, growth)
+    found = _size_at_the_end(scene, folder) if growth else _size(scene)
     times = []
     for _ in range(repeats):
         _palpate("replay", scene, "--trajectory", folder / "T.csv", "--out", folder / "R.csv")
@@ -105,14 +133,21 @@ def run(context):
     reference = press(folder, *REFERENCE, repeats=1)
     context.progress(f"reference {reference['force']:.4f} N")
     lines, points = [], {}
-    for element, uniform, finest in MESHES:
-        found = press(folder, element, uniform, finest)
+
+    def measure(element, mesh, *settings):
+        found = press(folder, element, *settings)
         excess = found["force"] / reference["force"] - 1.0
-        points.setdefault(element, []).append(((uniform or finest) / RADIUS, max(excess, 1e-3)))
-        mesh = f"uniform {1e3 * uniform:g} mm" if uniform else f"{1e3 * finest:g} mm at the ball"
         context.progress(f"{element}, {mesh}: {found['force']:.4f} N, {100 * excess:+.1f} %")
         lines.append([f"`{element}`", mesh, found["tets"], found["nodes"], f"{found['force']:.3f} N",
                       f"{100 * excess:+.1f} %", f"{found['p50']:.2f}", f"{found['p99']:.1f}"])
+        return excess
+
+    for element, uniform, finest in MESHES:
+        mesh = f"uniform {1e3 * uniform:g} mm" if uniform else f"{1e3 * finest:g} mm at the ball"
+        excess = measure(element, mesh, uniform, finest)
+        points.setdefault(element, []).append(((uniform or finest) / RADIUS, max(excess, 1e-3)))
+    for element, finest, growth in ADAPTED:
+        measure(element, f"adapts to {1e3 * finest:g} mm, growth {growth:g}", None, finest, growth)
     lines.append(["`tet10`", f"{1e3 * REFERENCE[2]:g} mm at the ball", reference["tets"],
                   reference["nodes"], f"{reference['force']:.3f} N", "", f"{reference['p50']:.2f}",
                   f"{reference['p99']:.1f}"])
@@ -126,6 +161,6 @@ def run(context):
 TEXT = f"""A ball of {1e3 * RADIUS:g} mm pressed {1e3 * DEPTH:g} mm into a block of
 {1e3 * SIDE:g} x {1e3 * SIDE:g} x {1e3 * HEIGHT:g} mm whose bottom is held (E = 6 kPa, nu = 0.45, the default
 law), in 0.4 s, and held for 0.6 s, through `palpate replay` with one thread. Graded meshes have
-{1e3 * COARSEST:g} mm far from the ball and grow by {GROWTH:g} mm a mm from {1e3 * NEAR:g} mm on. Forces are those at
-the end, times of a cycle of 10 ms, the best of three runs. The second table fits the excess by a
+{1e3 * COARSEST:g} mm far from the ball and grow by {GROWTH:g} mm a mm from {1e3 * NEAR:g} mm on. Meshes
+that adapt are of {1e3 * COARSEST:g} mm, and counted with middle nodes. Forces are those at the end, times of a cycle of 10 ms, the best of three runs. The second table fits the excess by a
 factor times a power of edge by radius, which is what the advice on a scene's meshes says."""

@@ -67,6 +67,8 @@ class Elasticity {
   virtual double volume() const = 0;
   /// Lumped masses, n, all positive [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
+  /// The same, with what each element gives to its nodes.
+  virtual mesh::LumpedMasses lumpedMasses() const = 0;
   /// Times an acceleration: the nodal forces of a uniform gravity, n [kg]. Their sum is the mass.
   virtual const Eigen::VectorXd& loadWeights() const = 0;
 
@@ -83,7 +85,7 @@ class Elasticity {
 
   /// Goes on from what `old` remembers, the same body on another mesh, of which this one's came by
   /// `change`: parts of an element have what it had, an element of several parts their mean by
-  /// volume.
+  /// volume, or with several integration points the linear field nearest to theirs.
   /// @throws std::invalid_argument for a body of other elements or solids.
   virtual void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) = 0;
 

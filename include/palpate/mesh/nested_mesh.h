@@ -12,7 +12,8 @@
 namespace palpate::mesh {
 
 /// A mesh that is finer in places, by bisection of the tetrahedra of a coarse one: nested, so that
-/// every linear field on the coarse mesh is one on the fine mesh, and conforming, because what a
+/// every linear field on the coarse mesh is one on the fine mesh, or every quadratic field where
+/// the coarse mesh is quadratic, which the finer ones then are too; and conforming, because what a
 /// bisection leaves hanging is bisected too, until nothing is. Which tetrahedra are bisected, and
 /// the order of all numbers, follow from the coarse mesh and from what was asked for alone, not
 /// from what the mesh was before.
@@ -32,7 +33,8 @@ class NestedMesh {
     int max_bisections = 1 << 30;
   };
 
-  /// @throws std::invalid_argument for a mesh of quadratic tetrahedra.
+  /// @throws std::invalid_argument for quadratic tetrahedra whose edges are not straight, see
+  /// firstBentTet().
   explicit NestedMesh(const TetMesh& coarse);
   ~NestedMesh();
   NestedMesh(NestedMesh&&) noexcept;
@@ -42,13 +44,14 @@ class NestedMesh {
   bool isCoarse() const;
   /// Its points at rest, numbered as the tetrahedra name them; no tags or data.
   const TetMesh& mesh() const;
-  /// Its surface, outward, 3 x k.
+  /// Its surface, outward, 3 x k: through all nodes, as trianglesOf(boundaryFaces()).
   const Eigen::Matrix3Xi& surface() const;
   /// The tetrahedron of the coarse mesh in which each lies.
   const std::vector<int>& coarseTets() const;
   /// The point of the coarse mesh that `point` is, or -1.
   int coarsePoint(int point) const;
-  /// All other points, after those that they are between.
+  /// All points that are in the middle between two others, after those; in a quadratic mesh the
+  /// middle nodes of the coarse mesh, too.
   const std::vector<MeshChange::Middle>& middles() const;
 
   /// Brings the mesh nearer to what `size` asks for where the points are at `x`, 3 x n [m]. Returns

@@ -48,6 +48,10 @@ Eigen::Matrix3Xi trianglesOf(const Eigen::MatrixXi& faces);
 /// first ones. A mesh that is quadratic is returned as it is.
 TetMesh toQuadratic(const TetMesh& mesh);
 
+/// The first tetrahedron with a middle node that is farther than 1e-9 of its edge's length from the
+/// middle of it, or -1.
+Eigen::Index firstBentTet(const TetMesh& mesh);
+
 /// A box [0, size] cut into cells, five or six tetrahedra each; `cells` per axis, six each here
 /// (Kuhn's subdivision, conforming).
 TetMesh boxMesh(const Vec3& size, const Eigen::Vector3i& cells);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "adaptive_tissue.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "fem_organ.h"
 #include "next_mesh.h"
-#include "palpate/base/error.h"
 #include "palpate/base/state_bytes.h"
 
 namespace palpate::tissue {
@@ -137,12 +135,6 @@ std::unique_ptr<TissueModel> makeAdaptiveTissue(const mesh::TetMesh& mesh,
                                                 const fem::FreeMask& free,
                                                 const FemSettings& settings,
                                                 const AdaptSettings& adapt, ThreadPool* pool) {
-  if (mesh.quadratic() || settings.element == "tet10") {
-    std::vector<std::string> allowed = fem::elementNames();
-    allowed.erase(std::remove(allowed.begin(), allowed.end(), "tet10"), allowed.end());
-    throw std::invalid_argument("element = " + settings.element +
-                                ", with adapt.finest: must be one of " + joinNames(allowed));
-  }
   if (settings.method == "linear_precomputed") {
     throw std::invalid_argument(
         "method = linear_precomputed, with adapt.finest: must be another one; it computes its "

@@ -17,9 +17,9 @@ namespace palpate::tissue {
 /// its own where `pool` is not null, and taken into use kCyclesBeside cycles after it was asked
 /// for. Fields are carried over as mesh::MeshChange says: positions and the past of the integrator
 /// by interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory
-/// of touches where its sample stays. `mesh` is one of linear tetrahedra.
-/// @throws as makeFemTissue(), and std::invalid_argument for an element of 10 nodes or a method
-/// that precomputes what a change of the mesh would undo.
+/// of touches where its sample stays.
+/// @throws as makeFemTissue(), and std::invalid_argument for 10-node tetrahedra with bent edges or
+/// a method that precomputes what a change of the mesh would undo.
 std::unique_ptr<TissueModel> makeAdaptiveTissue(
     const mesh::TetMesh& mesh, const fem::Composition& composition, const fem::FreeMask& free,
     const FemSettings& settings, const AdaptSettings& adapt, ThreadPool* pool = nullptr);

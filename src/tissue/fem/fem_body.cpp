@@ -116,7 +116,7 @@ void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
 
 void FemBody::goOnFrom(const FemBody& old, const mesh::MeshChange& change) {
   x = change.interpolate(old.x);
-  v = change.transport(old.v, old.elasticity->masses(), elasticity->masses()).array() *
+  v = change.transport(old.v, old.elasticity->lumpedMasses(), elasticity->lumpedMasses()).array() *
       free.array();
   elasticity->goOnFrom(*old.elasticity, change);
   contact.forget();

@@ -43,6 +43,7 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
     if (nested_.coarsePoint(i) >= 0) free.col(i) = free_.col(nested_.coarsePoint(i));
   }
   for (const mesh::MeshChange::Middle& m : nested_.middles()) {
+    if (nested_.coarsePoint(m.point) >= 0) continue;  // a middle node of the coarse mesh
     free.col(m.point) = free.col(m.a).cwiseMax(free.col(m.b));
   }
   return std::make_unique<FemOrgan>(nested_.mesh(), composition, free, settings_, pool_,

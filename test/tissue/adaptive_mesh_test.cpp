@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the force is worth on meshes that adapt, and which they are.
+#include <gtest/gtest.h>
+
+#include "adaptive_slab.h"
+#include "support/contains.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::AdaptiveSlab;
+using test::Ball;
+using test::kStep;
+using test::onTool;
+
+// The estimate beside the force, against what a much finer mesh feels.
+TEST(AdaptiveMesh, SaysWhatOfTheForceIsTheMeshs) {
+  struct Held {
+    double force, error;
+  };
+  const auto press = [](const AdaptiveSlab& slab, bool adapts) {
+    const auto tissue =
+        adapts ? slab.make() : makeFemTissue(slab.mesh, slab.composition, slab.free, slab.settings);
+    Ball ball(Vec3(0.05, 0.05, 0.052));
+    Held held{};
+    for (int k = 0; k < 50; ++k) {
+      const TissueStep& step =
+          tissue->step(ball.to(Vec3(0.05, 0.05, 0.052 - 0.0003 * std::min(k, 40))), kStep);
+      held = {onTool(step).norm(), step.mesh_error};
+    }
+    return held;
+  };
+  const auto slabOf = [](const Eigen::Vector3i& cells, double finest) {
+    AdaptiveSlab slab("anp", cells);
+    slab.settings.integrator = "static";
+    slab.adapt.finest = finest;
+    return slab;
+  };
+  const Held fine = press(slabOf({8, 8, 4}, 0.0016), true);
+  const double limit = fine.force - fine.error;
+  EXPECT_LT(fine.error, 0.06 * fine.force);
+  double before = 1e3;
+  for (const double finest : {0.0, 0.008, 0.005, 0.003}) {
+    const Held held = press(slabOf({8, 8, 4}, finest), finest > 0.0);
+    const double error = held.force - limit;
+    EXPECT_LT(held.error, before) << finest;
+    EXPECT_GT(held.error, 0.5 * error) << finest << " " << held.force << " " << limit;
+    EXPECT_LT(held.error, 2.0 * error) << finest << " " << held.force << " " << limit;
+    before = held.error;
+  }
+}
+
+// Middle nodes are held by themselves, not by the corners beside them.
+TEST(AdaptiveMesh, KeepsTheMaskOfMiddleNodes) {
+  AdaptiveSlab slab("tet10");
+  slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
+  for (const int i : slab.mesh.midnodes.reshaped()) slab.free.col(i).setOnes();
+  const auto adaptive = slab.make();
+  const auto fixed = makeFemTissue(slab.mesh, slab.composition, slab.free, slab.settings);
+  const Points X = adaptive->cells(0).points, x = adaptive->positions();
+  ASSERT_EQ(x.cols(), fixed->positions().cols());
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    Eigen::Index same = 0;
+    (slab.mesh.points.colwise() - X.col(i)).colwise().squaredNorm().minCoeff(&same);
+    EXPECT_LT((x.col(i) - fixed->positions().col(same)).norm(), 1e-9);
+  }
+}
+
+// Quadratic elements near the limit from coarser meshes, and say how near.
+TEST(AdaptiveMesh, ComesNearTheSameForceWithEveryElement) {
+  struct Held {
+    double force, error;
+  };
+  const auto hold = [](const char* element, double finest) {
+    AdaptiveSlab slab(element);
+    slab.settings.integrator = "static";
+    slab.adapt.finest = finest;
+    const auto tissue = slab.make();
+    Ball ball(Vec3(0.05, 0.05, 0.052));
+    Held held{};
+    for (int k = 0; k < 45; ++k) {
+      const TissueStep& step =
+          tissue->step(ball.to(Vec3(0.05, 0.05, 0.052 - 0.0003 * std::min(k, 40))), kStep);
+      held = {onTool(step).norm(), step.mesh_error};
+    }
+    return held;
+  };
+  const Held coarse = hold("tet10", 0.0105), fine = hold("tet10", 0.007);
+  const Held other = hold("anp", 0.0025);
+  EXPECT_LT(fine.force, coarse.force);
+  EXPECT_LT(fine.error, coarse.error);
+  EXPECT_NEAR(fine.force - fine.error, other.force - other.error, 0.03 * fine.force);
+}
+
+std::string refusal(const AdaptiveSlab& slab) {
+  try {
+    slab.make();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AdaptiveMesh, RefusesWhatItCannotDo) {
+  AdaptiveSlab slab;
+  slab.settings.method = "linear_precomputed";
+  EXPECT_TRUE(test::contains(refusal(slab), "method = linear_precomputed"));
+  AdaptiveSlab quadratic("tet10");
+  EXPECT_EQ(refusal(quadratic), "");
+  quadratic.mesh.points.col(quadratic.mesh.midnodes(0, 0)) += Vec3(1e-4, 0.0, 1e-4);
+  EXPECT_TRUE(test::contains(refusal(quadratic), "bent edge"));
+}
+
+}  // namespace
+}  // namespace palpate::tissue
