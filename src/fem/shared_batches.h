@@ -36,7 +36,7 @@ class SharedBatches {
       : now_(std::make_shared<std::vector<SymmetricBatch>>(count)) {}
   SharedBatches(const SharedBatches& other) : now_(other.now_) {}
   SharedBatches& operator=(const SharedBatches& other) {
-    if (now_ == other.now_) return *this;
+    if (this == &other || now_ == other.now_) return *this;
     spare_ = std::move(now_);
     now_ = other.now_;
     return *this;

@@ -44,7 +44,7 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
   for (int v : beside) ASSERT_EQ(v, 2000);
 
   {
-    const ThreadPool::Beside beside(&pool), another(&pool), none(nullptr);
+    const ThreadPool::Beside one(&pool), another(&pool), none(nullptr);
     work(&here);
     for (int v : here) ASSERT_EQ(v, 4000);
   }

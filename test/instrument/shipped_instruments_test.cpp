@@ -167,7 +167,7 @@ TEST_F(Grasper, IsEightMillimetresThickWithClosedJaws) {
   EXPECT_NEAR(distanceAtRest(Vec3(0.002, 0.0, -0.003)), 0.003, 1e-12);
   EXPECT_NEAR(distanceAtRest(Vec3(0.007, 0.0, 0.002)), 0.003, 1e-12);
   EXPECT_NEAR(distanceAtRest(Vec3(0.0, 0.0, 0.01)), 0.0, 1e-12);  // where the jaws touch
-  EXPECT_LT(distanceAtRest(Vec3(0.0, 0.0, 0.027)), 0.0);  // no gap at the wrist
+  EXPECT_LT(distanceAtRest(Vec3(0.0, 0.0, 0.027)), 0.0);          // no gap at the wrist
   EXPECT_LT(distanceAtRest(Vec3(0.0, 0.0, 0.034)), 0.0);
 }
 
