@@ -43,6 +43,13 @@ PackedTetrahedra::PackedTetrahedra(const ElementSchedule& schedule, const RestSh
       pressure_(pressure),
       history_(*history),
       upper_(pattern) {
+  std::size_t num_batches = 0;
+  for (const ElementRun& run : schedule.runs()) {
+    num_batches += (run.elements.size() + kBatchSize - 1) / kBatchSize;
+  }
+  batches_.reserve(num_batches);
+  blocks_.reserve(num_batches);
+  if (pressure_) pressures_.reserve(num_batches);
   for (const std::vector<ElementSchedule::Part>& parts : schedule.phases) {
     phases_.emplace_back();
     for (const ElementSchedule::Part& part : parts) {

@@ -121,6 +121,7 @@ int run() {
 
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
+  palpate::start::keepFreedMemory();
   ros::init(argc, argv, "palpate");
   const ros::NodeHandle alive;  // so that the last words get out
   try {

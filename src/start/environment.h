@@ -12,4 +12,9 @@ namespace palpate::start {
 /// has AVX-512: OpenBLAS 0.3.21 takes recent Intel models for a Prescott.
 void restartWithSolverEnvironment(char** argv);
 
+/// Has the allocator keep what is freed, instead of handing it back to the system and asking for
+/// new pages, each of which costs a fault: of a mesh that adapts, all the time. What the user has
+/// set by MALLOC_TRIM_THRESHOLD_ and its like stays.
+void keepFreedMemory();
+
 }  // namespace palpate::start
