@@ -5,8 +5,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace palpate {
@@ -39,16 +41,12 @@ struct ThreadPool::Team {
   std::atomic<std::size_t> open{0};               // parts that are not done
   std::atomic<bool> stop{false};
   std::atomic<bool> at_work{false};
-  std::atomic<int> beside{0};  // threads at other work
-  // Processors that the team does not need; unknown: as many as one likes.
-  const int spare =
-      std::thread::hardware_concurrency() == 0
-          ? 1000
-          : static_cast<int>(std::thread::hardware_concurrency()) - static_cast<int>(parts);
 
   std::mutex mutex;
-  std::condition_variable woken;
+  std::condition_variable woken, done;
   std::atomic<int> asleep{0};
+  std::deque<Beside*> tasks;  // that nobody does yet
+  std::atomic<int> num_tasks{0};
 
   /// Does a part of loop `n`, unless somebody has taken it.
   void runPart(std::size_t part, std::uint64_t n) {
@@ -59,30 +57,61 @@ struct ThreadPool::Team {
     open.fetch_sub(1, std::memory_order_release);
   }
 
+  /// Returns at the next loop, or where there is a task.
   std::uint64_t awaitLoopAfter(std::uint64_t last) {
+    const auto called = [&] { return number.load() != last || num_tasks.load() > 0; };
     for (int k = 0; k < kPausesAwake; ++k) {
-      const std::uint64_t n = number.load(std::memory_order_acquire);
-      if (n != last) return n;
+      if (called()) return number.load();
       pause();
     }
     std::unique_lock<std::mutex> lock(mutex);
     ++asleep;
-    woken.wait(lock, [&] { return number.load() != last; });
+    woken.wait(lock, called);
     --asleep;
     return number.load();
   }
 
-  /// Whether the helper of `part` leaves its processor to a thread at other work.
-  bool rests(std::size_t part) const {
-    const int without = beside.load(std::memory_order_relaxed) - std::max(spare, 0);
-    return static_cast<int>(parts - part) <= without;
+  void add(Beside* task) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    tasks.push_back(task);
+    ++num_tasks;
+    woken.notify_one();
+  }
+
+  /// Does the first task, if there is one.
+  void doTask() {
+    std::unique_lock<std::mutex> lock(mutex);
+    if (tasks.empty()) return;
+    Beside* const task = tasks.front();
+    tasks.pop_front();
+    --num_tasks;
+    lock.unlock();
+    task->task_();
+    lock.lock();
+    task->done_ = true;
+    done.notify_all();
+  }
+
+  /// Waits for a task, or takes it back.
+  void await(Beside* task) {
+    std::unique_lock<std::mutex> lock(mutex);
+    const auto it = std::find(tasks.begin(), tasks.end(), task);
+    if (it == tasks.end()) {
+      done.wait(lock, [&] { return task->done_; });
+      return;
+    }
+    tasks.erase(it);
+    --num_tasks;
+    lock.unlock();
+    task->task_();
   }
 
   void help(std::size_t part) {
     for (std::uint64_t n = 0;;) {
       n = awaitLoopAfter(n);
       if (stop.load()) return;
-      if (!rests(part)) runPart(part, n);
+      if (num_tasks.load() > 0) doTask();
+      runPart(part, n);
     }
   }
 
@@ -114,12 +143,24 @@ ThreadPool::~ThreadPool() {
   for (std::thread& helper : team_->helpers) helper.join();
 }
 
-ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {
-  if (team_) ++team_->beside;
+ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {}
+
+ThreadPool::Beside::~Beside() { wait(); }
+
+void ThreadPool::Beside::begin(std::function<void()> task) {
+  task_ = std::move(task);
+  under_way_ = true;
+  done_ = false;
+  if (team_) team_->add(this);
 }
 
-ThreadPool::Beside::~Beside() {
-  if (team_) --team_->beside;
+void ThreadPool::Beside::wait() {
+  if (!std::exchange(under_way_, false)) return;
+  if (team_) {
+    team_->await(this);
+  } else {
+    task_();
+  }
 }
 
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }

@@ -26,7 +26,6 @@ TEST(ThreadPool, VisitsEachIndexOnce) {
   }
 }
 
-// As where the next mesh is made beside the cycles.
 TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
   ThreadPool pool(2);
   const auto work = [&](std::vector<int>* visits) {
@@ -43,12 +42,6 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
   for (int v : here) ASSERT_EQ(v, 2000);
   for (int v : beside) ASSERT_EQ(v, 2000);
 
-  {
-    const ThreadPool::Beside one(&pool), another(&pool), none(nullptr);
-    work(&here);
-    for (int v : here) ASSERT_EQ(v, 4000);
-  }
-
   std::vector<int> inner(16 * 16, 0);
   pool.forRanges(16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -58,6 +51,45 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
     }
   });
   for (int v : inner) ASSERT_EQ(v, 1);
+}
+
+// As where next meshes are made beside the cycles: more of them than there are helpers, and with
+// loops of their own.
+TEST(ThreadPool, DoesTasksBesideLoops) {
+  for (const int threads : {1, 2, 3}) {
+    ThreadPool pool(threads);
+    ThreadPool::Beside one(&pool), another(&pool), third(&pool), alone(nullptr);
+    for (int round = 0; round < 300; ++round) {
+      std::vector<int> visits(200, 0), besides(4 * 200, 0);
+      const auto loop = [&](int* counts) {
+        pool.forRanges(200, [=](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) ++counts[i];
+        });
+      };
+      one.begin([&] { loop(besides.data()); });
+      another.begin([&] { loop(besides.data() + 200); });
+      if (round % 2 == 0) third.begin([&] { loop(besides.data() + 400); });
+      alone.begin([&] { loop(besides.data() + 600); });
+      EXPECT_TRUE(one.underWay());
+      for (int k = 0; k < 5; ++k) loop(visits.data());
+      another.wait();
+      one.wait();
+      third.wait();
+      alone.wait();
+      EXPECT_FALSE(one.underWay());
+      for (int v : visits) ASSERT_EQ(v, 5);
+      for (std::size_t i = 0; i < besides.size(); ++i) {
+        ASSERT_EQ(besides[i], round % 2 == 1 && i / 200 == 2 ? 0 : 1);
+      }
+    }
+    // Ended, and waited for, by its end.
+    int last = 0;
+    {
+      ThreadPool::Beside dying(&pool);
+      dying.begin([&] { last = 1; });
+    }
+    EXPECT_EQ(last, 1);
+  }
 }
 
 }  // namespace

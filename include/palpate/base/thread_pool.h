@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace palpate {
@@ -34,17 +35,26 @@ class ThreadPool {
   struct Team;
 
  public:
-  /// While it lives its thread does other work, and where there are no processors for both a helper
-  /// leaves it its own: one that was put aside in the middle of its part would hold up the loop.
+  /// One task at a time, which a helper does in the place of its parts of loops, so that the team
+  /// never has more threads at work than it has. Without helpers, or where none has come to it
+  /// yet, who waits for it does it.
   class Beside {
    public:
-    explicit Beside(ThreadPool* pool);  ///< May be null.
-    ~Beside();
+    explicit Beside(ThreadPool* pool);  ///< May be null; must outlive this.
+    ~Beside();                          ///< Waits.
     Beside(const Beside&) = delete;
     Beside& operator=(const Beside&) = delete;
 
+    /// `task` must not throw, and no other may be under way.
+    void begin(std::function<void()> task);
+    bool underWay() const { return under_way_; }
+    void wait();
+
    private:
     Team* team_;
+    std::function<void()> task_;
+    bool under_way_ = false, done_ = false;
+    friend Team;
   };
 
  private:

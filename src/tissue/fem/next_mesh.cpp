@@ -20,7 +20,7 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
       nested_(coarse),
       bisected_(nested_.bisected()),
       tools_(0.0),
-      background_(pool != nullptr) {
+      beside_(pool) {
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     const double volume = mesh::signedVolume(coarse.points, coarse.tets.col(t));
     coarsest_ = std::max(coarsest_, mesh::edgeLength(volume));
@@ -51,7 +51,7 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
 }
 
 void NextMesh::restore(const std::string& bisected) {
-  background_.wait();
+  beside_.wait();
   result_ = {};
   to_resume_ = false;
   if (bisected.empty()) {
@@ -66,11 +66,10 @@ void NextMesh::restore(const std::string& bisected) {
 void NextMesh::begin(const Points& x, const ToolDistance& tools) {
   x_ = x;
   tools_ = tools;
-  background_.begin([this] { work(); });
+  beside_.begin([this] { work(); });
 }
 
 void NextMesh::work() {
-  const ThreadPool::Beside beside(pool_);
   const auto size = [&](const Vec3& p) {
     const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
@@ -80,7 +79,7 @@ void NextMesh::work() {
 }
 
 NextMesh::Result NextMesh::take() {
-  background_.wait();
+  beside_.wait();
   if (result_.change) {
     coarse_ = nested_.isCoarse();
     bisected_ = nested_.bisected();
@@ -103,7 +102,7 @@ void NextMesh::restoreTask(StateReader* in) {
 void NextMesh::resume(const std::vector<contact::Obstacle>& obstacles) {
   if (!std::exchange(to_resume_, false)) return;
   tools_.takeShapes(obstacles);
-  background_.begin([this] { work(); });
+  beside_.begin([this] { work(); });
 }
 
 }  // namespace palpate::tissue

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem_organ.h"
-#include "palpate/base/background.h"
+#include "palpate/base/thread_pool.h"
 #include "palpate/mesh/nested_mesh.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "tool_distance.h"
@@ -39,6 +39,7 @@ class NextMesh {
   struct Result {
     std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh suits.
     std::unique_ptr<FemOrgan> organ;           ///< Null: it is the coarse mesh.
+    bool complete = true;                      ///< Else some work was left to the next one.
   };
   /// Waits for it; it is the present one now.
   Result take();
@@ -67,7 +68,7 @@ class NextMesh {
   ToolDistance tools_;
   bool to_resume_ = false;
   Result result_;
-  Background background_;  // last: ends before what it works on
+  ThreadPool::Beside beside_;  // last: ends before what it works on
 };
 
 }  // namespace palpate::tissue
