@@ -11,7 +11,8 @@ enum class Saved : unsigned char { kNothing, kPlace, kAll };
 // The pattern has a block for every edge.
 bool KeptStiffness::near(const Points& x) const {
   const fem::BlockMatrix& K = elastic_.blocks();
-  const double strain_squared = kMostStrain * kMostStrain;
+  const double strain = of_this_cycle_ ? kMostStrainInCycle : kMostStrain;
+  const double strain_squared = strain * strain;
   for (int i = 0; i < K.numNodes(); ++i) {
     for (int slot = K.diagonal(i) + 1; slot < K.rowEnd(i); ++slot) {
       const int j = K.column(slot);
@@ -55,7 +56,7 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
   const bool kept = valid_ && near(x);
   if (!kept) {
     x_ = x;
-    valid_ = true;
+    valid_ = of_this_cycle_ = true;
     viscous_ = potential.elasticity->viscous();
   }
   if (!kept || !assembled_) potential.elasticity->hessian(x_, fem::Tangent::kExact, &elastic_);

@@ -14,6 +14,8 @@ class KeptStiffness {
   /// Change of an edge vector, as a part of its length, over which the elastic part is kept;
   /// docs/theory.md has what other values cost.
   static constexpr double kMostStrain = 0.05;
+  /// The same within the cycle that it was assembled in.
+  static constexpr double kMostStrainInCycle = 0.2;
 
   /// `pattern` is the body's.
   explicit KeptStiffness(const fem::Stiffness& pattern) : elastic_(pattern) {}
@@ -28,6 +30,7 @@ class KeptStiffness {
   /// the same at every call.
   Assembled hessian(const Potential& potential, const Points& x, fem::Tangent tangent,
                     fem::Stiffness* A);
+  void beginCycle() { of_this_cycle_ = false; }
   /// The next one is assembled anew.
   void drop() { valid_ = false; }
   /// Somebody else has written into A.
@@ -48,6 +51,7 @@ class KeptStiffness {
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
   Points x_;
   bool valid_ = false;
+  bool of_this_cycle_ = false;
   bool viscous_ = false;    // elastic_ depends on more than x_
   bool assembled_ = true;   // elastic_ is that of x_; false after a restore
   bool in_matrix_ = false;  // A is elastic_, scaled and constrained, and what terms added

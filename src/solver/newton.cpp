@@ -42,6 +42,11 @@ Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bo
 
 Newton::~Newton() = default;
 
+void Newton::beginCycle(double dt) {
+  if (elastic_) elastic_->beginCycle();
+  linear_->beginCycle(dt);
+}
+
 void Newton::restart() {
   if (elastic_) elastic_->drop();
   linear_->restart();

@@ -28,7 +28,7 @@ class Newton final : public Minimizer {
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
   void prepare(const Potential& potential, const Points& x) override;
-  void beginCycle(double dt) override { linear_->beginCycle(dt); }
+  void beginCycle(double dt) override;
   void restart() override;
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;
