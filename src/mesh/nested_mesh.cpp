@@ -128,6 +128,7 @@ struct NestedMesh::Impl {
   Cut wantedCut(const Points& x, const Size& size, const Limits& limits) {
     Cut wanted;
     int left = limits.max_bisections;
+    complete = true;
     std::deque<int> waiting;
     for (int root = 0; root < num_roots; ++root) waiting.push_back(root);
     while (!waiting.empty()) {
@@ -142,7 +143,7 @@ struct NestedMesh::Impl {
         const bool was = cut.has(c);
         const double allowed = size(middle(c, x));
         bisect = tree.longestEdge(c) > kLongest * (was ? limits.join_below : 1.0) * allowed;
-        if (bisect && !was && left-- <= 0) bisect = false;
+        if (bisect && !was && left-- <= 0) bisect = complete = false;
         if (!bisect && was) bisect = jacobian(c, x) < kLeastJacobian;
       }
       if (!bisect) continue;
@@ -175,6 +176,7 @@ struct NestedMesh::Impl {
   BisectionTree tree;
   Cut cut;
   Leaves leaves;
+  bool complete = true;
 };
 
 NestedMesh::NestedMesh(const TetMesh& coarse) {
@@ -216,6 +218,8 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
   impl_->prune();
   return change;
 }
+
+bool NestedMesh::isComplete() const { return impl_->complete; }
 
 void NestedMesh::coarsen() {
   impl_->cut = Cut();

@@ -106,7 +106,7 @@ TEST_F(BenchCommand, FollowsTheToolWithItsMesh) {
   EXPECT_LT(column("b", 3).back(), 0.9 * column("a", 3).back());
   EXPECT_LT(column("b", 14).back(), 0.9 * column("a", 14).back());
   EXPECT_EQ(test::fileBytes(path("b/displacements.bin")).size(), 3u * 64u * 3u * sizeof(double));
-  ASSERT_EQ(cube("c", "--adapt 0.006 --growth 0.2").status, 0);
+  ASSERT_EQ(cube("c", "--adapt 0.006 --growth 0.6").status, 0);
   EXPECT_GT(column("c", 15).back(), nodes.back());
   EXPECT_EQ(cube("d", "--adapt 0").status, 2);
   EXPECT_EQ(cube("d", "--adapt 0.006 --element tet10").status, 0);

@@ -92,6 +92,44 @@ TEST(AdaptiveMesh, ComesNearTheSameForceWithEveryElement) {
   EXPECT_NEAR(fine.force - fine.error, other.force - other.error, 0.03 * fine.force);
 }
 
+// A tool that is there all of a sudden asks for more than one change may do.
+TEST(AdaptiveMesh, SpreadsWorkOverSeveralChanges) {
+  AdaptiveSlab slab;
+  slab.adapt.finest = 0.001;
+  ThreadPool pool(2);
+  const auto tissue = slab.make(), other = slab.make(&pool);
+  Ball ball(Vec3(0.05, 0.05, 0.0505)), same = ball;
+  std::vector<Eigen::Index> nodes;
+  for (int k = 0; k < 60; ++k) {
+    tissue->step(ball.to(Vec3(0.05, 0.05, 0.0505)), kStep);
+    other->step(same.to(Vec3(0.05, 0.05, 0.0505)), kStep);
+    const Eigen::Index now = tissue->positions().cols();
+    ASSERT_EQ(other->positions(), tissue->positions());
+    if (nodes.empty() || nodes.back() != now) nodes.push_back(now);
+    if (k == 20) {
+      other->restore(tissue->state());
+    }
+  }
+  EXPECT_GT(nodes.size(), 2u);
+  EXPECT_EQ(tissue->shape(0).revision, other->shape(0).revision - 1);  // of the restored state
+  // As fine in the end as was asked for.
+  const mesh::CellMesh cells = tissue->cells(0);
+  double longest = 0.0;
+  for (Eigen::Index t = 0; t < cells.cells.cols(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (int a = 0; a < 4; ++a) middle += 0.25 * cells.points.col(cells.cells(a, t));
+    if ((middle - Vec3(0.05, 0.05, 0.0505)).norm() > 0.012) continue;
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < a; ++b) {
+        longest = std::max(
+            longest,
+            (cells.points.col(cells.cells(a, t)) - cells.points.col(cells.cells(b, t))).norm());
+      }
+    }
+  }
+  EXPECT_LE(longest, 1.6 * slab.adapt.finest);
+}
+
 std::string refusal(const AdaptiveSlab& slab) {
   try {
     slab.make();

@@ -213,7 +213,7 @@ TEST_P(AdaptiveTissue, IsSteadyUnderRandomMotion) {
   EXPECT_EQ(failed, 0);
   // As often as its way, 1 mm a cycle, makes it worth a look; some ways end where it was fine.
   EXPECT_GT(static_cast<double>(tissue->shape(0).revision),
-            0.5 * cycles / (kWorthALook * slab.adapt.finest / 0.001 + kCyclesBeside));
+            0.5 * cycles / (kWorthALook * slab.adapt.finest / 0.001 + kTimeBeside / kStep));
   EXPECT_LT(most_energy, 0.01);  // 1 N over 10 mm
   TissueStep last;
   for (int k = 0; k < 300; ++k) last = tissue->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);

@@ -57,6 +57,8 @@ class NestedMesh {
   /// Brings the mesh nearer to what `size` asks for where the points are at `x`, 3 x n [m]. Returns
   /// how it changed, or nothing if it did not.
   std::unique_ptr<MeshChange> adapt(const Points& x, const Size& size, const Limits& limits);
+  /// Whether the last adapt() did all that it was asked for.
+  bool isComplete() const;
   /// Becomes the coarse mesh.
   void coarsen();
 

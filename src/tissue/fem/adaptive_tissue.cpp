@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "adaptive_tissue.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -42,10 +44,12 @@ class AdaptiveTissue final : public TissueModel {
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     next_.resume(obstacles);
     if (cycles_left_ > 0 && --cycles_left_ == 0) takeNext();
+    const TissueStep& out = organ_->step(obstacles, dt);
+    // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(obstacles, x, far)) beginNext(x);
-    return organ_->step(obstacles, dt);
+    if (cycles_left_ == 0 && tools_.look(obstacles, x, far)) beginNext(x, dt);
+    return out;
   }
 
   void reset() override {
@@ -96,14 +100,16 @@ class AdaptiveTissue final : public TissueModel {
  private:
   // To take the next mesh into use a fixed number of cycles later, however fast it is made, keeps
   // the results from depending on time.
-  void beginNext(const Points& x) {
+  void beginNext(const Points& x, double dt) {
     next_.begin(x, tools_);
     tools_.suited();
-    cycles_left_ = kCyclesBeside;
+    const double cycles = std::min(std::ceil(kTimeBeside / dt - 1e-6), 1e6);
+    cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
   }
 
   void takeNext() {
     NextMesh::Result next = next_.take();
+    if (!next.complete) tools_.forget();
     if (!next.change) return;
     const FemOrgan& old = *organ_;
     const std::unique_ptr<FemOrgan> kept = std::exchange(fine_, std::move(next.organ));

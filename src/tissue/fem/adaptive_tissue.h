@@ -14,8 +14,8 @@ namespace palpate::tissue {
 ///   finest + growth max(0, d - kFineWithin finest)   at the distance d from the nearest tool.
 ///
 /// The next mesh, and all that is needed to solve on it, is made beside the cycle, by a thread of
-/// its own where `pool` is not null, and taken into use kCyclesBeside cycles after it was asked
-/// for. Fields are carried over as mesh::MeshChange says: positions and the past of the integrator
+/// `pool` where it has one to spare, and taken into use kTimeBeside after it was asked for. Fields
+/// are carried over as mesh::MeshChange says: positions and the past of the integrator
 /// by interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory
 /// of touches where its sample stays.
 /// @throws as makeFemTissue(), and std::invalid_argument for 10-node tetrahedra with bent edges or
@@ -30,6 +30,11 @@ constexpr double kFineWithin = 2.5;
 /// A tool that has gone less than this part of `finest` since a mesh was made for it need not be
 /// looked at again.
 constexpr double kWorthALook = 1.5;
-constexpr int kCyclesBeside = 2;
+/// The next mesh is taken into use so long after it was asked for [s], but not within fewer cycles.
+constexpr double kTimeBeside = 0.04;
+constexpr int kFewestCyclesBeside = 2;
+/// Tetrahedra that one change bisects, but for those that follow from these; more than a hand that
+/// moves 0.1 m/s asks for. What is left is asked for again.
+constexpr int kMostBisections = 500;
 
 }  // namespace palpate::tissue

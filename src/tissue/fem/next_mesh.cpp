@@ -74,7 +74,10 @@ void NextMesh::work() {
     const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
   };
-  result_.change = nested_.adapt(x_, size, {});
+  mesh::NestedMesh::Limits limits;
+  limits.max_bisections = kMostBisections;
+  result_.change = nested_.adapt(x_, size, limits);
+  result_.complete = nested_.isComplete();
   if (result_.change && !nested_.isCoarse()) result_.organ = make();
 }
 
