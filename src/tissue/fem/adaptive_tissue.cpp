@@ -19,7 +19,7 @@ class AdaptiveTissue final : public TissueModel {
                  const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
                  ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
-        tools_(kWorthALook * adapt.finest),
+        tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
         next_(mesh, composition, free, settings, adapt, pool),
         coarse_(next_.make()) {
     coarse_->settle();
@@ -48,7 +48,7 @@ class AdaptiveTissue final : public TissueModel {
     // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(obstacles, x, far)) beginNext(x, dt);
+    if (cycles_left_ == 0 && tools_.look(obstacles, kTimeAhead / dt, x, far)) beginNext(x, dt);
     return out;
   }
 

@@ -32,6 +32,9 @@ constexpr double kFineWithin = 2.5;
 constexpr double kWorthALook = 1.5;
 /// The next mesh is taken into use so long after it was asked for [s], but not within fewer cycles.
 constexpr double kTimeBeside = 0.04;
+/// It is made for where the tools are so much later if they go on as they do [s], within
+/// kFineWithin: not for all of the time, because hands turn back.
+constexpr double kTimeAhead = 0.03;
 constexpr int kFewestCyclesBeside = 2;
 /// Tetrahedra that one change bisects, but for those that follow from these; more than a hand that
 /// moves 0.1 m/s asks for. What is left is asked for again.

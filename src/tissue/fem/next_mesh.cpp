@@ -19,7 +19,7 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
       pool_(pool),
       nested_(coarse),
       bisected_(nested_.bisected()),
-      tools_(0.0),
+      tools_(0.0, 0.0),
       beside_(pool) {
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     const double volume = mesh::signedVolume(coarse.points, coarse.tets.col(t));

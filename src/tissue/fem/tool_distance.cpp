@@ -31,13 +31,20 @@ std::vector<Pose> getPoses(StateReader* in) {
 
 }  // namespace
 
-bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, const Points& x,
-                        double far) {
+Pose ToolDistance::ahead(const contact::Obstacle& obstacle, double cycles) const {
+  const Pose &begin = obstacle.X_WG_begin, &end = obstacle.X_WG_end;
+  const double way = contact::sweepLength(*obstacle.geometry, begin, end);
+  if (way == 0.0) return end;
+  return contact::interpolate(begin, end, 1.0 + std::min(cycles, most_ahead_ / way));
+}
+
+bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, double cycles,
+                        const Points& x, double far) {
   tools_.resize(obstacles.size());
   takeShapes(obstacles);
   for (std::size_t k = 0; k < tools_.size(); ++k) {
-    tools_[k].X_WG = obstacles[k].X_WG_end;
-    tools_[k].X_GW = obstacles[k].X_WG_end.inverse();
+    tools_[k].X_WG = ahead(obstacles[k], cycles);
+    tools_[k].X_GW = tools_[k].X_WG.inverse();
   }
   bool moved = suited_.size() != tools_.size();
   for (std::size_t k = 0; k < tools_.size() && !moved; ++k) {

@@ -9,16 +9,18 @@
 
 namespace palpate::tissue {
 
-/// How far points are from the tools where these are at the end of a cycle, and whether the tools
-/// have moved since it last mattered.
+/// How far points are from the tools where these will be if they go on as in the last cycle, and
+/// whether they have moved since it last mattered.
 class ToolDistance {
  public:
-  /// `motion` [m]: a tool of which no point has gone farther has not moved.
-  explicit ToolDistance(double motion) : motion_(motion) {}
+  /// `motion` [m]: a tool of which no point has gone farther has not moved. `most_ahead` [m]: so
+  /// far a tool is taken to go on at most.
+  ToolDistance(double motion, double most_ahead) : motion_(motion), most_ahead_(most_ahead) {}
 
-  /// Begins a cycle. False: since suited() no tool has moved, or, if `far` > 0, none is nearer than
-  /// `far` [m] to the box around x, 3 x n [m].
-  bool look(const std::vector<contact::Obstacle>& obstacles, const Points& x, double far);
+  /// Ends a cycle: tools go on for `cycles` more. False: since suited() none has moved, or, if
+  /// `far` > 0, none is nearer than `far` [m] to the box around x, 3 x n [m].
+  bool look(const std::vector<contact::Obstacle>& obstacles, double cycles, const Points& x,
+            double far);
   /// The least signed distance of p from a tool [m]; infinity without any.
   double distance(const Vec3& p) const;
 
@@ -42,7 +44,9 @@ class ToolDistance {
   };
   std::vector<Pose> poses() const;
 
-  double motion_;
+  Pose ahead(const contact::Obstacle& obstacle, double cycles) const;
+
+  double motion_, most_ahead_;
   std::vector<Tool> tools_;
   std::vector<Pose> suited_;  // of all tools; empty: nothing is known
 };
