@@ -113,6 +113,27 @@ TEST_F(BenchCommand, FollowsTheToolWithItsMesh) {
   EXPECT_EQ(cube("e", "--adapt 0.006 --method linear_precomputed").status, 2);
 }
 
+// The shipped liver adapts; with a mesh that was asked for it does not, unless that is asked for
+// too.
+TEST_F(BenchCommand, LeavesAMeshThatWasAskedForAsItIs) {
+  const auto changes = [&](const std::string& arguments) {
+    runCli("bench --repeat 1 --out '" + path("liver") + "' --scene " + arguments);
+    std::istringstream rows(test::fileBytes(path("liver/forces.csv")));
+    std::string line;
+    int sum = 0;
+    std::getline(rows, line);
+    while (std::getline(rows, line)) {
+      sum += line.substr(line.rfind(',') + 1) != "0";
+    }
+    return sum;
+  };
+  EXPECT_GT(changes("liver --duration 0.6"), 0);
+  EXPECT_EQ(changes("liver --edge-length 0.03 --duration 0.6"), 0);
+  EXPECT_EQ(changes("liver --edge-length 0.03 --finest 0.01 --duration 0.6"), 0);
+  EXPECT_GT(changes("liver --edge-length 0.03 --adapt 0.01 --duration 0.6"), 0);
+  EXPECT_EQ(changes("liver_150 --duration 0.6"), 0);
+}
+
 // The ball is 2 mm inside at the end: the tissue pushes it up.
 TEST_F(BenchCommand, TheToolFeelsTheTissue) {
   ASSERT_EQ(cube("a").status, 0);

@@ -49,8 +49,8 @@ def run(context):
          "force error, RMS", "largest", "RMS against the converged force", "displacement error", "failed cycles"], lines)])
 
 
-TEXT = """`liver` is the shipped scene and two seconds of its recorded palpation, `liver_500` the same with
-about 500 nodes; `inclusion` is the cube with a ball of 20 times the stiffness below the surface,
+TEXT = """`liver` is the shipped scene, whose mesh follows the tool, and two seconds of its recorded
+palpation, `liver_500` the same with about 500 nodes, which never change; `inclusion` is the cube with a ball of 20 times the stiffness below the surface,
 `capsule` the cube with a layer of 20 times the stiffness all around. Default tolerances, one thread,
 errors against a reference on the same mesh, and of the force against the converged one, in which the
 mesh counts as well. Methods that refuse a scene (`linear_precomputed` knows no
