@@ -9,6 +9,10 @@
 namespace palpate::tissue {
 namespace {
 
+// Of the motion that counts: a tool that goes on by less than the first is at rest, and there less
+// than the second counts.
+constexpr double kRests = 0.02, kCountsAtRest = 0.15;
+
 void put(const std::vector<Pose>& poses, StateWriter* out) {
   Eigen::MatrixXd values(12, static_cast<Eigen::Index>(poses.size()));
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -48,7 +52,12 @@ bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, double 
   }
   bool moved = suited_.size() != tools_.size();
   for (std::size_t k = 0; k < tools_.size() && !moved; ++k) {
-    moved = contact::sweepLength(*tools_[k].geometry, suited_[k], tools_[k].X_WG) > motion_;
+    const instrument::Geometry& geometry = *tools_[k].geometry;
+    const Pose& X_WG = tools_[k].X_WG;
+    const bool rests =
+        contact::sweepLength(geometry, obstacles[k].X_WG_end, X_WG) < kRests * motion_;
+    moved =
+        contact::sweepLength(geometry, suited_[k], X_WG) > (rests ? kCountsAtRest : 1.0) * motion_;
   }
   if (!moved || tools_.empty()) return false;
   if (far == 0.0) return true;

@@ -13,7 +13,8 @@ namespace palpate::tissue {
 /// whether they have moved since it last mattered.
 class ToolDistance {
  public:
-  /// `motion` [m]: a tool of which no point has gone farther has not moved. `most_ahead` [m]: so
+  /// `motion` [m]: a tool of which no point has gone farther has not moved; of one that rests less
+  /// counts, so that it ends up with the same wherever it came from. `most_ahead` [m]: so
   /// far a tool is taken to go on at most.
   ToolDistance(double motion, double most_ahead) : motion_(motion), most_ahead_(most_ahead) {}
 
