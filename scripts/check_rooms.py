@@ -24,7 +24,7 @@ LIBRARIES = {  # how their headers' names begin
     "CLI11": ["CLI/"],
 }
 SYSTEM = re.compile(  # C++ has no '.' in its headers' names; then what we use of C, POSIX and the compiler
-    r"[a-z_0-9]+$|(stdlib|locale|fcntl|unistd|dlfcn|sched|pthread|immintrin|time|errno)\.h$|sys/[a-z]+\.h$")
+    r"[a-z_0-9]+$|(stdlib|locale|fcntl|unistd|dlfcn|sched|pthread|immintrin|malloc|time|errno)\.h$|sys/[a-z]+\.h$")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]')
 SHARED_SOURCES = {"start"}  # rooms without include/ whose headers in src/ are for others
 
