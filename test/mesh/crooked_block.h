@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <random>
 
@@ -33,6 +35,18 @@ inline double volumeOf(const mesh::TetMesh& mesh) {
     sum += mesh::signedVolume(mesh.points, mesh.tets.col(t));
   }
   return sum;
+}
+
+/// The bits of `nested`, which came of `coarse`, make the same mesh of it, and that the coarse one.
+inline void expectRestored(const mesh::NestedMesh& nested, const mesh::TetMesh& coarse) {
+  mesh::NestedMesh restored(coarse);
+  restored.restore(nested.bisected());
+  EXPECT_EQ(restored.mesh().points, nested.mesh().points);
+  EXPECT_EQ(restored.mesh().tets, nested.mesh().tets);
+  EXPECT_EQ(restored.mesh().midnodes, nested.mesh().midnodes);
+  restored.coarsen();
+  EXPECT_EQ(restored.mesh().tets, mesh::NestedMesh(coarse).mesh().tets);
+  EXPECT_EQ(restored.mesh().midnodes, mesh::NestedMesh(coarse).mesh().midnodes);
 }
 
 }  // namespace palpate::test

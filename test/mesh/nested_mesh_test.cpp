@@ -146,13 +146,7 @@ TEST(NestedMesh, DependsOnWhatIsAskedForNotOnThePast) {
   EXPECT_EQ(travelled.mesh().tets, direct.mesh().tets);
   EXPECT_EQ(travelled.surface(), direct.surface());
   EXPECT_EQ(travelled.bisected(), direct.bisected());
-
-  NestedMesh restored(coarse);
-  restored.restore(travelled.bisected());
-  EXPECT_EQ(restored.mesh().points, direct.mesh().points);
-  EXPECT_EQ(restored.mesh().tets, direct.mesh().tets);
-  restored.coarsen();
-  EXPECT_EQ(restored.mesh().tets, NestedMesh(coarse).mesh().tets);
+  test::expectRestored(travelled, coarse);
 }
 
 TEST(NestedMesh, DoesNotGoToAndFro) {

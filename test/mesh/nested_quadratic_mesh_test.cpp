@@ -86,12 +86,7 @@ TEST(NestedQuadraticMesh, IsTheLinearOneWithMiddleNodes) {
     const auto& X = nested.mesh().points;
     EXPECT_LT((X.col(m.point) - 0.5 * (X.col(m.a) + X.col(m.b))).norm(), 1e-16);
   }
-  NestedMesh restored(coarse);
-  restored.restore(nested.bisected());
-  EXPECT_EQ(restored.mesh().points, nested.mesh().points);
-  EXPECT_EQ(restored.mesh().midnodes, nested.mesh().midnodes);
-  nested.coarsen();
-  EXPECT_EQ(nested.mesh().midnodes, NestedMesh(coarse).mesh().midnodes);
+  test::expectRestored(nested, coarse);
 }
 
 // Also where cells that are there no more are forgotten.
