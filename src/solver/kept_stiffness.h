@@ -30,6 +30,7 @@ class KeptStiffness {
   /// the same at every call.
   Assembled hessian(const Potential& potential, const Points& x, fem::Tangent tangent,
                     fem::Stiffness* A);
+  /// Where the elastic part was assembled is of an earlier cycle from here on.
   void beginCycle() { of_this_cycle_ = false; }
   /// The next one is assembled anew.
   void drop() { valid_ = false; }
@@ -51,10 +52,10 @@ class KeptStiffness {
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
   Points x_;
   bool valid_ = false;
-  bool of_this_cycle_ = false;
-  bool viscous_ = false;    // elastic_ depends on more than x_
-  bool assembled_ = true;   // elastic_ is that of x_; false after a restore
-  bool in_matrix_ = false;  // A is elastic_, scaled and constrained, and what terms added
+  bool of_this_cycle_ = false;  // x_
+  bool viscous_ = false;        // elastic_ depends on more than x_
+  bool assembled_ = true;       // elastic_ is that of x_; false after a restore
+  bool in_matrix_ = false;      // A is elastic_, scaled and constrained, and what terms added
   double scale_ = 1.0;
   fem::FreeMask free_;
   std::vector<int> changed_;

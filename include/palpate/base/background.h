@@ -6,7 +6,9 @@
 
 namespace palpate {
 
-/// One task at a time, done beside by a thread of its own, or, without one, when it is waited for.
+/// One task at a time, done beside by a thread of its own, or, without one, when it is waited for:
+/// for work of many cycles, which would keep a helper away from loops for as long. Short work is
+/// better done by ThreadPool::Beside.
 class Background {
  public:
   explicit Background(bool own_thread);

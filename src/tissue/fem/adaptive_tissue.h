@@ -13,9 +13,9 @@ namespace palpate::tissue {
 ///
 ///   finest + growth max(0, d - kFineWithin finest)   at the distance d from the nearest tool.
 ///
-/// The next mesh, and all that is needed to solve on it, is made beside the cycle, by a thread of
-/// `pool` where it has one to spare, and taken into use kTimeBeside after it was asked for. Fields
-/// are carried over as mesh::MeshChange says: positions and the past of the integrator
+/// The next mesh, and all that is needed to solve on it, is made for where the tools go, beside the
+/// cycle by a helper of `pool` where it has one, and taken into use kTimeBeside after it was asked
+/// for. Fields are carried over as mesh::MeshChange says: positions and the past of the integrator
 /// by interpolation, velocities so that the momentum is kept, viscous memory by volume, the memory
 /// of touches where its sample stays.
 /// @throws as makeFemTissue(), and std::invalid_argument for 10-node tetrahedra with bent edges or
@@ -30,12 +30,13 @@ constexpr double kFineWithin = 2.5;
 /// A tool that has gone less than this part of `finest` since a mesh was made for it need not be
 /// looked at again.
 constexpr double kWorthALook = 1.5;
-/// The next mesh is taken into use so long after it was asked for [s], but not within fewer cycles.
+/// The next mesh is taken into use so long after it was asked for [s], or so many cycles if that is
+/// longer.
 constexpr double kTimeBeside = 0.04;
+constexpr int kFewestCyclesBeside = 2;
 /// It is made for where the tools are so much later if they go on as they do [s], within
 /// kFineWithin: not for all of the time, because hands turn back.
 constexpr double kTimeAhead = 0.03;
-constexpr int kFewestCyclesBeside = 2;
 /// Tetrahedra that one change bisects, but for those that follow from these; more than a hand that
 /// moves 0.1 m/s asks for. What is left is asked for again.
 constexpr int kMostBisections = 500;
