@@ -44,7 +44,7 @@ class Mesh:
 
     def for_element(self, element):
         """With mid-edge nodes where the element has them."""
-        return self.with_midnodes() if element == "tet10" else self
+        return self.with_midnodes() if is_quadratic(element) else self
 
     def volume(self):
         """Of the tetrahedra between the corner nodes [m^3]."""
@@ -54,6 +54,11 @@ class Mesh:
     def write(self, file):
         kind = "tetra10" if self.quadratic else "tetra"
         meshio.write(file, meshio.Mesh(self.points, [(kind, self.tets)]), file_format="vtu")
+
+
+def is_quadratic(element):
+    """Whether its tetrahedra have 10 nodes."""
+    return element.startswith("tet10")
 
 
 def box(size, cells, origin=(0, 0, 0), flips=None):

@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 COLOUR = {"tet4": "#b5322a", "anp": "#1f4e79", "p1p1": "#3a7d44", "tet10": "#8a5a00",
-          "reference": "#444444"}
+          "tet10p": "#7b4aa0", "reference": "#444444"}
 
 plt.rcParams.update({
     "svg.hashsalt": "palpate", "svg.fonttype": "path", "font.size": 10, "axes.grid": True,

@@ -24,7 +24,7 @@ stands beside each bound in `benchmarks/accuracy/cases`.
 WORDS = """
 **How to read the tables.** `tet4` is the plain linear tetrahedron, `anp` the linear tetrahedron
 with pressure averaged over the nodes, `p1p1` the one with a stabilised pressure at the nodes,
-`tet10` the quadratic one. The error is a part of the reference unless a table says otherwise. A
+`tet10` the quadratic one, `tet10p` that with pressures at its corners. The error is a part of the reference unless a table says otherwise. A
 line without a bound is there for comparison and is not checked. Poisson's ratio says how much a
 material resists a change of volume: soft organs, full of water, are near 0.5.
 """

@@ -11,6 +11,8 @@ import meshio
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .meshes import is_quadratic
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -97,7 +99,7 @@ def solve(folder, mesh, element, material, boundary, probes=(), analysis=None, *
     @throws Failed with what palpate said."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    mesh = mesh if mesh.quadratic == (element == "tet10") else mesh.for_element(element)
+    mesh = mesh if mesh.quadratic == is_quadratic(element) else mesh.for_element(element)
     mesh.write(folder / "mesh.vtu")
     case = {"mesh": {"file": "mesh.vtu"}, "element": element, "material": material,
             "boundary": boundary, "probes": list(probes), **other}

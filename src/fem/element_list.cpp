@@ -8,8 +8,8 @@
 namespace palpate::fem {
 namespace {
 
-// Bulk modulus that `anp` leaves to the single tetrahedra, in units of mu. Without any, volumes can
-// alternate between neighbours at no cost; a fixed part of kappa would lock again near
+// Bulk modulus that averaged pressures leave to the single tetrahedra, in units of mu. Without any,
+// volumes can alternate between neighbours at no cost; a fixed part of kappa would lock again near
 // incompressibility.
 constexpr double kElementModulus = 0.5;
 
@@ -31,9 +31,8 @@ struct Entry {
   bool quadratic;
 };
 constexpr Entry kElements[] = {
-    {"anp", make<4>, kAveraged, false},
-    {"tet4", make<4>, kByElement, false},
-    {"tet10", make<10>, kByElement, true},
+    {"anp", make<4>, kAveraged, false},    {"tet4", make<4>, kByElement, false},
+    {"tet10", make<10>, kByElement, true}, {"tet10p", make<10>, kAveraged, true},
     {"p1p1", make<4>, kStabilised, false},
 };
 
@@ -61,8 +60,10 @@ std::vector<std::string> elementNames() {
   return names;
 }
 
+bool isQuadratic(const std::string& element) { return find(element).quadratic; }
+
 TetMesh meshFor(const std::string& element, const TetMesh& mesh) {
-  return find(element).quadratic && !mesh.quadratic() ? mesh::toQuadratic(mesh) : mesh;
+  return isQuadratic(element) && !mesh.quadratic() ? mesh::toQuadratic(mesh) : mesh;
 }
 
 std::unique_ptr<Elasticity> makeElasticity(const std::string& element, const TetMesh& mesh,

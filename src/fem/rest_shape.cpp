@@ -10,7 +10,8 @@ namespace {
 
 Eigen::Matrix4Xi nodesOf(const mesh::TetMesh& mesh, std::integral_constant<int, 4>) {
   if (mesh.quadratic()) {
-    throw std::invalid_argument("needs 4-node tetrahedra; the mesh has 10-node ones, for tet10");
+    throw std::invalid_argument(
+        "needs 4-node tetrahedra; the mesh has 10-node ones, for tet10 and tet10p");
   }
   return mesh.tets;
 }
@@ -18,7 +19,7 @@ Eigen::Matrix4Xi nodesOf(const mesh::TetMesh& mesh, std::integral_constant<int, 
 Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const mesh::TetMesh& mesh,
                                                std::integral_constant<int, 10>) {
   if (!mesh.quadratic()) {
-    throw std::invalid_argument("tet10 needs 10-node tetrahedra; the mesh has 4-node ones");
+    throw std::invalid_argument("needs 10-node tetrahedra; the mesh has 4-node ones");
   }
   Eigen::Matrix<int, 10, Eigen::Dynamic> nodes(10, mesh.numTets());
   nodes.topRows<4>() = mesh.tets;

@@ -51,10 +51,10 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
     history_ = std::make_unique<PronyHistory>(composition, runs, static_cast<int>(mesh.numTets()),
                                               kPoints, worth);
   };
+  if (std::isfinite(treatment.element_modulus)) {
+    pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
+  }
   if constexpr (N == 4) {
-    if (std::isfinite(treatment.element_modulus)) {
-      pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
-    }
     if (PackedTetrahedra::fits(composition)) {
       const ElementSchedule schedule = scheduleElements(mesh, composition);
       makeHistory(schedule.runs());
@@ -74,10 +74,10 @@ void SolidElasticity<N>::allocate() {
   if (forces_.cols() == size) return;
   scatter_.prepare(shape_.nodes);
   if (pressure_) {
-    volume_gradients_.resize(12, size);
-    if constexpr (N == 4) pressure_->prepareRows();
+    volume_gradients_.resize(3 * N * kPoints, size);
+    pressure_->prepareRows();
   }
-  dilatations_.resize(static_cast<std::size_t>(size));
+  dilatations_.resize(static_cast<std::size_t>(kPoints * size));
   energies_.resize(static_cast<std::size_t>(size));
   forces_.resize(Eigen::NoChange, size);
   blocks_.resize(Eigen::NoChange, size);
@@ -97,7 +97,10 @@ void SolidElasticity<N>::updatePressure(const Points& x) {
   forBatches(x, [&](const Batch& batch) {
     double theta[kBatch * kPoints];
     dilatations(*batch.law, batch.points.count, batch.F, theta);
-    for (int k = 0; k < batch.count; ++k) dilatations_[batch.elements[k]] = theta[k];
+    for (int k = 0; k < batch.count; ++k) {
+      std::copy_n(theta + batch.point(k, 0), kPoints,
+                  dilatations_.begin() + kPoints * batch.elements[k]);
+    }
   });
   pressure_->setDilatations(dilatations_, pool_);
 }
@@ -176,11 +179,9 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
         Mat9& at = C[batch.point(k, q)];
         if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&at);
         addElementBlocks<N>(at, point, blocks_.col(e).data());
-        if constexpr (N == 4) {
-          if (!pressure_) continue;
-          Eigen::Map<Eigen::Matrix<double, 3, 4>>{volume_gradients_.col(e).data()} =
-              point.volume / 4.0 * theta_gradient[k] * point.gradients;
-        }
+        if (!pressure_) continue;
+        Eigen::Map<Eigen::Matrix<double, 3, N>>{volume_gradients_.col(e).data() + 3 * N * q} =
+            point.volume * theta_gradient[batch.point(k, q)] * point.gradients;
       }
     }
   });

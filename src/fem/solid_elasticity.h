@@ -29,7 +29,7 @@ struct VolumeTreatment {
 };
 
 /// Isoparametric tetrahedra of N nodes: at each integration point F = sum_a x_a (x) g_a, g_a =
-/// grad N_a at rest [Bonet, Wood 2008, sec. 9.2]. Linear ones (N = 4) may have nodal pressures.
+/// grad N_a at rest [Bonet, Wood 2008, sec. 9.2]. They may have pressures at their corners.
 template <int N>
 class SolidElasticity final : public Elasticity {
  public:
@@ -106,10 +106,10 @@ class SolidElasticity final : public Elasticity {
   std::unique_ptr<PronyHistory> history_;
   std::unique_ptr<PackedTetrahedra> packed_;  // null where the laws have no kernels
 
-  std::vector<double> energies_, dilatations_;  // scratch, one an element
+  std::vector<double> energies_, dilatations_;  // scratch, of elements and of points
   typename ElementScatter<N>::Vectors forces_;
   typename ElementScatter<N>::Blocks blocks_;
-  NodalPressure::Gradients volume_gradients_;
+  Eigen::MatrixXd volume_gradients_;  // as NodalPressure::gatherRows() takes them
 };
 
 template <int N>
@@ -139,7 +139,7 @@ void SolidElasticity<N>::forBatches(const Points& x, const Visit& visit) const {
           for (int q = 0; q < kPoints; ++q) {
             const int i = batch.point(k, q);
             batch.F[i] = deformation(x, e, shape_.points[e][q].gradients);
-            if (pressure_) batch.pressure[i] = pressure_->mean(e);
+            if (pressure_) batch.pressure[i] = pressure_->at(e, Tetrahedron<N>::point(q));
             if (remembers) batch.H[i] = history_->stress(batch.elements[k], q);
           }
         }

@@ -175,11 +175,14 @@ TEST_P(ManufacturedSolution, ConvergesAtTheElementsOrder) {
          fine.energy);
 }
 
+// The lumped pressures of tet10p change the volumetric energy by a part of the order of the mesh
+// size squared, and with it displacements: of their third order the second is left.
 INSTANTIATE_TEST_SUITE_P(Elements, ManufacturedSolution,
                          ::testing::Values(Expected{"tet4", 8, 12, 2.0, 1.0},
                                            Expected{"anp", 8, 12, 2.0, 1.0},
                                            Expected{"p1p1", 8, 12, 2.0, 1.0},
-                                           Expected{"tet10", 4, 6, 3.0, 2.0}),
+                                           Expected{"tet10", 4, 6, 3.0, 2.0},
+                                           Expected{"tet10p", 4, 6, 2.0, 2.0}),
                          [](const auto& element) { return element.param.element; });
 
 TEST(ManufacturedSolutionItself, StrainsByMoreThanAFifth) {

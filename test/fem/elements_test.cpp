@@ -15,7 +15,7 @@ namespace {
 // A box whose inner nodes are moved, so that no two elements are alike; the middles of the edges
 // of 10-node tetrahedra too, which bends them.
 TetMesh distortedBox(const std::string& element, test::Random* random, bool bent = true) {
-  const int cells = element == "tet10" ? 2 : 3;
+  const int cells = isQuadratic(element) ? 2 : 3;
   TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.12, 0.09), Eigen::Vector3i::Constant(cells));
   const Vec3 high = mesh.points.rowwise().maxCoeff();
   const auto shake = [&](double size) {

@@ -155,6 +155,7 @@ std::vector<Case> cases() {
                    s->solver.threads = 2;
                  }});
   all.push_back({"quadratic", [](scene::Scene* s) { s->organs[0].element = "tet10"; }});
+  all.push_back({"quadratic_nodal", [](scene::Scene* s) { s->organs[0].element = "tet10p"; }});
   all.push_back({"nothing_skipped", [](scene::Scene* s) {
                    static_cast<tissue::SkipSwitches&>(s->solver.skip) = {false, false, false, false,
                                                                          false, false, false};

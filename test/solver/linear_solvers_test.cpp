@@ -21,7 +21,9 @@ std::unique_ptr<fem::Elasticity> makeCube(const std::string& name, int n, mesh::
         1000.0,
         {}};
   };
-  *mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(n));
+  const std::string element = name.substr(0, name.find('_'));
+  if (fem::isQuadratic(element)) n = (n + 1) / 2;
+  *mesh = fem::meshFor(element, mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(n)));
   fem::Composition solids{{solid(5e3)}, {}, {}};
   if (name.find("_two") != std::string::npos) {
     solids.solids.push_back(solid(8e3));
@@ -29,7 +31,7 @@ std::unique_ptr<fem::Elasticity> makeCube(const std::string& name, int n, mesh::
       solids.solid_of.push_back(mesh->points(0, mesh->tets(0, t)) < 0.05 ? 0 : 1);
     }
   }
-  return fem::makeElasticity(name.substr(0, name.find('_')), *mesh, solids);
+  return fem::makeElasticity(element, *mesh, solids);
 }
 
 // Stiffness of a held, bent box: what the solvers meet.
@@ -94,7 +96,8 @@ class EveryStiffness : public ::testing::TestWithParam<std::string> {
   const System s{GetParam()};
 };
 INSTANTIATE_TEST_SUITE_P(Elements, EveryStiffness,
-                         ::testing::Values("tet4", "anp", "p1p1", "anp_two", "p1p1_two"),
+                         ::testing::Values("tet4", "anp", "p1p1", "tet10p", "anp_two", "p1p1_two",
+                                           "tet10p_two"),
                          [](const auto& element) { return element.param; });
 
 TEST_P(EveryStiffness, MultipliesAsTheDenseMatrix) {
@@ -157,7 +160,8 @@ TEST(BlockPcg, SolvesToTheToleranceAskedFor) {
 // Large enough that threads share the work.
 class LargeStiffness : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Elements, LargeStiffness,
-                         ::testing::Values("tet4", "anp", "p1p1", "anp_two", "p1p1_two"),
+                         ::testing::Values("tet4", "anp", "p1p1", "tet10p", "anp_two", "p1p1_two",
+                                           "tet10p_two"),
                          [](const auto& element) { return element.param; });
 
 TEST_P(LargeStiffness, GivesTheSameBitsWithAllInstructionsAndThreads) {

@@ -263,7 +263,7 @@ TEST_P(AdaptiveTissue, HoldsWhatWasHeld) {
   EXPECT_GT(moved, 0.002);
 }
 
-INSTANTIATE_TEST_SUITE_P(Elements, AdaptiveTissue, ::testing::Values("anp", "tet10"),
+INSTANTIATE_TEST_SUITE_P(Elements, AdaptiveTissue, ::testing::Values("anp", "tet10", "tet10p"),
                          [](const auto& element) { return std::string(element.param); });
 
 }  // namespace

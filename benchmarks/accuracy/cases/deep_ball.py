@@ -22,7 +22,8 @@ STEPS = 16  # of half a millimetre
 EQUAL, INSCRIBED, AROUND = WIDTH / math.sqrt(math.pi), WIDTH / 2, WIDTH / math.sqrt(2)
 EDGES = (0.002, 0.001, 0.0005)  # [m] of dolfinx's triangles at the ball
 # Edges at the ball [m], coarse to fine.
-MESHES = {"anp": (0.003, 0.002, 0.0014), "tet10": (0.004, 0.003, 0.002)}
+MESHES = {"anp": (0.003, 0.002, 0.0014), "tet10": (0.004, 0.003, 0.002),
+          "tet10p": (0.004, 0.003, 0.002)}
 COARSEST, REACH, GROWTH = 0.015, 0.008, 0.3  # [m], [m], edge per distance beyond that
 
 

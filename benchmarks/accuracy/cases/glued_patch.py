@@ -16,8 +16,9 @@ SOURCE = "extrapolation from six kinds of element under refinement, +-0.2 N (reg
 # Bounded: what refining further may still change, by first order, and what is unknown of the reference. At
 # the patch's edge stresses grow as the inverse root of the distance, so that any element's force converges
 # by first order in the end. `tet4` locks before that, and two meshes of `p1p1` say too little.
-ORDER, BOUNDED = 1, ("anp", "tet10")
-MESHES = {"tet4": (8, 16), "anp": (4, 8, 16), "p1p1": (8, 12), "tet10": (2, 4, 8)}
+ORDER, BOUNDED = 1, ("anp", "tet10", "tet10p")
+MESHES = {"tet4": (8, 16), "anp": (4, 8, 16), "p1p1": (8, 12), "tet10": (2, 4, 8),
+          "tet10p": (2, 4, 8)}
 QUICK_MESHES = {"tet4": (8,), "anp": (4, 8)}
 
 
@@ -96,7 +97,7 @@ def _plot(context, force):
     for axis, (poisson, reference) in zip(axes, REFERENCE.items()):
         axis.axhspan(reference - 0.2, reference + 0.2, color="#dddddd", label="converged")
         for element, sizes in MESHES.items():
-            points = [n + 1 if element != "tet10" else 2 * n + 1 for n in sizes]
+            points = [(2 * n if meshes.is_quadratic(element) else n) + 1 for n in sizes]
             axis.plot(points, [force[element, n, poisson] for n in sizes], "o-", label=element,
                       color=COLOUR[element])
         axis.set(title=f"nu = {poisson:g}", xlabel="nodes along an edge",

@@ -14,13 +14,13 @@ RADIUS, DEPTH, YOUNG = 0.01, 0.001, 5.0e3  # [m], [m], [Pa]
 SIZE = 1.0  # [m], of the block that stands for the half space
 SOURCE = "closed form F = 2 E a d/(1 - nu^2) [Sneddon 1965]"
 POISSON = (0.45, 0.49, 0.4999)
-FINEST = {"anp": 32, "tet10": 8, "tet4": 32}  # parts of the radius at the punch's edge
-COARSER = {"anp": (2, 1, 0), "tet10": (2, 1, 0), "tet4": (0,)}  # how often all elements are larger by RATIO
+FINEST = {"anp": 32, "tet10": 8, "tet10p": 8, "tet4": 32}  # parts of the radius at the punch's edge
+COARSER = {"anp": (2, 1, 0), "tet10": (2, 1, 0), "tet10p": (2, 1, 0), "tet4": (0,)}  # how often all elements are larger by RATIO
 QUICK_COARSER = {"anp": (2,)}
 RATIO = 1.5
 # Bounded, for the law `linear`: what refining all elements may still change, by first order, for the stress is
 # infinite as the inverse root of the distance at the punch's edge; and that the block is held, not infinite.
-ORDER, BOUNDED = 1, ("anp", "tet10")
+ORDER, BOUNDED = 1, ("anp", "tet10", "tet10p")
 
 
 def force(poisson):
@@ -29,7 +29,7 @@ def force(poisson):
 
 # Sectors of the quarter, and growth of the elements inwards, outwards and downwards.
 FINE, COARSE = (18, 1.22, 1.5, 1.2), (12, 1.4, 1.6, 1.5)
-GRADING = {"anp": FINE, "tet4": FINE, "tet10": COARSE}
+GRADING = {"anp": FINE, "tet4": FINE, "tet10": COARSE, "tet10p": COARSE}
 
 
 def block(n, grading, coarser):

@@ -17,7 +17,7 @@ YOUNG, POISSON = 5.0e3, 0.499  # [Pa]
 MU, KAPPA = YOUNG / (2 * (1 + POISSON)), YOUNG / (3 * (1 - 2 * POISSON))
 SOURCE = "dolfinx 0.5.2, Taylor-Hood elements, {0} x {0} x {1} cells"
 THEIRS = (2, 4, 6)
-MESHES = {"anp": (6, 9, 12), "tet10": (3, 4, 5)}
+MESHES = {"anp": (6, 9, 12), "tet10": (3, 4, 5), "tet10p": (3, 4, 5)}
 # Bounded: what refining may still change here and there, by first order. Where a held face meets a free one
 # stresses are infinite, and the energy of any element converges by order 1.2 (nearly incompressible, a right
 # angle [Williams 1952]).
@@ -96,7 +96,7 @@ def _plot(context, values, theirs):
         axis.plot([2 * n for n in theirs], [f[k] for f in theirs.values()], "s--",
                   color=COLOUR["reference"], label="dolfinx, Taylor-Hood")
         for element, sizes in MESHES.items():
-            points = [n if element != "tet10" else 2 * n for n in sizes]
+            points = [2 * n if meshes.is_quadratic(element) else n for n in sizes]
             axis.plot(points, [values[element, n][k] for n in sizes], "o-", color=COLOUR[element], label=element)
         axis.set(xlabel="node distances over the width", ylabel=name)
     axes[0].legend()

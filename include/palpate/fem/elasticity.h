@@ -97,7 +97,9 @@ class Elasticity {
 
 /// Names that makeElasticity() knows; the first is the default.
 std::vector<std::string> elementNames();
-/// The mesh that `element` needs: `mesh`, or for tet10 its 10-node version with straight edges.
+/// Whether an element has 10 nodes. @throws std::invalid_argument for an unknown one.
+bool isQuadratic(const std::string& element);
+/// The mesh that `element` needs: `mesh`, or its 10-node version with straight edges.
 TetMesh meshFor(const std::string& element, const TetMesh& mesh);
 
 /// Body of `element` at rest in `mesh`. `pool` may be null (one thread) and must outlive the body.

@@ -42,7 +42,7 @@ fem::Composition withViscousTerms(fem::Composition composition) {
 // See Touch. Quadratic faces are four triangles of half their edges.
 std::function<double(double)> excessOf(const std::string& element) {
   if (!forceExcess(element, 1.0)) return {};
-  const double edges = element == "tet10" ? 2.0 : 1.0;
+  const double edges = fem::isQuadratic(element) ? 2.0 : 1.0;
   return [element, edges](double ratio) { return *forceExcess(element, edges * ratio); };
 }
 

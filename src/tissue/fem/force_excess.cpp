@@ -12,8 +12,11 @@ struct PowerLaw {
   const char* element;
   double factor, power;
 };
-constexpr PowerLaw kLaws[] = {
-    {"anp", 0.34, 1.40}, {"tet4", 0.69, 1.12}, {"p1p1", 0.28, 1.39}, {"tet10", 0.09, 1.94}};
+constexpr PowerLaw kLaws[] = {{"anp", 0.34, 1.40},
+                              {"tet4", 0.69, 1.12},
+                              {"p1p1", 0.28, 1.39},
+                              {"tet10", 0.09, 1.94},
+                              {"tet10p", 0.07, 1.70}};
 
 const PowerLaw* lawOf(const std::string& element) {
   const auto* const law = std::find_if(std::begin(kLaws), std::end(kLaws),
