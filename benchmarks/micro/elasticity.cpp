@@ -100,7 +100,10 @@ const bool kAdded = [] {
   }
   add("remember", 8, "tet10", "stable_neo_hookean", 1, remember, prony);
   add("gradient", 8, "tet10", "stable_neo_hookean", 1, gradient);
+  add("gradient", 8, "tet10p", "stable_neo_hookean", 1, gradient);
+  add("gradient", 8, "tet10p", "neo_hookean", 1, gradient);
   add("gradient+hessian", 8, "tet10", "stable_neo_hookean", 1, gradientAndHessian);
+  add("gradient+hessian", 8, "tet10p", "stable_neo_hookean", 1, gradientAndHessian);
   return true;
 }();
 

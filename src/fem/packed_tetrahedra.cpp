@@ -26,19 +26,61 @@ bool sameBits(const Points& a, const Points& b) {
          std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-}  // namespace
+// Part of its length by which the middle of an edge that is called straight may be off.
+constexpr double kStraight = 1e-9;
 
-bool PackedTetrahedra::fits(const Composition& composition) {
-  return std::all_of(composition.solids.begin(), composition.solids.end(),
-                     [](const material::Solid& solid) { return kernelLaw(solid.law).has_value(); });
+bool isStraight(const mesh::TetMesh& mesh) {
+  for (Eigen::Index e = 0; e < mesh.midnodes.cols(); ++e) {
+    for (int k = 0; k < 6; ++k) {
+      const auto [i, j] = Tetrahedron<10>::kEdges[k];
+      const Vec3 a = mesh.points.col(mesh.tets(i, e)), b = mesh.points.col(mesh.tets(j, e));
+      const Vec3 off = mesh.points.col(mesh.midnodes(k, e)) - 0.5 * (a + b);
+      if (off.norm() > kStraight * (b - a).norm()) return false;
+    }
+  }
+  return true;
 }
 
-PackedTetrahedra::PackedTetrahedra(const ElementSchedule& schedule, const RestShape<4>& shape,
-                                   const Composition& composition,
-                                   const std::vector<double>& element_kappa,
-                                   NodalPressure* pressure, const PronyHistory* history,
-                                   const BlockMatrix& pattern, ThreadPool* pool, Isa isa)
-    : kernels_(tetKernels(isa)),
+// In which its nodes are packed.
+template <int N>
+std::array<int, N> orderOf(const RestShape<N>& shape, int e) {
+  std::array<int, N> order;
+  std::iota(order.begin(), order.end(), 0);
+  if (N == 4) {
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return shape.nodes(a, e) < shape.nodes(b, e); });
+  }
+  return order;
+}
+
+// Of the barycentric coordinate of corner `k`: of that corner's shape function, at the integration
+// point next to it, over what a quadratic one has beside it, d N_k/d w_k.
+template <int N>
+Vec3 weightGradient(const RestShape<N>& shape, int e, int k) {
+  const int q = N == 4 ? 0 : k;
+  const auto by_weight = Tetrahedron<N>::derivatives(Tetrahedron<N>::point(q));
+  return shape.points[e][q].gradients.col(k) / by_weight(k, k);
+}
+
+}  // namespace
+
+template <int N>
+bool PackedTetrahedra<N>::fits(const mesh::TetMesh& mesh, const Composition& composition) {
+  const auto hasKernels = [](const material::Solid& solid) {
+    return kernelLaw(solid.law).has_value();
+  };
+  return std::all_of(composition.solids.begin(), composition.solids.end(), hasKernels) &&
+         isStraight(mesh);
+}
+
+template <int N>
+PackedTetrahedra<N>::PackedTetrahedra(const ElementSchedule& schedule, const RestShape<N>& shape,
+                                      const Composition& composition,
+                                      const std::vector<double>& element_kappa,
+                                      NodalPressure* pressure, const PronyHistory* history,
+                                      const BlockMatrix& pattern, ThreadPool* pool, Isa isa)
+    : kernels_(tetKernels<N>(isa)),
+      expand_row_(expandRow(isa)),
       pool_(pool),
       pressure_(pressure),
       history_(*history),
@@ -64,40 +106,35 @@ PackedTetrahedra::PackedTetrahedra(const ElementSchedule& schedule, const RestSh
       }
     }
   }
-  J_.resize(kBatchSize * batches_.size());
+  J_.resize(kBatchSize * kTetPoints<N> * batches_.size());
   energy_.resize(batches_.size());
 }
 
-void PackedTetrahedra::pack(const std::vector<int>& elements, const RestShape<4>& shape,
-                            const BlockMatrix& pattern) {
+template <int N>
+void PackedTetrahedra<N>::pack(const std::vector<int>& elements, const RestShape<N>& shape,
+                               const BlockMatrix& pattern) {
   for (std::size_t at = 0; at < elements.size(); at += kBatchSize) {
-    TetBatch batch;
-    TetBlocks blocks;
-    TetPressures pressures{};
+    TetBatch<N> batch;
+    TetBlocks<N> blocks;
+    TetPressures<N> pressures{};
     for (int lane = 0; lane < kBatchSize; ++lane) {
       const int e = elements[std::min(at + lane, elements.size() - 1)];
-      const auto& point = shape.points[e][0];
-      std::array<int, 4> order{0, 1, 2, 3};
-      std::sort(order.begin(), order.end(),
-                [&](int a, int b) { return shape.nodes(a, e) < shape.nodes(b, e); });
-      batch.volume[lane] = point.volume;
+      const std::array<int, N> order = orderOf(shape, e);
+      batch.volume[lane] = shape.volumes[e];
+      for (int k = 1; k < 4; ++k) {
+        const Vec3 gradient = weightGradient(shape, e, order[k]);
+        for (int c = 0; c < 3; ++c) batch.gradient[k - 1][c][lane] = gradient[c];
+      }
       int block = 0;
-      for (int a = 0; a < 4; ++a) {
+      for (int a = 0; a < N; ++a) {
         const int node = shape.nodes(order[a], e);
         batch.node[a][lane] = 3 * node;
-        for (int c = 0; c < 3 && a > 0; ++c) {
-          batch.gradient[a - 1][c][lane] = point.gradients(c, order[a]);
-        }
-        for (int b = a + 1; b < 4; ++b) {
-          blocks.offset[block++][lane] = upper_.offset(pattern, node, shape.nodes(order[b], e));
-        }
-        if (!pressure_) continue;
-        pressures.corner[a][lane] = pressure_->cornerPressure(e, order[a]);
-        for (int b = 0; b < 4; ++b) {
-          if (b == a) continue;
-          pressures.row[3 * a + b - (b > a)][lane] = 3 * pressure_->rowEntry(e, order[a], order[b]);
+        for (int b = a + 1; b < N; ++b) {
+          const int other = shape.nodes(order[b], e), offset = upper_.offset(pattern, node, other);
+          blocks.offset[block++][lane] = node < other ? offset : ~offset;
         }
       }
+      if (pressure_) packPressures(e, order, lane, &pressures);
     }
     batches_.push_back(batch);
     blocks_.push_back(blocks);
@@ -105,8 +142,21 @@ void PackedTetrahedra::pack(const std::vector<int>& elements, const RestShape<4>
   }
 }
 
+template <int N>
+void PackedTetrahedra<N>::packPressures(int e, const std::array<int, N>& order, int lane,
+                                        TetPressures<N>* packed) {
+  for (int k = 0; k < 4; ++k) {
+    packed->corner[k][lane] = pressure_->cornerPressure(e, order[k]);
+    for (int b = 0; b < N; ++b) {
+      if (b == k) continue;
+      packed->row[(N - 1) * k + b - (b > k)][lane] = 3 * pressure_->rowEntry(e, order[k], order[b]);
+    }
+  }
+}
+
+template <int N>
 template <class Visit>
-void PackedTetrahedra::forRuns(const Visit& visit) const {
+void PackedTetrahedra<N>::forRuns(const Visit& visit) const {
   for (const auto& parts : phases_) {
     forAll(pool_, parts.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t part = begin; part < end; ++part) {
@@ -116,7 +166,8 @@ void PackedTetrahedra::forRuns(const Visit& visit) const {
   }
 }
 
-TetArrays PackedTetrahedra::arrays() {
+template <int N>
+TetArrays<N> PackedTetrahedra<N>::arrays() {
   return {batches_.data(),
           blocks_.data(),
           pressure_ ? pressures_.data() : nullptr,
@@ -126,7 +177,8 @@ TetArrays PackedTetrahedra::arrays() {
           history_.factors().data()};
 }
 
-void PackedTetrahedra::moveTo(const Points& x) {
+template <int N>
+void PackedTetrahedra<N>::moveTo(const Points& x) {
   if (at_x_ && sameBits(x, x_)) return;
   x_ = x;
   at_x_ = true;
@@ -137,11 +189,13 @@ void PackedTetrahedra::moveTo(const Points& x) {
   pressure_->updatePressures();
 }
 
-double PackedTetrahedra::sumEnergies() const {
+template <int N>
+double PackedTetrahedra<N>::sumEnergies() const {
   return std::accumulate(energy_.begin(), energy_.end(), pressure_ ? pressure_->energy() : 0.0);
 }
 
-double PackedTetrahedra::energy(const Points& x) {
+template <int N>
+double PackedTetrahedra<N>::energy(const Points& x) {
   moveTo(x);
   if (!energy_at_x_) {
     forRuns([&](const TetRun& run) { kernels_.energy(arrays(), run, x.data()); });
@@ -150,7 +204,8 @@ double PackedTetrahedra::energy(const Points& x) {
   return sumEnergies();
 }
 
-double PackedTetrahedra::gradient(const Points& x, Points* g) {
+template <int N>
+double PackedTetrahedra<N>::gradient(const Points& x, Points* g) {
   moveTo(x);
   if (!gradient_at_x_) {
     gradient_.setZero(3, x.cols());
@@ -164,7 +219,8 @@ double PackedTetrahedra::gradient(const Points& x, Points* g) {
   return sumEnergies();
 }
 
-void PackedTetrahedra::hessian(const Points& x, Stiffness* K) {
+template <int N>
+void PackedTetrahedra<N>::hessian(const Points& x, Stiffness* K) {
   moveTo(x);
   double* blocks = upper_.clear();
   double* rows = nullptr;
@@ -177,22 +233,27 @@ void PackedTetrahedra::hessian(const Points& x, Stiffness* K) {
   forRuns([&](const TetRun& run) {
     kernels_.hessian(arrays(), run, x.data(), pressures, blocks, rows);
   });
-  upper_.expand(kernels_, pool_, &K->blocks());
+  upper_.expand(expand_row_, pool_, &K->blocks());
   if (pressure_) pressure_->completeRows(pool_, &K->volume());
 }
 
-void PackedTetrahedra::distortionalStresses(const Points& x, SymmetricBatch* S) {
+template <int N>
+void PackedTetrahedra<N>::distortionalStresses(const Points& x, SymmetricBatch* S) {
   forRuns([&](const TetRun& run) {
     if (run.first_memory >= 0) kernels_.stress(arrays(), run, x.data(), S);
   });
 }
 
-double PackedTetrahedra::minJacobian(const Points& x) {
+template <int N>
+double PackedTetrahedra<N>::minJacobian(const Points& x) {
   moveTo(x);
   if (!pressure_ && !energy_at_x_) energy(x);
   double smallest = std::numeric_limits<double>::infinity();
   for (double J : J_) smallest = std::min(smallest, J);
   return smallest;
 }
+
+template class PackedTetrahedra<4>;
+template class PackedTetrahedra<10>;
 
 }  // namespace palpate::fem

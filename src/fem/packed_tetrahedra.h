@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -16,17 +17,18 @@
 
 namespace palpate::fem {
 
-/// Linear tetrahedra whose laws have vector kernels, packed for these. What is computed at one x is
-/// kept for the next call at the same x.
+/// Tetrahedra of N nodes whose laws have vector kernels, packed for these. What is computed at one
+/// x is kept for the next call at the same x.
+template <int N>
 class PackedTetrahedra {
  public:
-  /// All solids have laws with kernels.
-  static bool fits(const Composition& composition);
+  /// All solids have laws with kernels, and no edge is bent.
+  static bool fits(const mesh::TetMesh& mesh, const Composition& composition);
 
-  /// Of solids that fit. `element_kappa`: the part of each solid's bulk modulus that the elements
+  /// Of a body that fits. `element_kappa`: the part of each solid's bulk modulus that the elements
   /// have [Pa]; `pressure` has the rest, if there is one. `history` has the points of
   /// `schedule.runs()`, `pattern` is that of the matrix. All pointers must outlive this.
-  PackedTetrahedra(const ElementSchedule& schedule, const RestShape<4>& shape,
+  PackedTetrahedra(const ElementSchedule& schedule, const RestShape<N>& shape,
                    const Composition& composition, const std::vector<double>& element_kappa,
                    NodalPressure* pressure, const PronyHistory* history, const BlockMatrix& pattern,
                    ThreadPool* pool, Isa isa = bestIsa());
@@ -43,24 +45,26 @@ class PackedTetrahedra {
   void forgetMemory() { energy_at_x_ = gradient_at_x_ = false; }
 
  private:
-  void pack(const std::vector<int>& elements, const RestShape<4>& shape,
+  void pack(const std::vector<int>& elements, const RestShape<N>& shape,
             const BlockMatrix& pattern);
+  void packPressures(int e, const std::array<int, N>& order, int lane, TetPressures<N>* packed);
   /// visit(run) on all runs, in an order that the number of threads does not change.
   template <class Visit>
   void forRuns(const Visit& visit) const;
   /// Brings the pressures to x, and J where there are any.
   void moveTo(const Points& x);
   double sumEnergies() const;
-  TetArrays arrays();
+  TetArrays<N> arrays();
 
-  const TetKernels& kernels_;
+  const TetKernels<N>& kernels_;
+  const ExpandRow expand_row_;
   ThreadPool* pool_;
   NodalPressure* pressure_;  // may be null
   const PronyHistory& history_;
   UpperBlocks upper_;
-  std::vector<TetBatch> batches_;
-  std::vector<TetBlocks> blocks_;
-  std::vector<TetPressures> pressures_;
+  std::vector<TetBatch<N>> batches_;
+  std::vector<TetBlocks<N>> blocks_;
+  std::vector<TetPressures<N>> pressures_;
   std::vector<std::vector<std::vector<TetRun>>> phases_;  // runs of the parts of the phases
   std::vector<double> J_, energy_;
   Points x_;  // where all this is

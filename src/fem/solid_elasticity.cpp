@@ -16,7 +16,8 @@ namespace palpate::fem {
 namespace {
 
 // Tetrahedra: packed ones are so quick that waking a thread for fewer costs more than it gains.
-constexpr int kWorthThreads = 8000;
+template <int N>
+constexpr int kWorthThreads = N == 4 ? 8000 : 1000;
 
 std::vector<int> fill(std::vector<int> solid_of, Eigen::Index num_elements) {
   solid_of.resize(static_cast<std::size_t>(num_elements), 0);
@@ -46,7 +47,7 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
   for (std::size_t e = 0; e < solid_of.size(); ++e) {
     groups_[solid_of[e]].elements.push_back(static_cast<int>(e));
   }
-  ThreadPool* worth = mesh.numTets() >= kWorthThreads ? pool : nullptr;
+  ThreadPool* worth = mesh.numTets() >= kWorthThreads<N> ? pool : nullptr;
   const auto makeHistory = [&](const std::vector<ElementRun>& runs) {
     history_ = std::make_unique<PronyHistory>(composition, runs, static_cast<int>(mesh.numTets()),
                                               kPoints, worth);
@@ -54,16 +55,14 @@ SolidElasticity<N>::SolidElasticity(const TetMesh& mesh, const Composition& comp
   if (std::isfinite(treatment.element_modulus)) {
     pressure_ = std::make_unique<NodalPressure>(treatment.kind, nodal_kappa, shape_, composition);
   }
-  if constexpr (N == 4) {
-    if (PackedTetrahedra::fits(composition)) {
-      const ElementSchedule schedule = scheduleElements(mesh, composition);
-      makeHistory(schedule.runs());
-      packed_ = std::make_unique<PackedTetrahedra>(schedule, shape_, composition, element_kappa_,
-                                                   pressure_.get(), history_.get(),
-                                                   scatter_.pattern(), worth);
-    }
+  if (PackedTetrahedra<N>::fits(mesh, composition)) {
+    const ElementSchedule schedule = scheduleElements(mesh, composition);
+    makeHistory(schedule.runs());
+    packed_ = std::make_unique<PackedTetrahedra<N>>(schedule, shape_, composition, element_kappa_,
+                                                    pressure_.get(), history_.get(),
+                                                    scatter_.pattern(), worth);
+    return;
   }
-  if (packed_) return;
   makeHistory(groups_);
   allocate();
 }
@@ -180,7 +179,7 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
         if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&at);
         addElementBlocks<N>(at, point, blocks_.col(e).data());
         if (!pressure_) continue;
-        Eigen::Map<Eigen::Matrix<double, 3, N>>{volume_gradients_.col(e).data() + 3 * N * q} =
+        Eigen::Map<Eigen::Matrix<double, 3, N>>{volume_gradients_.col(e).data() + 3 * N* q} =
             point.volume * theta_gradient[batch.point(k, q)] * point.gradients;
       }
     }

@@ -104,7 +104,7 @@ class SolidElasticity final : public Elasticity {
   std::vector<ElementRun> groups_;           // elements of each solid
   std::unique_ptr<NodalPressure> pressure_;  // null: the elements have all of kappa
   std::unique_ptr<PronyHistory> history_;
-  std::unique_ptr<PackedTetrahedra> packed_;  // null where the laws have no kernels
+  std::unique_ptr<PackedTetrahedra<N>> packed_;  // null where there are no kernels
 
   std::vector<double> energies_, dilatations_;  // scratch, of elements and of points
   typename ElementScatter<N>::Vectors forces_;

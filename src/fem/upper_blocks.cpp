@@ -22,12 +22,12 @@ double* UpperBlocks::clear() {
   return values_.data();
 }
 
-void UpperBlocks::expand(const TetKernels& kernels, ThreadPool* pool, BlockMatrix* K) const {
+void UpperBlocks::expand(ExpandRow expand_row, ThreadPool* pool, BlockMatrix* K) const {
   forAll(pool, static_cast<std::size_t>(K->numNodes()), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
       const int first = K->rowBegin(i), diagonal = K->diagonal(i);
-      kernels.expand(index_.data() + first, diagonal - first, K->rowEnd(i) - diagonal - 1,
-                     values_.data(), K->values() + 9 * static_cast<std::ptrdiff_t>(first));
+      expand_row(index_.data() + first, diagonal - first, K->rowEnd(i) - diagonal - 1,
+                 values_.data(), K->values() + 9 * static_cast<std::ptrdiff_t>(first));
     }
   });
 }

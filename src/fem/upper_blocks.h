@@ -21,7 +21,7 @@ class UpperBlocks {
   }
   double* clear();
   /// K = the blocks, their transposed ones below, and minus the sums of rows on the diagonal.
-  void expand(const TetKernels& kernels, ThreadPool* pool, BlockMatrix* K) const;
+  void expand(ExpandRow expand_row, ThreadPool* pool, BlockMatrix* K) const;
 
  private:
   std::vector<int> index_;  // of each slot off the diagonal: its block, or that of its transposed

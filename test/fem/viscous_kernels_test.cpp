@@ -59,7 +59,8 @@ class ViscousKernels : public ::testing::TestWithParam<std::string> {
     work(general.get());
   }
 
-  TetMesh mesh = mesh::boxMesh(Vec3(0.05, 0.04, 0.03), Eigen::Vector3i(5, 4, 3));
+  TetMesh mesh =
+      meshFor(GetParam(), mesh::boxMesh(Vec3(0.05, 0.04, 0.03), Eigen::Vector3i(5, 4, 3)));
   Composition composition;
   std::unique_ptr<Elasticity> packed, general;
   test::Random random;
@@ -155,7 +156,7 @@ TEST_P(ViscousKernels, MemoryIsGivenBack) {
   EXPECT_EQ(fresh->energy(x), energy);
 }
 
-INSTANTIATE_TEST_SUITE_P(Elements, ViscousKernels, ::testing::Values("tet4", "anp", "p1p1"),
+INSTANTIATE_TEST_SUITE_P(Elements, ViscousKernels, ::testing::ValuesIn(elementNames()),
                          [](const auto& element) { return element.param; });
 
 }  // namespace

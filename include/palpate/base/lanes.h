@@ -40,6 +40,14 @@ inline Lanes gather(const double* p, const int* index) {
 #endif
 }
 
+/// Where an index is below zero.
+inline LaneBits belowZero(const int* index) {
+  typedef int Indices __attribute__((vector_size(4 * kWidth)));
+  typedef int IndicesInMemory __attribute__((vector_size(4 * kWidth), aligned(4), may_alias));
+  const Indices at = *reinterpret_cast<const IndicesInMemory*>(index);
+  return __builtin_convertvector(at >> 31, LaneBits);
+}
+
 /// condition ? a : b, lane by lane.
 inline Lanes select(LaneBits condition, Lanes a, Lanes b) {
   return (Lanes)(((LaneBits)a & condition) | ((LaneBits)b & ~condition));

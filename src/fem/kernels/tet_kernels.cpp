@@ -2,23 +2,28 @@
 #include "tet_batch.h"
 
 #include "add_in_pairs.h"
-#include "block_in_registers.h"
 #include "lane_vectors.h"
 #include "palpate/base/lanes.h"
 #include "symmetric_lanes.h"
-#include "tet_laws.h"
+#include "tet_runs.h"
 #include "tet_stiffness.h"
 
 namespace palpate::fem::PALPATE_ISA {
 namespace {
 
-inline Vec shapeGradient(const TetBatch& batch, int a, int lane) {
+// Linear elements.
+using Batch = TetBatch<4>;
+using Blocks = TetBlocks<4>;
+using Pressures = TetPressures<4>;
+using Arrays = TetArrays<4>;
+
+inline Vec shapeGradient(const Batch& batch, int a, int lane) {
   return {{load(batch.gradient[a][0] + lane), load(batch.gradient[a][1] + lane),
            load(batch.gradient[a][2] + lane)}};
 }
 
 // F = sum_a (x_a - x_0) (x) g_a.
-inline Mat deformation(const TetBatch& batch, int lane, const double* x) {
+inline Mat deformation(const Batch& batch, int lane, const double* x) {
   Mat F{};
   Vec origin;
   for (int i = 0; i < 3; ++i) origin.v[i] = gather(x + i, batch.node[0] + lane);
@@ -33,50 +38,16 @@ inline Mat deformation(const TetBatch& batch, int lane, const double* x) {
   return F;
 }
 
-inline Lanes meanPressure(const TetPressures& corners, int lane, const double* pressure) {
+inline Lanes meanPressure(const Pressures& corners, int lane, const double* pressure) {
   Lanes sum = gather(pressure, corners.corner[0] + lane);
   for (int a = 1; a < 4; ++a) sum += gather(pressure, corners.corner[a] + lane);
   return 0.25 * sum;
 }
 
-inline int countOf(const TetRun& run, int k) {
-  const int left = run.num_elements - kBatchSize * k;
-  return left < kBatchSize ? left : kBatchSize;
-}
-inline int numBatches(const TetRun& run) {
-  return (run.num_elements + kBatchSize - 1) / kBatchSize;
-}
-
-// Whether a run's solid is viscous, as types: who is not has kernels of its own, without memory.
-struct Elastic {
-  static constexpr bool kViscous = false;
-};
-struct Viscous {
-  static constexpr bool kViscous = true;
-};
-
-// visit(law, Elastic or Viscous)
-template <class Visit>
-inline void forKind(const TetArrays& arrays, const TetRun& run, const Visit& visit) {
-  const auto withLaw = [&](auto law) {
-    if (run.first_memory < 0) return visit(law, Elastic{});
-    law.mu *= arrays.factor[run.solid];  // to which the distortional energy is proportional
-    visit(law, Viscous{});
-  };
-  if (run.law == TetLaw::kNeoHookean) return withLaw(NeoHookeanPoints{run.mu, run.kappa});
-  withLaw(StableNeoHookeanPoints{run.mu, run.kappa});
-}
-
-inline double sum(const double* values, int count) {
-  double total = 0.0;
-  for (int k = 0; k < count; ++k) total += values[k];
-  return total;
-}
-
-void deform(const TetArrays& arrays, const TetRun& run, const double* x, double* volume_changes) {
+void deform(const Arrays& arrays, const TetRun& run, const double* x, double* volume_changes) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
-    const TetBatch& batch = arrays.batches[b];
+    const Batch& batch = arrays.batches[b];
     double change[kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
       const Mat F = deformation(batch, lane, x);
@@ -84,7 +55,7 @@ void deform(const TetArrays& arrays, const TetRun& run, const double* x, double*
       store(arrays.J + kBatchSize * static_cast<long>(b) + lane, J);
       store(change + lane, 0.25 * load(batch.volume + lane) * (J - 1.0));
     }
-    const TetPressures& corners = arrays.pressures[b];
+    const Pressures& corners = arrays.pressures[b];
     for (int e = 0; e < countOf(run, k); ++e) {
       for (int a = 0; a < 4; ++a) volume_changes[corners.corner[a][e]] += change[e];
     }
@@ -92,10 +63,10 @@ void deform(const TetArrays& arrays, const TetRun& run, const double* x, double*
 }
 
 template <class Law, class Kind>
-void energies(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x) {
+void energies(const Law law, Kind, const Arrays& arrays, const TetRun& run, const double* x) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
-    const TetBatch& batch = arrays.batches[b];
+    const Batch& batch = arrays.batches[b];
     double energy[kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
       const Mat F = deformation(batch, lane, x);
@@ -113,11 +84,11 @@ void energies(const Law law, Kind, const TetArrays& arrays, const TetRun& run, c
 }
 
 template <class Law, class Kind>
-void gradients(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x,
+void gradients(const Law law, Kind, const Arrays& arrays, const TetRun& run, const double* x,
                const double* pressure, double* g) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
-    const TetBatch& batch = arrays.batches[b];
+    const Batch& batch = arrays.batches[b];
     double energy[kBatchSize], force[12][kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
       const Mat F = deformation(batch, lane, x);
@@ -163,11 +134,11 @@ void gradients(const Law law, Kind, const TetArrays& arrays, const TetRun& run, 
 }
 
 template <class Law, class Kind>
-void hessians(const Law law, Kind, const TetArrays& arrays, const TetRun& run, const double* x,
+void hessians(const Law law, Kind, const Arrays& arrays, const TetRun& run, const double* x,
               const double* pressure, double* blocks, double* rows) {
   for (int k = 0; k < numBatches(run); ++k) {
     const int b = run.first_batch + k;
-    const TetBatch& batch = arrays.batches[b];
+    const Batch& batch = arrays.batches[b];
     alignas(64) double values[54][kBatchSize];
     double dilatation[12][kBatchSize];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
@@ -216,74 +187,45 @@ void hessians(const Law law, Kind, const TetArrays& arrays, const TetRun& run, c
       }
     }
     const int count = countOf(run, k);
-    const TetBlocks& where = arrays.blocks[b];
+    const Blocks& where = arrays.blocks[b];
     for (int n = 0; n < 6; ++n) addNines(values + 9 * n, where.offset[n], count, blocks);
     if (!pressure) continue;
     addRows(dilatation, arrays.pressures[b].row, count, rows);
   }
 }
 
-// With J C^-1 = cof(F)^T cof(F)/J: F^-1 (f F + c cof F) = f I + c/J cof(F)^T cof(F).
 template <class Law>
-void stresses(const Law law, const TetArrays& arrays, const TetRun& run, const double* x,
+void stresses(const Law law, const Arrays& arrays, const TetRun& run, const double* x,
               SymmetricBatch* S) {
   for (int k = 0; k < numBatches(run); ++k) {
-    const TetBatch& batch = arrays.batches[run.first_batch + k];
+    const Batch& batch = arrays.batches[run.first_batch + k];
     for (int lane = 0; lane < kBatchSize; lane += kWidth) {
-      const Mat F = deformation(batch, lane, x);
-      const Mat cof = cofactor(F);
-      const Lanes J = dot(F.col[0], cof.col[0]);
-      const auto point = law.at(squaredNorm(F), J, Lanes{});
-      const Lanes c = point.c / J;
-      double(*out)[kBatchSize] = S[run.first_memory + k].component;
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        store(out[i] + lane, point.f + c * dot(cof.col[i], cof.col[i]));
-        store(out[3 + i] + lane, c * dot(cof.col[i], cof.col[j]));
-      }
+      storeDistortional(law, deformation(batch, lane, x), lane, S[run.first_memory + k].component);
     }
   }
 }
 
-void energy(const TetArrays& arrays, const TetRun& run, const double* x) {
+void energy(const Arrays& arrays, const TetRun& run, const double* x) {
   forKind(arrays, run, [&](auto law, auto kind) { energies(law, kind, arrays, run, x); });
 }
-void gradient(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+void gradient(const Arrays& arrays, const TetRun& run, const double* x, const double* pressure,
               double* g) {
   forKind(arrays, run,
           [&](auto law, auto kind) { gradients(law, kind, arrays, run, x, pressure, g); });
 }
-void hessian(const TetArrays& arrays, const TetRun& run, const double* x, const double* pressure,
+void hessian(const Arrays& arrays, const TetRun& run, const double* x, const double* pressure,
              double* blocks, double* rows) {
   forKind(arrays, run, [&](auto law, auto kind) {
     hessians(law, kind, arrays, run, x, pressure, blocks, rows);
   });
 }
-void stress(const TetArrays& arrays, const TetRun& run, const double* x, SymmetricBatch* S) {
-  if (run.law == TetLaw::kNeoHookean) {
-    return stresses(NeoHookeanPoints{run.mu, 0.0}, arrays, run, x, S);
-  }
-  stresses(StableNeoHookeanPoints{run.mu, 0.0}, arrays, run, x, S);
-}
-
-void expand(const int* index, int lower, int higher, const double* upper, double* row) {
-  Block sum{};
-  for (int k = 0; k < lower; ++k) {
-    const Block A = transposed(loadBlock(upper + 9L * index[k]));
-    storeBlock(A, row + 9L * k);
-    sum = sum + A;
-  }
-  for (int k = lower + 1; k <= lower + higher; ++k) {
-    const Block A = loadBlock(upper + 9L * index[k]);
-    storeBlock(A, row + 9L * k);
-    sum = sum + A;
-  }
-  storeBlock(-0.5 * (sum + transposed(sum)), row + 9L * lower);
+void stress(const Arrays& arrays, const TetRun& run, const double* x, SymmetricBatch* S) {
+  forDistortional(run, [&](auto law) { stresses(law, arrays, run, x, S); });
 }
 
 }  // namespace
 
-extern const TetKernels kTetKernels;
-const TetKernels kTetKernels{deform, energy, gradient, hessian, stress, expand};
+extern const TetKernels<4> kTetKernels;
+const TetKernels<4> kTetKernels{deform, energy, gradient, hessian, stress};
 
 }  // namespace palpate::fem::PALPATE_ISA

@@ -6,7 +6,9 @@
 
 namespace palpate::fem {
 
-/// The kernels as built for `isa`, which must be available.
-const TetKernels& tetKernels(Isa isa);
+/// The kernels as built for `isa`, which must be available, for elements of 4 and of 10 nodes.
+template <int N>
+const TetKernels<N>& tetKernels(Isa isa);
+ExpandRow expandRow(Isa isa);
 
 }  // namespace palpate::fem

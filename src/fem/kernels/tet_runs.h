@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// For kernels only: what loops over runs of elements share.
+
+#include "lane_vectors.h"
+#include "tet_batch.h"
+#include "tet_laws.h"
+
+namespace palpate::fem {
+namespace {
+
+inline int countOf(const TetRun& run, int k) {
+  const int left = run.num_elements - kBatchSize * k;
+  return left < kBatchSize ? left : kBatchSize;
+}
+inline int numBatches(const TetRun& run) {
+  return (run.num_elements + kBatchSize - 1) / kBatchSize;
+}
+
+// Whether a run's solid is viscous, as types: who is not has kernels of its own, without memory.
+struct Elastic {
+  static constexpr bool kViscous = false;
+};
+struct Viscous {
+  static constexpr bool kViscous = true;
+};
+
+// visit(law, Elastic or Viscous)
+template <class Arrays, class Visit>
+inline void forKind(const Arrays& arrays, const TetRun& run, const Visit& visit) {
+  const auto withLaw = [&](auto law) {
+    if (run.first_memory < 0) return visit(law, Elastic{});
+    law.mu *= arrays.factor[run.solid];  // to which the distortional energy is proportional
+    visit(law, Viscous{});
+  };
+  if (run.law == TetLaw::kNeoHookean) return withLaw(NeoHookeanPoints{run.mu, run.kappa});
+  withLaw(StableNeoHookeanPoints{run.mu, run.kappa});
+}
+
+// visit(law) with the law's distortional energy.
+template <class Visit>
+inline void forDistortional(const TetRun& run, const Visit& visit) {
+  if (run.law == TetLaw::kNeoHookean) return visit(NeoHookeanPoints{run.mu, 0.0});
+  visit(StableNeoHookeanPoints{run.mu, 0.0});
+}
+
+// Second Piola-Kirchhoff stress: with J C^-1 = cof(F)^T cof(F)/J, F^-1 (f F + c cof F) =
+// f I + c/J cof(F)^T cof(F).
+template <class Law>
+inline void storeDistortional(const Law& law, const Mat& F, int lane, double (*out)[kBatchSize]) {
+  const Mat cof = cofactor(F);
+  const Lanes J = dot(F.col[0], cof.col[0]);
+  const auto point = law.at(squaredNorm(F), J, Lanes{});
+  const Lanes c = point.c / J;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    store(out[i] + lane, point.f + c * dot(cof.col[i], cof.col[i]));
+    store(out[3 + i] + lane, c * dot(cof.col[i], cof.col[j]));
+  }
+}
+
+inline double sum(const double* values, int count) {
+  double total = 0.0;
+  for (int k = 0; k < count; ++k) total += values[k];
+  return total;
+}
+
+}  // namespace
+}  // namespace palpate::fem
