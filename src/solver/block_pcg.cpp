@@ -18,7 +18,8 @@ constexpr int kMaxRefinements = 10;
 }  // namespace
 
 struct BlockPcg::Impl {
-  Impl(int iterations, ThreadPool* pool, Isa isa) : max_iterations(iterations), matrix(pool, isa) {}
+  Impl(int iterations, ThreadPool* pool, Isa isa, const Points& points)
+      : max_iterations(iterations), matrix(pool, isa, points) {}
 
   // r = b, all else 0.
   void load(const Points& b) {
@@ -75,11 +76,18 @@ struct BlockPcg::Impl {
   bool current = false;                       // the last matrix is packed
 };
 
-BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa)
-    : impl_(std::make_unique<Impl>(max_iterations, pool, isa)) {}
+BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa, const Points& points)
+    : impl_(std::make_unique<Impl>(max_iterations, pool, isa, points)) {}
+BlockPcg::BlockPcg(BlockPcg&&) noexcept = default;
 BlockPcg::~BlockPcg() = default;
 
 void BlockPcg::takePattern(const fem::Stiffness& A) { impl_->matrix.takePattern(A); }
+
+bool BlockPcg::learnsFromRest() const { return impl_->matrix.coarse() != nullptr; }
+
+void BlockPcg::learnFromRest(const fem::Stiffness& A) {
+  if (impl_->matrix.coarse()) impl_->matrix.coarse()->build(A);
+}
 
 void BlockPcg::onlyChanged(const std::vector<int>& slots) { impl_->changed = &slots; }
 

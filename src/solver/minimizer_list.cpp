@@ -15,7 +15,9 @@ namespace {
 
 std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, const fem::Stiffness& A) {
   return std::make_unique<Newton>(
-      A, std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool),
+      A,
+      std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool, bestIsa(),
+                                 settings.points),
       settings.keep_stiffness);
 }
 

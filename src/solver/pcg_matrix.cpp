@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
+#include "palpate/mesh/hilbert_order.h"
+
 namespace palpate::solver {
 
 void PcgMatrix::takePattern(const fem::Stiffness& A) {
   const fem::BlockMatrix& K = A.blocks();
   std::vector<int> lengths(static_cast<std::size_t>(K.numNodes()));
   for (int i = 0; i < K.numNodes(); ++i) lengths[i] = K.rowEnd(i) - K.rowBegin(i);
-  nodes_ = SliceOrder(lengths);
+  nodes_ = SliceOrder(lengths, mesh::hilbertOrder(points_));
   if (A.hasVolume()) takeVolumes(K, *A.volume().pattern);
   takeRows(A);
   const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes_.numSlices();
@@ -19,6 +21,9 @@ void PcgMatrix::takePattern(const fem::Stiffness& A) {
   }
   partial_.resize(static_cast<std::size_t>(Chunks::number(nodes_.numSlices())));
   partial_2_ = partial_;
+  if (CoarseSpace::pays(points_.cols())) {
+    coarse_ = std::make_unique<CoarseSpace>(points_, nodes_, kernels_);
+  }
 }
 
 // Rows of K, with those of B that are at home in them.
@@ -123,6 +128,7 @@ void PcgMatrix::takeCouplings(const fem::Couplings& couplings) {
 bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
   takeCouplings(A.couplings());
+  if (coarse_ && coarse_->ready()) coarse_->leaveOut(A);
   if (changed) {
     pack(A.blocks(), *changed);
     return invertDiagonal(A);

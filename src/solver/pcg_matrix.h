@@ -3,9 +3,12 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "chunks.h"
+#include "coarse_space.h"
 #include "kernels/pcg_kernels.h"
 #include "palpate/fem/stiffness.h"
 #include "pressure_places.h"
@@ -17,7 +20,9 @@ namespace palpate::solver {
 /// blocks. Sums over nodes run over chunks of a fixed size, so that threads never change a bit.
 class PcgMatrix {
  public:
-  PcgMatrix(ThreadPool* pool, Isa isa) : kernels_(pcgKernels(isa)), chunks_(pool) {}
+  /// `points`, 3 x n: where the nodes are; empty: neighbours are known by their numbers only.
+  PcgMatrix(ThreadPool* pool, Isa isa, Points points)
+      : kernels_(pcgKernels(isa)), chunks_(pool), points_(std::move(points)) {}
 
   /// Takes the pattern of A.
   void takePattern(const fem::Stiffness& A);
@@ -34,7 +39,11 @@ class PcgMatrix {
 
   /// Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
-  /// r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
+  /// The coarse space; null where it would not pay. assign() may leave parts of it
+  /// out.
+  CoarseSpace* coarse() { return coarse_.get(); }
+  /// r -= alpha Ap, z = D^-1 r, with the coarse space's correction if it is ready; gives r . z and
+  /// r . r.
   void update(double alpha, const PcgVectors& v, double* rz, double* rr);
   /// x += alpha p, p = z + beta p.
   void direct(double alpha, double beta, const PcgVectors& v);
@@ -70,12 +79,14 @@ class PcgMatrix {
 
   const PcgKernels& kernels_;
   Chunks chunks_;
+  Points points_;
   SliceOrder nodes_;
   PressurePlaces pressures_;
   SlicedRows rows_, others_, columns_;     // of K, of B (those not in rows_), of B^T
   std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
   std::vector<int> place_;                 // in rows_, of each slot
   AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
+  std::unique_ptr<CoarseSpace> coarse_;
   AlignedVector<float> weights_, c_;
   std::vector<Coupling> couplings_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it

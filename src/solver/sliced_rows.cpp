@@ -5,16 +5,18 @@
 #include <numeric>
 
 namespace palpate::solver {
-namespace {
 
-constexpr std::ptrdiff_t kWindow = 256;
-
-}  // namespace
-
-SliceOrder::SliceOrder(const std::vector<int>& lengths)
-    : at_((lengths.size() + kSlice - 1) / kSlice * kSlice, -1), position_(lengths.size()) {
+SliceOrder::SliceOrder(const std::vector<int>& lengths, const std::vector<int>& order)
+    : at_((lengths.size() + kSlice - 1) / kSlice * kSlice, -1),
+      position_(lengths.size()),
+      rank_(lengths.size()) {
   const auto count = static_cast<std::ptrdiff_t>(lengths.size());
-  std::iota(at_.begin(), at_.begin() + count, 0);
+  if (order.empty()) {
+    std::iota(at_.begin(), at_.begin() + count, 0);
+  } else {
+    std::copy(order.begin(), order.end(), at_.begin());
+  }
+  for (int p = 0; p < static_cast<int>(count); ++p) rank_[at_[p]] = p;
   for (std::ptrdiff_t begin = 0; begin < count; begin += kWindow) {
     std::stable_sort(at_.begin() + begin, at_.begin() + std::min(begin + kWindow, count),
                      [&](int a, int b) { return lengths[a] < lengths[b]; });

@@ -14,14 +14,17 @@ namespace palpate::solver {
 class SliceOrder {
  public:
   SliceOrder() = default;
-  /// Sorted by `lengths` within windows, so that neighbours stay near each other.
-  explicit SliceOrder(const std::vector<int>& lengths);
+  /// In the given `order`, or by number if that is empty, sorted by `lengths` within windows, so
+  /// that neighbours stay near each other.
+  explicit SliceOrder(const std::vector<int>& lengths, const std::vector<int>& order = {});
 
   int count() const { return static_cast<int>(position_.size()); }
   int numSlices() const { return static_cast<int>(at_.size()) / kSlice; }
   /// What is at a position: slice kSlice + lane; -1 beyond the last.
   int at(int position) const { return at_[position]; }
   int position(int i) const { return position_[i]; }
+  /// Where i is in the order, before it was sorted within its window.
+  int rank(int i) const { return rank_[i]; }
   /// Where the first component of i begins in a vector of `components`.
   std::ptrdiff_t offset(int i, int components) const {
     const int slice = position_[i] / kSlice;
@@ -29,7 +32,7 @@ class SliceOrder {
   }
 
  private:
-  std::vector<int> at_, position_;
+  std::vector<int> at_, position_, rank_;
 };
 
 /// Rows of a sparse matrix in single precision, as PcgRows has them. The values of an entry come

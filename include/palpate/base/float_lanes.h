@@ -17,6 +17,14 @@ typedef float FloatLanesInMemory
 inline FloatLanes load(const float* p) { return *reinterpret_cast<const FloatLanesInMemory*>(p); }
 inline void store(float* p, FloatLanes v) { *reinterpret_cast<FloatLanesInMemory*>(p) = v; }
 
+/// Integers as floats.
+inline FloatLanes loadAsFloats(const int* p) {
+  typedef int Integers __attribute__((vector_size(4 * kFloatWidth)));
+  typedef int IntegersInMemory __attribute__((vector_size(4 * kFloatWidth), aligned(4), may_alias));
+  const Integers v = *reinterpret_cast<const IntegersInMemory*>(p);
+  return __builtin_convertvector(v, FloatLanes);
+}
+
 /// p[index[lane]].
 inline FloatLanes gather(const float* p, const int* index) {
 #if defined(__AVX512F__)

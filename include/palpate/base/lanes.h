@@ -40,13 +40,15 @@ inline Lanes gather(const double* p, const int* index) {
 #endif
 }
 
-/// Where an index is below zero.
-inline LaneBits belowZero(const int* index) {
-  typedef int Indices __attribute__((vector_size(4 * kWidth)));
-  typedef int IndicesInMemory __attribute__((vector_size(4 * kWidth), aligned(4), may_alias));
-  const Indices at = *reinterpret_cast<const IndicesInMemory*>(index);
-  return __builtin_convertvector(at >> 31, LaneBits);
+/// Integers, one a lane.
+inline LaneBits loadAsBits(const int* p) {
+  typedef int Integers __attribute__((vector_size(4 * kWidth)));
+  typedef int IntegersInMemory __attribute__((vector_size(4 * kWidth), aligned(4), may_alias));
+  const Integers v = *reinterpret_cast<const IntegersInMemory*>(p);
+  return __builtin_convertvector(v, LaneBits);
 }
+/// Where an index is below zero.
+inline LaneBits belowZero(const int* index) { return loadAsBits(index) < 0; }
 
 /// condition ? a : b, lane by lane.
 inline Lanes select(LaneBits condition, Lanes a, Lanes b) {

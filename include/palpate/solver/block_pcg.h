@@ -10,7 +10,8 @@
 namespace palpate::solver {
 
 /// Conjugate gradients preconditioned by the inverses of the 3 x 3 diagonal blocks [Saad 2003,
-/// alg. 9.1]. Starts from zero, so that every iterate is a direction of descent.
+/// alg. 9.1] and, in larger bodies, a coarse space, which is that of the body at rest. Starts from
+/// zero, so that every iterate is a direction of descent.
 ///
 /// Vectors are in double precision, products with the matrix are computed in single precision,
 /// which is less than half the work. A tolerance that this could miss is met by iterative
@@ -18,14 +19,19 @@ namespace palpate::solver {
 /// one; couplings beside it are added to the products block by block.
 class BlockPcg final : public LinearSolver {
  public:
-  /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x.
-  explicit BlockPcg(int max_iterations, ThreadPool* pool = nullptr, Isa isa = bestIsa());
+  /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x. `points`,
+  /// 3 x n: where nodes are, so that neighbours are known; empty: by their numbers.
+  explicit BlockPcg(int max_iterations, ThreadPool* pool = nullptr, Isa isa = bestIsa(),
+                    const Points& points = {});
+  BlockPcg(BlockPcg&&) noexcept;
   ~BlockPcg() override;
 
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
   void takePattern(const fem::Stiffness& A) override;
   void onlyChanged(const std::vector<int>& slots) override;
+  bool learnsFromRest() const override;
+  void learnFromRest(const fem::Stiffness& A) override;
 
  private:
   struct Impl;

@@ -31,6 +31,11 @@ class LinearSolver {
   /// What can be done for the matrices to come, of which only A's pattern is known: spares the
   /// first solve().
   virtual void takePattern(const fem::Stiffness& /*A*/) {}
+  /// Whether learnFromRest() is of use, once the pattern is known.
+  virtual bool learnsFromRest() const { return false; }
+  /// A is the matrix of the body at rest, which those to come are like: something to be kept for
+  /// good, and never changed by what is solved.
+  virtual void learnFromRest(const fem::Stiffness& /*A*/) {}
   /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal,
   /// in these slots off it and in its couplings. Unsaid, it may have changed anywhere.
   virtual void onlyChanged(const std::vector<int>& /*slots*/) {}

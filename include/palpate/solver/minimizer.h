@@ -60,6 +60,9 @@ class Minimizer {
   /// residual gets below it.
   virtual double roundoffForce(const Points& x) const = 0;
 
+  /// As LinearSolver's, of those that solve linear systems.
+  virtual bool learnsFromRest() const { return false; }
+  virtual void learnFromRest(const fem::Stiffness& /*A*/) {}
   /// The first cycle after a restart is about to minimise `potential` near x: time for work that
   /// would take too long later.
   virtual void prepare(const Potential& /*potential*/, const Points& /*x*/) {}

@@ -16,6 +16,8 @@ struct MinimizerSettings {
   ThreadPool* pool = nullptr;
   /// See Newton; the others have no use for it.
   bool keep_stiffness = false;
+  /// Where nodes are, 3 x n, for who asks for neighbours; empty: by their numbers.
+  Points points = {};
 };
 
 /// Ways to take an implicit step; the first is the default.

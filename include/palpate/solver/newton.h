@@ -27,6 +27,8 @@ class Newton final : public Minimizer {
                    double linear_tolerance, Points* d, NewtonReport* report) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
+  bool learnsFromRest() const override { return linear_->learnsFromRest(); }
+  void learnFromRest(const fem::Stiffness& A) override { linear_->learnFromRest(A); }
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override;
   void restart() override;

@@ -13,6 +13,8 @@ constexpr int kSlice = 16;
 // zero. What is gathered from lies node by node instead: kNodeStride numbers each, the last zero,
 // so that a node is fetched by one load.
 constexpr int kNodeStride = 4;
+/// Rows of dense matrices are filled up to a multiple of this.
+constexpr int kDenseRows = 32;
 
 /// Sliced rows of entries. Rows of a slice are as long as the longest of them: the others are
 /// filled up with entries of zeros.
@@ -43,6 +45,20 @@ struct PcgVectors {
   float* p_nodes;  ///< p, rounded, node by node.
 };
 
+/// Nodes are sorted within windows of so many.
+constexpr int kWindow = 256;
+
+/// Something that moves groups of nodes as rigid bodies: a node by t + w x arm, but for those of
+/// its components whose mask is 0, not 1. A window has two groups at most, or each group some
+/// windows.
+struct PcgCoarse {
+  int nodes;          ///< Of a group.
+  const float* mask;  ///< As the vectors.
+  const float* arm;   ///< As the vectors.
+  const int* second;  ///< [slice][lane]: 1 in the second group of the window, else 0.
+  const float* y;     ///< t and w of each group.
+};
+
 /// Every kernel works on the slices from `begin` to `end`.
 struct PcgKernels {
   /// Takes one part of the entries: from[entry][lane] and following of `values`.
@@ -66,8 +82,16 @@ struct PcgKernels {
   /// r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
   void (*update)(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors&,
                  double* rz, double* rr);
-  /// x += alpha p, p = z + beta p.
-  void (*direct)(int begin, int end, double alpha, double beta, const PcgVectors&);
+  /// x += alpha p, p = z + beta p; `coarse`, which may be null, adds its motion to z.
+  void (*direct)(int begin, int end, double alpha, double beta, const PcgVectors&,
+                 const PcgCoarse* coarse);
+  /// The sums of r and arm x r over the groups of a window, in which the slices are: 2 x 6 numbers.
+  void (*restrictTo)(const PcgCoarse&, int begin, int end, const double* r, double* sums);
+  /// y = A x, A with `columns` columns of `stride` rows, a multiple of kDenseRows.
+  void (*multiplyDense)(const float* A, int columns, int stride, const float* x, float* y);
+  /// The inverse of A, symmetric and positive semidefinite with n columns of `stride` rows, without
+  /// the rows and columns that follow from those before.
+  void (*invertDense)(int n, int stride, double* A);
 };
 
 }  // namespace palpate::solver

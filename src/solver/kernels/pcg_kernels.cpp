@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "coarse_kernels.h"
 #include "palpate/base/float_lanes.h"
 #include "pcg_arrays.h"
 #include "pcg_products.h"
@@ -93,13 +94,18 @@ void update(const float* inverse_diagonal, int begin, int end, double alpha, con
   *rr = rr_sum.total();
 }
 
-void direct(int begin, int end, double alpha, double beta, const PcgVectors& v) {
+void direct(int begin, int end, double alpha, double beta, const PcgVectors& v,
+            const PcgCoarse* coarse) {
   for (int s = begin; s < end; ++s) {
     alignas(64) float rounded[3 * kSlice];
+    alignas(64) float motion[3 * kSlice];
+    if (coarse) prolong(*coarse, s, motion);
     for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
       const long at = 3L * kSlice * s + lane;
       const Lanes last = load(v.p + at);
-      const Lanes p = loadAsDoubles(v.z + at) + beta * last;
+      Lanes z = loadAsDoubles(v.z + at);
+      if (coarse) z += loadAsDoubles(motion + lane);
+      const Lanes p = z + beta * last;
       store(v.x + at, load(v.x + at) + alpha * last);
       store(v.p + at, p);
       storeAsFloats(rounded + lane, p);
@@ -116,6 +122,7 @@ void direct(int begin, int end, double alpha, double beta, const PcgVectors& v) 
 
 extern const PcgKernels kPcgKernels;
 const PcgKernels kPcgKernels{
-    pack, multiply, multiplyWithVolumes, changeOthers, addVolumes, invert, update, direct};
+    pack,   multiply, multiplyWithVolumes, changeOthers,  addVolumes, invert,
+    update, direct,   restrictTo,          multiplyDense, invertDense};
 
 }  // namespace palpate::solver::PALPATE_ISA

@@ -8,8 +8,7 @@
 #include "method_refusal.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/factor_counts.h"
-#include "palpate/solver/integrator.h"
-#include "palpate/solver/potential.h"
+#include "rest_matrix.h"
 
 namespace palpate::tissue {
 namespace {
@@ -48,32 +47,11 @@ Points probe(const FemBody& body) {
   return push.cwiseProduct(body.free);
 }
 
-// That of the first step from rest, without contact.
-fem::Stiffness firstMatrix(FemBody* body) {
-  const FemSettings& settings = body->settings;
-  const Points& X = body->mesh.points;
-  solver::Integrator integrator(settings.integrator, body->elasticity->masses(),
-                                {settings.mass_damping, settings.stiffness_damping});
-  solver::Potential potential{body->elasticity.get(), {}, body->free};
-  integrator.addTerms(&potential);
-  integrator.start(X, Points::Zero(3, X.cols()));
-  if (integrator.needsElasticGradient()) {
-    Points g;
-    body->elasticity->gradient(X, &g);
-    integrator.setElasticGradient(g);
-  }
-  fem::Stiffness A = body->elasticity->makeMatrix();
-  integrator.beginStep(settings.step, &potential);
-  body->elasticity->beginStep(settings.step);
-  potential.hessian(X, fem::Tangent::kConvexTerms, &A);
-  A.constrain(body->free);
-  body->elasticity->beginStep(std::numeric_limits<double>::infinity());
-  return A;
-}
-
 int trialIterations(FemBody* body, const fem::Stiffness& A) {
   const int most = body->settings.max_linear_iterations;
-  solver::BlockPcg pcg(most, body->pool);
+  solver::BlockPcg pcg(most, body->pool, bestIsa(), body->mesh.points);
+  pcg.takePattern(A);
+  pcg.learnFromRest(A);
   Points x;
   const solver::LinearReport report =
       pcg.solve(A, probe(*body), body->settings.linear_tolerance, &x);
@@ -88,7 +66,7 @@ CycleCounts countCycle(FemBody* body) {
   counts.poisson_ratio = body->largest_poisson_ratio;
   counts.tets = static_cast<double>(body->mesh.numTets()) *
                 (body->mesh.quadratic() ? kLinearTetsOfAQuadratic : 1.0);
-  const fem::Stiffness A = firstMatrix(body);
+  const fem::Stiffness A = restMatrix(body);
   counts.averaged = A.hasVolume();
   counts.blocks = A.blocks().numBlocks();
   if (A.hasVolume()) counts.volume_entries = static_cast<double>(A.volume().rows.cols());

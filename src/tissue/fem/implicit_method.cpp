@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "palpate/solver/line_search.h"
+#include "rest_matrix.h"
 
 namespace palpate::tissue {
 namespace {
@@ -29,6 +30,7 @@ ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer>
       minimizer_(std::move(minimizer)) {
   integrator_.addTerms(&potential_);
   for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
+  if (minimizer_->learnsFromRest()) minimizer_->learnFromRest(restMatrix(body));
 }
 
 void ImplicitMethod::restart() {

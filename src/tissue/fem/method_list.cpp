@@ -21,6 +21,7 @@ std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
   settings.max_linear_iterations = body->settings.max_linear_iterations;
   settings.keep_stiffness = body->settings.skip.unchanged_stiffness;
   settings.pool = body->pool;
+  settings.points = body->mesh.points;
   return std::make_unique<ImplicitMethod>(
       body, solver::makeMinimizer(name, settings, body->elasticity->makeMatrix()));
 }
