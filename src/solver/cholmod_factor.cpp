@@ -3,7 +3,7 @@
 
 namespace palpate::solver {
 
-CholmodFactor::CholmodFactor() {
+CholmodFactor::CholmodFactor(Volumes volumes) : volumes_(volumes) {
   cholmod_start(&common_);
   common_.print = 0;
   common_.error_handler = nullptr;
@@ -22,7 +22,7 @@ CholmodFactor::~CholmodFactor() {
 }
 
 void CholmodFactor::analyzeUncoupled(const fem::Stiffness& A) {
-  uncoupled_.matrix = makeCholmodMatrix(A, &common_);
+  uncoupled_.matrix = makeCholmodMatrix(A, volumes_, &common_);
   if (uncoupled_.matrix->numPressures() > 0) {
     common_.supernodal = CHOLMOD_SIMPLICIAL;
     common_.final_ll = 0;

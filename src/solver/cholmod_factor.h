@@ -17,7 +17,7 @@ namespace palpate::solver {
 /// definite, and does not depend on what was coupled before.
 class CholmodFactor {
  public:
-  CholmodFactor();
+  explicit CholmodFactor(Volumes volumes = Volumes::kIncluded);
   ~CholmodFactor();
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
@@ -43,6 +43,7 @@ class CholmodFactor {
   bool positiveDefinite() const;
   void analyzeUncoupled(const fem::Stiffness& A);
 
+  Volumes volumes_;
   cholmod_common common_;
   Analysed uncoupled_, coupled_;  // the second where there are couplings, those of the last matrix
   Analysed* used_ = nullptr;      // one of them, by the last matrix

@@ -134,11 +134,13 @@ void CholmodMatrix::allocate(const std::vector<std::vector<int>>& rows) {
   }
 }
 
-std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, cholmod_common* common) {
-  if (A.hasVolume() && !A.volume().metric->isDiagonal()) {
+std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, Volumes volumes,
+                                                 cholmod_common* common) {
+  const bool included = A.hasVolume() && volumes == Volumes::kIncluded;
+  if (included && !A.volume().metric->isDiagonal()) {
     return std::make_unique<MixedMatrix>(A, GatheredBlocks(A, false), common);
   }
-  return std::make_unique<AssembledMatrix>(A, GatheredBlocks(A, A.hasVolume()), common);
+  return std::make_unique<AssembledMatrix>(A, GatheredBlocks(A, included), common);
 }
 
 }  // namespace palpate::solver

@@ -44,10 +44,14 @@ class CholmodMatrix {
   cholmod_sparse* sparse_ = nullptr;
 };
 
+/// Whether the volumes around pressure nodes are part of a matrix.
+enum class Volumes { kLeftOut, kIncluded };
+
 /// Volumes around pressure nodes whose metric is diagonal are assembled into the blocks, over two
 /// rings of elements; others stay unknowns of their own, in a quasi-definite system
 ///     | K  B^T          |
 ///     | B  -compliance  |   [Vanderbei 1995], which has an LDL^T for every order.
-std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, cholmod_common* common);
+std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, Volumes volumes,
+                                                 cholmod_common* common);
 
 }  // namespace palpate::solver

@@ -30,7 +30,7 @@ struct StiffnessFactor::Impl {
 
 StiffnessFactor::StiffnessFactor(const fem::Stiffness& A) : impl_(std::make_unique<Impl>()) {
   cholmod_common* common = &impl_->common;
-  impl_->matrix = makeCholmodMatrix(A, common);
+  impl_->matrix = makeCholmodMatrix(A, Volumes::kIncluded, common);
   impl_->matrix->assign(A);
   // Pressures that stay unknowns make the system quasi-definite: L D L^T.
   if (impl_->matrix->numPressures() > 0) {

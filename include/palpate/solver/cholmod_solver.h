@@ -8,10 +8,15 @@
 namespace palpate::solver {
 
 class CholmodFactor;
+class PressureSystem;
 
 /// Sparse Cholesky by CHOLMOD (supernodal where it pays). The order is found at the first solve and
 /// kept, the symbolic analysis as long as the same nodes are coupled; apart from couplings every
 /// matrix must have the pattern of the first one.
+///
+/// Of a matrix with volumes the rest is factorised, if that is positive definite and cheaper, and
+/// pressures are found by iterations, to the tolerance asked for and 1e-3 at least; otherwise all
+/// of it is.
 class CholmodSolver final : public LinearSolver {
  public:
   CholmodSolver();
@@ -21,7 +26,10 @@ class CholmodSolver final : public LinearSolver {
                      Points* x) override;
 
  private:
+  bool iterationsPay(const fem::Stiffness& A);
+
   std::unique_ptr<CholmodFactor> factor_;
+  std::unique_ptr<PressureSystem> pressures_;
 };
 
 }  // namespace palpate::solver
