@@ -5,6 +5,25 @@
 
 namespace palpate::fem {
 
+void VolumeStiffness::multiplyRows(const Points& x, Eigen::VectorXd* c) const {
+  c->resize(numRows());
+  for (Eigen::Index n = 0; n < numRows(); ++n) {
+    double sum = 0.0;
+    for (int k = pattern->start[n]; k < pattern->start[n + 1]; ++k) {
+      sum += rows.col(k).dot(x.col(pattern->node[k]));
+    }
+    (*c)[n] = sum;
+  }
+}
+
+void VolumeStiffness::addTransposed(const Eigen::VectorXd& p, Points* y) const {
+  for (Eigen::Index n = 0; n < numRows(); ++n) {
+    for (int k = pattern->start[n]; k < pattern->start[n + 1]; ++k) {
+      y->col(pattern->node[k]) += p[n] * rows.col(k);
+    }
+  }
+}
+
 Stiffness::Stiffness(BlockMatrix pattern, VolumeStiffness volume)
     : blocks_(std::move(pattern)), volume_(std::move(volume)) {
   volume_.rows.setZero(3, static_cast<Eigen::Index>(volume_.pattern->node.size()));
@@ -29,20 +48,11 @@ void Stiffness::multiply(const Points& x, Points* y) const {
   blocks_.multiply(x, y);
   couplings_.addProduct(x, y);
   if (!hasVolume()) return;
-  const std::vector<int>& start = volume_.pattern->start;
-  const std::vector<int>& node = volume_.pattern->node;
-  const Eigen::Index num_rows = volume_.numRows();
-  Eigen::VectorXd c(num_rows), p(num_rows);
-  for (Eigen::Index n = 0; n < num_rows; ++n) {
-    double sum = 0.0;
-    for (int k = start[n]; k < start[n + 1]; ++k) sum += volume_.rows.col(k).dot(x.col(node[k]));
-    c[n] = sum;
-  }
+  Eigen::VectorXd c, p;
+  volume_.multiplyRows(x, &c);
   volume_.metric->apply(c, &p);
   p *= volume_.factor;
-  for (Eigen::Index n = 0; n < num_rows; ++n) {
-    for (int k = start[n]; k < start[n + 1]; ++k) y->col(node[k]) += p[n] * volume_.rows.col(k);
-  }
+  volume_.addTransposed(p, y);
 }
 
 void Stiffness::scale(double s) {

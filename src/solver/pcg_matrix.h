@@ -20,7 +20,7 @@ namespace palpate::solver {
 /// blocks. Sums over nodes run over chunks of a fixed size, so that threads never change a bit.
 class PcgMatrix {
  public:
-  /// `points`, 3 x n: where the nodes are; empty: neighbours are known by their numbers only.
+  /// `points`, 3 x n: where the nodes are; empty: they keep their order, without a coarse space.
   PcgMatrix(ThreadPool* pool, Isa isa, Points points)
       : kernels_(pcgKernels(isa)), chunks_(pool), points_(std::move(points)) {}
 

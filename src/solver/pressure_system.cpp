@@ -17,46 +17,22 @@ constexpr double kKnownByDiagonal = 0.1;
 // roots of what they grow with are 1.7 and 10.3.
 constexpr double kIterations = 9.0;
 
-}  // namespace
-
-PressureSystem::PressureSystem() : factor_(std::make_unique<CholmodFactor>(Volumes::kLeftOut)) {}
-PressureSystem::~PressureSystem() = default;
-
-SolveStatus PressureSystem::factorize(const fem::Stiffness& K) { return factor_->factorize(K); }
-
-void PressureSystem::multiplyByRows(const fem::VolumeStiffness& volume, const Points& x,
-                                    Eigen::VectorXd* c) const {
-  const fem::VolumeStiffness::Pattern& pattern = *volume.pattern;
-  c->resize(volume.numRows());
-  for (Eigen::Index p = 0; p < volume.numRows(); ++p) {
-    double sum = 0.0;
-    for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
-      sum += volume.rows.col(k).dot(x.col(pattern.node[k]));
-    }
-    (*c)[p] = sum;
-  }
-}
-
-// f += B^T p.
-void PressureSystem::addTransposed(const fem::VolumeStiffness& volume, const Eigen::VectorXd& p,
-                                   Points* f) const {
-  const fem::VolumeStiffness::Pattern& pattern = *volume.pattern;
-  for (Eigen::Index n = 0; n < volume.numRows(); ++n) {
-    for (int k = pattern.start[n]; k < pattern.start[n + 1]; ++k) {
-      f->col(pattern.node[k]) += p[n] * volume.rows.col(k);
-    }
-  }
-}
-
 // c = W^-1 p.
-void PressureSystem::divideByMetric(const fem::VolumeStiffness& volume, const Eigen::VectorXd& p,
-                                    Eigen::VectorXd* c) const {
+void divideByMetric(const fem::VolumeStiffness& volume, const Eigen::VectorXd& p,
+                    Eigen::VectorXd* c) {
   if (volume.metric->isDiagonal()) {
     *c = p.cwiseQuotient(volume.factor * volume.metric->weights());
   } else {
     *c = volume.metric->compliance() * p / volume.factor;
   }
 }
+
+}  // namespace
+
+PressureSystem::PressureSystem() : factor_(std::make_unique<CholmodFactor>(Volumes::kLeftOut)) {}
+PressureSystem::~PressureSystem() = default;
+
+SolveStatus PressureSystem::factorize(const fem::Stiffness& K) { return factor_->factorize(K); }
 
 double PressureSystem::prepare(const fem::Stiffness& K) {
   const fem::VolumeStiffness& volume = K.volume();
@@ -88,7 +64,7 @@ const CholmodFactor& PressureSystem::analyze(const fem::Stiffness& K) {
 double PressureSystem::residual(const fem::VolumeStiffness& volume, const Eigen::VectorXd& r) {
   c_ = volume.factor * volume.metric->weights().cwiseProduct(r);
   f_.setZero();
-  addTransposed(volume, c_, &f_);
+  volume.addTransposed(c_, &f_);
   return f_.norm();
 }
 
@@ -98,7 +74,7 @@ LinearReport PressureSystem::solve(const fem::Stiffness& K, const Points& b,
   LinearReport report;
   if (factor_->solve(b, x) != SolveStatus::kConverged) return {SolveStatus::kNonFinite, 0};
   f_.resize(3, b.cols());
-  multiplyByRows(volume, *x, &r_);
+  volume.multiplyRows(*x, &r_);
   const double exact = volume.metric->isDiagonal() ? 1.0 : kKnownByDiagonal;
   const double target = exact * relative_tolerance * b.norm();
   double rz = 0.0;
@@ -116,11 +92,11 @@ LinearReport PressureSystem::solve(const fem::Stiffness& K, const Points& b,
       d_ = z_ + (rz / rz_last) * d_;
     }
     f_.setZero();
-    addTransposed(volume, d_, &f_);
+    volume.addTransposed(d_, &f_);
     if (factor_->solve(f_, &t_) != SolveStatus::kConverged) {
       return {SolveStatus::kNonFinite, report.iterations};
     }
-    multiplyByRows(volume, t_, &Sd_);
+    volume.multiplyRows(t_, &Sd_);
     divideByMetric(volume, d_, &c_);
     Sd_ += c_;
     const double alpha = rz / d_.dot(Sd_);

@@ -34,11 +34,6 @@ class PressureSystem {
                      Points* x);
 
  private:
-  void multiplyByRows(const fem::VolumeStiffness& volume, const Points& x,
-                      Eigen::VectorXd* c) const;
-  void addTransposed(const fem::VolumeStiffness& volume, const Eigen::VectorXd& p, Points* f) const;
-  void divideByMetric(const fem::VolumeStiffness& volume, const Eigen::VectorXd& p,
-                      Eigen::VectorXd* c) const;
   double residual(const fem::VolumeStiffness& volume, const Eigen::VectorXd& r);
 
   std::unique_ptr<CholmodFactor> factor_;

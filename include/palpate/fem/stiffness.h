@@ -25,6 +25,10 @@ struct VolumeStiffness {
   double factor = 1.0;    ///< Multiplies M.
 
   Eigen::Index numRows() const { return static_cast<Eigen::Index>(pattern->start.size()) - 1; }
+  /// c = B x, x 3 x n.
+  void multiplyRows(const Points& x, Eigen::VectorXd* c) const;
+  /// y += B^T p, 3 x n.
+  void addTransposed(const Eigen::VectorXd& p, Points* y) const;
 };
 
 /// Symmetric stiffness matrix of a body: 3 x 3 blocks and, for elements with nodal pressures,

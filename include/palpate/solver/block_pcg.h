@@ -20,7 +20,7 @@ namespace palpate::solver {
 class BlockPcg final : public LinearSolver {
  public:
   /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x. `points`,
-  /// 3 x n: where nodes are, so that neighbours are known; empty: by their numbers.
+  /// 3 x n: where nodes are, for the coarse space; empty: there is none.
   explicit BlockPcg(int max_iterations, ThreadPool* pool = nullptr, Isa isa = bestIsa(),
                     const Points& points = {});
   BlockPcg(BlockPcg&&) noexcept;

@@ -16,7 +16,7 @@ struct MinimizerSettings {
   ThreadPool* pool = nullptr;
   /// See Newton; the others have no use for it.
   bool keep_stiffness = false;
-  /// Where nodes are, 3 x n, for who asks for neighbours; empty: by their numbers.
+  /// Where nodes are, 3 x n, for BlockPcg; empty: it does without.
   Points points = {};
 };
 

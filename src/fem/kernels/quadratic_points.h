@@ -9,8 +9,8 @@
 //   y_k(q) = sum_l 4 w_l x_kl - x_k = (4 kFar - 1) x_k + 4 kFar sum_{l != k} x_kl + kMore x_kq,
 //
 // kMore = 4 (kNear - kFar), so that F(q) = sum_k y_k(q) (x) grad w_k needs one node more at each
-// point. What is said of x_kl holds for forces and stiffnesses the other way round: node (k, l) has
-// kOnNode of its ends k and l at every point, and kMore of k at point l and of l at point k.
+// point. Forces and stiffnesses go back the same way: node (k, l) gets kOnEdge, a corner kOnCorner,
+// of what its ends have at every point, and kMore of what k has at point l and l at point k.
 
 #include "lane_vectors.h"
 #include "tet_batch.h"
@@ -18,7 +18,7 @@
 namespace palpate::fem {
 namespace {
 
-constexpr double kFar = 0.1381966011250105, kNear = 0.5854101966249685;  // (5 -+ sqrt 5)/20 ...
+constexpr double kFar = 0.1381966011250105, kNear = 0.5854101966249685;  // see shape_functions.h
 constexpr double kMore = 4.0 * (kNear - kFar);
 constexpr double kOnCorner = 4.0 * kFar - 1.0, kOnEdge = 4.0 * kFar;
 

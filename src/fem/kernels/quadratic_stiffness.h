@@ -4,9 +4,8 @@
 // For kernels only: the element matrices of quadratic tetrahedra. At each point q the matrix of a
 // linear one, G_kl(q) between corners, goes to nodes a and b by their ends (quadratic_points.h):
 //
-//   K_ab = sum of k in a, l in b:  c_a c_b sum_q G_kl(q) + c_a kMore G_kl(k_b) + c_b kMore
-//   G_kl(l_a)
-//                                  + [l_a = k_b] kMore^2 G_kl(l_a),
+//   K_ab = sum of k in a, l in b:  c_a c_b sum_q G_kl(q) + c_a kMore G_kl(k_b)
+//                                  + c_b kMore G_kl(l_a) + [l_a = k_b] kMore^2 G_kl(l_a),
 //
 // c_a = kOnCorner or kOnEdge, l_a the other end of a, k_b that of b.
 

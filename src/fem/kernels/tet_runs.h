@@ -66,5 +66,33 @@ inline double sum(const double* values, int count) {
   return total;
 }
 
+// The kernels of elements of N nodes from their loops, which take the law and whether it is
+// viscous.
+template <int N, class Loops>
+struct Table {
+  using Arrays = TetArrays<N>;
+
+  static void energy(const Arrays& arrays, const TetRun& run, const double* x) {
+    forKind(arrays, run, [&](auto law, auto kind) { Loops::energies(law, kind, arrays, run, x); });
+  }
+  static void gradient(const Arrays& arrays, const TetRun& run, const double* x,
+                       const double* pressure, double* g) {
+    forKind(arrays, run,
+            [&](auto law, auto kind) { Loops::gradients(law, kind, arrays, run, x, pressure, g); });
+  }
+  static void hessian(const Arrays& arrays, const TetRun& run, const double* x,
+                      const double* pressure, double* blocks, double* rows) {
+    forKind(arrays, run, [&](auto law, auto kind) {
+      Loops::hessians(law, kind, arrays, run, x, pressure, blocks, rows);
+    });
+  }
+  static void stress(const Arrays& arrays, const TetRun& run, const double* x, SymmetricBatch* S) {
+    forDistortional(run, [&](auto law) { Loops::stresses(law, arrays, run, x, S); });
+  }
+  static constexpr TetKernels<N> kernels() {
+    return {Loops::deform, energy, gradient, hessian, stress};
+  }
+};
+
 }  // namespace
 }  // namespace palpate::fem
