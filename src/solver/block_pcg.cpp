@@ -83,11 +83,9 @@ BlockPcg::~BlockPcg() = default;
 
 void BlockPcg::takePattern(const fem::Stiffness& A) { impl_->matrix.takePattern(A); }
 
-bool BlockPcg::learnsFromRest() const { return impl_->matrix.coarse() != nullptr; }
+bool BlockPcg::learnsFromRest(bool lasting) const { return impl_->matrix.wantsCoarse(lasting); }
 
-void BlockPcg::learnFromRest(const fem::Stiffness& A) {
-  if (impl_->matrix.coarse()) impl_->matrix.coarse()->build(A);
-}
+void BlockPcg::learnFromRest(const fem::Stiffness& A) { impl_->matrix.addCoarse(A); }
 
 void BlockPcg::onlyChanged(const std::vector<int>& slots) { impl_->changed = &slots; }
 

@@ -1,82 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coarse_space.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "coarse_matrix.h"
 
 namespace palpate::solver {
 namespace {
 
-// Nodes. With fewer the iterations that it spares are worth little more than its own work, and the
-// building of it would hold up meshes that adapt.
-constexpr int kFewest = 3500;
-// Nodes of a group at least, and groups at most: the dense matrix is six times as large.
-constexpr int kSmallestGroup = 128, kMostGroups = 128;
+// Nodes along the longest side of the body, which news of one end takes as many iterations to
+// cross. With fewer of them the iterations that are spared are worth less than their own work, and
+// where it soon has another mesh, than the making.
+constexpr double kFewestAlong = 12.0, kFewestAlongForNow = 30.0;
+// Nodes of a group at least, and groups at most: the dense matrix is six times as large, and is to
+// stay in the second-level cache.
+constexpr int kSmallestGroup = 64, kMostGroups = 64;
 // How many times more than its neighbours something else holds a node that is left out.
 constexpr double kHeld = 4.0, kNoLimit = std::numeric_limits<double>::infinity();
 
-constexpr int kSumsOfAChunk = 12;
-static_assert(kWindow == kSlice * Chunks::kSlices && kWindow == 2 * kSmallestGroup);
+// As if they lay in a box, evenly.
+double nodesAlong(const Points& points) {
+  if (points.cols() < kSmallestGroup) return 0.0;
+  const Points d = points.colwise() - Vec3(points.rowwise().mean());
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(d * d.transpose(), Eigen::EigenvaluesOnly);
+  const Vec3 sides = axes.eigenvalues().cwiseMax(1e-12 * axes.eigenvalues()[2]).cwiseSqrt();
+  return std::cbrt(sides[2] * sides[2] / (sides[0] * sides[1]) * points.cols());
+}
 
 int groupSize(int nodes) {
-  int size = kSmallestGroup;
-  while ((nodes + size - 1) / size > kMostGroups) size *= 2;
-  return size;
+  return std::max(kSmallestGroup, (nodes + kMostGroups - 1) / kMostGroups);
 }
 
 }  // namespace
 
-bool CoarseSpace::pays(Eigen::Index nodes) { return nodes >= kFewest; }
+bool CoarseSpace::pays(const Points& points, bool lasting) {
+  return nodesAlong(points) >= (lasting ? kFewestAlong : kFewestAlongForNow);
+}
 
-CoarseSpace::CoarseSpace(const Points& points, const SliceOrder& nodes, const PcgKernels& kernels)
+CoarseSpace::CoarseSpace(const fem::Stiffness& A, const Points& points, const SliceOrder& nodes,
+                         const PcgKernels& kernels)
     : nodes_(nodes),
       kernels_(kernels),
-      group_size_(groupSize(nodes.count())),
-      num_groups_((nodes.count() + group_size_ - 1) / group_size_),
-      size_(6 * num_groups_),
+      groups_(points, nodes, groupSize(nodes.count())),
+      parts_(groups_, points, nodes),
+      size_(6 * groups_.count()),
       stride_((size_ + kDenseRows - 1) / kDenseRows * kDenseRows),
       free_(Points::Ones(3, nodes.count())),
       limit_(Points::Zero(3, nodes.count())),
       held_(static_cast<std::size_t>(nodes.count()), false) {
-  const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes.numSlices();
-  second_.assign(lanes, 0);
-  mask_.assign(3 * lanes, 0.0F);
-  arm_ = mask_;
-  r_.assign(static_cast<std::size_t>(stride_) + 6, 0.0F);  // kernels look at one group more
+  mask_.assign(static_cast<std::size_t>(3 * kSlice) * nodes.numSlices(), 0.0F);
+  r_.assign(static_cast<std::size_t>(stride_), 0.0F);
   y_ = r_;
   total_.resize(static_cast<std::size_t>(size_));
-  partial_.resize(kSumsOfAChunk * static_cast<std::size_t>(Chunks::number(nodes.numSlices())));
-  placeArms(points);
-  motion_ = {group_size_, mask_.data(), arm_.data(), second_.data(), y_.data()};
-}
-
-// From the middle of each group, in units of its size.
-void CoarseSpace::placeArms(const Points& points) {
-  Points middle = Points::Zero(3, num_groups_);
-  Eigen::VectorXd count = Eigen::VectorXd::Zero(num_groups_), size = count;
-  for (int i = 0; i < nodes_.count(); ++i) {
-    middle.col(group(i)) += points.col(i);
-    count[group(i)] += 1.0;
-  }
-  middle *= count.cwiseInverse().asDiagonal();
-  for (int i = 0; i < nodes_.count(); ++i) {
-    size[group(i)] = std::max(size[group(i)], (points.col(i) - middle.col(group(i))).norm());
-  }
-  for (int i = 0; i < nodes_.count(); ++i) {
-    const int g = group(i);
-    if (!(size[g] > 0.0)) continue;
-    const Vec3 arm = (points.col(i) - middle.col(g)) / size[g];
-    for (int c = 0; c < 3; ++c) {
-      arm_[nodes_.offset(i, 3) + kSlice * c] = static_cast<float>(arm[c]);
-    }
-    second_[nodes_.position(i)] = group_size_ < kWindow ? g % 2 : 0;
-  }
-}
-
-void CoarseSpace::build(const fem::Stiffness& A) {
+  sums_.resize(6 * parts_.part.size());
+  motions_.resize(sums_.size());
+  motion_ = {parts_.of_window.data(),
+             parts_.pieces.data(),
+             parts_.slice.data(),
+             parts_.weights.data(),
+             motions_.data(),
+             parts_.of_slice.data(),
+             parts_.piece_of_slice.data(),
+             parts_.part_of_slice.data(),
+             mask_.data(),
+             parts_.arm.data()};
   findHeld(A);
-  invert(product(A));
-  ready_ = true;
+  Points moving = free_;
+  for (int i = 0; i < nodes_.count(); ++i) {
+    if (held_[i]) moving.col(i).setZero();
+  }
+  invert(coarseMatrix(A, groups_, points, moving, kernels_));
 }
 
 // What a node has on its diagonal from its neighbours is what vanishes when all of them are shifted
@@ -115,61 +111,6 @@ void CoarseSpace::leaveOut(const fem::Stiffness& A) {
   }
 }
 
-std::vector<CoarseSpace::Motions> CoarseSpace::motions() const {
-  std::vector<Motions> P(held_.size(), Motions::Zero());
-  for (int i = 0; i < nodes_.count(); ++i) {
-    if (held_[i]) continue;
-    const float* arm = arm_.data() + nodes_.offset(i, 3);
-    const Vec3 d(arm[0], arm[kSlice], arm[2 * kSlice]);
-    P[i].leftCols<3>().setIdentity();
-    for (int c = 0; c < 3; ++c) P[i].col(3 + c) = Vec3::Unit(c).cross(d);
-    P[i] = free_.col(i).asDiagonal() * P[i];
-  }
-  return P;
-}
-
-Eigen::MatrixXd CoarseSpace::product(const fem::Stiffness& A) const {
-  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size_, size_);
-  const fem::BlockMatrix& K = A.blocks();
-  const std::vector<Motions> P = motions();
-  for (int i = 0; i < K.numNodes(); ++i) {
-    for (int slot = K.rowBegin(i); slot < K.rowEnd(i); ++slot) {
-      const int j = K.column(slot), a = group(i), b = group(j);
-      if (a > b) continue;
-      const Motions AP = K.block(slot) * P[j];
-      C.block<6, 6>(6 * a, 6 * b).noalias() += P[i].transpose() * AP;
-    }
-  }
-  if (A.hasVolume()) addVolumes(A.volume(), P, &C);
-  return C.selfadjointView<Eigen::Upper>();
-}
-
-// P^T B^T M B P, with M's diagonal only.
-void CoarseSpace::addVolumes(const fem::VolumeStiffness& volume, const std::vector<Motions>& P,
-                             Eigen::MatrixXd* C) const {
-  using Row = Eigen::Matrix<double, 6, 1>;
-  const fem::VolumeStiffness::Pattern& pattern = *volume.pattern;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> sums(6, num_groups_);
-  sums.setZero();
-  std::vector<int> reached;
-  for (int p = 0; p < static_cast<int>(volume.numRows()); ++p) {
-    reached.clear();
-    for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {
-      const int a = group(pattern.node[k]);
-      if (std::find(reached.begin(), reached.end(), a) == reached.end()) reached.push_back(a);
-      sums.col(a) += P[pattern.node[k]].transpose() * volume.rows.col(k);
-    }
-    const double weight = volume.factor * volume.metric->weights()[p];
-    for (const int a : reached) {
-      const Row of_a = weight * sums.col(a);
-      for (const int b : reached) {
-        if (a <= b) C->block<6, 6>(6 * a, 6 * b).noalias() += of_a * sums.col(b).transpose();
-      }
-    }
-    for (const int a : reached) sums.col(a).setZero();
-  }
-}
-
 void CoarseSpace::invert(const Eigen::MatrixXd& C) {
   AlignedVector<double> A(static_cast<std::size_t>(stride_) * size_, 0.0);
   for (int j = 0; j < size_; ++j) std::copy_n(C.col(j).data(), size_, A.data() + stride_ * j);
@@ -181,22 +122,32 @@ void CoarseSpace::invert(const Eigen::MatrixXd& C) {
 
 void CoarseSpace::restrictTo(int chunk, int begin, int end, const double* r) {
   kernels_.restrictTo(motion_, begin, end, r,
-                      partial_.data() + kSumsOfAChunk * static_cast<std::ptrdiff_t>(chunk));
+                      sums_.data() + 6 * static_cast<std::ptrdiff_t>(parts_.of_window[chunk]));
 }
 
 double CoarseSpace::correct() {
   std::fill(total_.begin(), total_.end(), 0.0);
-  for (int chunk = 0; chunk < Chunks::number(nodes_.numSlices()); ++chunk) {
-    const double* sums = partial_.data() + kSumsOfAChunk * static_cast<std::ptrdiff_t>(chunk);
-    const int first = 6 * (kWindow * chunk / group_size_);
-    const int count = group_size_ < kWindow ? std::min(kSumsOfAChunk, size_ - first) : 6;
-    for (int k = 0; k < count; ++k) total_[first + k] += sums[k];
+  for (std::size_t k = 0; k < parts_.part.size(); ++k) {
+    const CoarseParts::Part& part = parts_.part[k];
+    const Eigen::Map<const Vec3> force(&sums_[6 * k]), torque(&sums_[6 * k + 3]);
+    Eigen::Map<Vec3>(&total_[6 * part.group]) += force;
+    Eigen::Map<Vec3>(&total_[6 * part.group + 3]) += part.scale * torque + part.shift.cross(force);
   }
   std::transform(total_.begin(), total_.end(), r_.begin(),
                  [](double sum) { return static_cast<float>(sum); });
   kernels_.multiplyDense(inverse_.data(), size_, stride_, r_.data(), y_.data());
   double product = 0.0;
   for (int k = 0; k < size_; ++k) product += static_cast<double>(r_[k]) * y_[k];
+  for (std::size_t k = 0; k < parts_.part.size(); ++k) {
+    const CoarseParts::Part& part = parts_.part[k];
+    const float* t = &y_[6 * part.group];
+    const Vec3 w = Eigen::Map<const Eigen::Vector3f>(t + 3).cast<double>();
+    const Vec3 shifted = w.cross(part.shift);
+    for (int c = 0; c < 3; ++c) {
+      motions_[6 * k + c] = t[c] + static_cast<float>(shifted[c]);
+      motions_[6 * k + 3 + c] = static_cast<float>(part.scale * w[c]);
+    }
+  }
   return product;
 }
 

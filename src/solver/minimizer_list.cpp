@@ -2,6 +2,7 @@
 #include "palpate/solver/minimizer_list.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/solver/block_pcg.h"
@@ -13,36 +14,33 @@
 namespace palpate::solver {
 namespace {
 
-std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, const fem::Stiffness& A) {
+std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, fem::Stiffness A) {
   return std::make_unique<Newton>(
-      A,
+      std::move(A),
       std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool, bestIsa(),
                                  settings.points),
       settings.keep_stiffness);
 }
 
-std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings& settings,
-                                          const fem::Stiffness& A) {
-  return std::make_unique<Newton>(A, std::make_unique<CholmodSolver>(), settings.keep_stiffness);
+std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings& settings, fem::Stiffness A) {
+  return std::make_unique<Newton>(std::move(A), std::make_unique<CholmodSolver>(),
+                                  settings.keep_stiffness);
 }
 
-std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings,
-                                         const fem::Stiffness& A) {
-  return std::make_unique<Newton>(
-      A,
-      std::make_unique<StalePcg>(A, settings.max_linear_iterations,
-                                 settings.pool && settings.pool->size() > 1),
-      settings.keep_stiffness);
+std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings, fem::Stiffness A) {
+  auto linear = std::make_unique<StalePcg>(A, settings.max_linear_iterations,
+                                           settings.pool && settings.pool->size() > 1);
+  return std::make_unique<Newton>(std::move(A), std::move(linear), settings.keep_stiffness);
 }
 
-std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, const fem::Stiffness& A) {
+std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, fem::Stiffness A) {
   return std::make_unique<Lbfgs>(A);
 }
 
 // To add one: write its header and source, add it here.
 struct Entry {
   const char* name;
-  std::unique_ptr<Minimizer> (*make)(const MinimizerSettings&, const fem::Stiffness&);
+  std::unique_ptr<Minimizer> (*make)(const MinimizerSettings&, fem::Stiffness);
   MinimizerFacts facts;  // linear systems, wants fast BLAS, shares linear systems, for auto
 };
 constexpr Entry kMinimizers[] = {
@@ -69,8 +67,8 @@ std::vector<std::string> minimizerNames() {
 }
 
 std::unique_ptr<Minimizer> makeMinimizer(const std::string& name, const MinimizerSettings& settings,
-                                         const fem::Stiffness& A) {
-  return find(name).make(settings, A);
+                                         fem::Stiffness A) {
+  return find(name).make(settings, std::move(A));
 }
 
 MinimizerFacts minimizerFacts(const std::string& name) { return find(name).facts; }

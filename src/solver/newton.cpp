@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "kept_stiffness.h"
 #include "minimizer_parts.h"
@@ -34,13 +35,19 @@ double atTheEnd(const NewtonSettings& settings, double residual, double term) {
 
 }  // namespace
 
-Newton::Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness)
-    : A_(A), linear_(std::move(linear)) {
+Newton::Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness)
+    : A_(std::move(A)), linear_(std::move(linear)) {
   linear_->takePattern(A_);
   if (keep_stiffness) elastic_ = std::make_unique<KeptStiffness>(A_);
 }
 
 Newton::~Newton() = default;
+
+void Newton::learnFromRest(const std::function<void(fem::Stiffness*)>& assemble) {
+  if (elastic_) elastic_->matrixWasOverwritten();
+  assemble(&A_);
+  linear_->learnFromRest(A_);
+}
 
 void Newton::beginCycle(double dt) {
   if (elastic_) elastic_->beginCycle();

@@ -21,9 +21,11 @@ void PcgMatrix::takePattern(const fem::Stiffness& A) {
   }
   partial_.resize(static_cast<std::size_t>(Chunks::number(nodes_.numSlices())));
   partial_2_ = partial_;
-  if (CoarseSpace::pays(points_.cols())) {
-    coarse_ = std::make_unique<CoarseSpace>(points_, nodes_, kernels_);
-  }
+}
+
+void PcgMatrix::addCoarse(const fem::Stiffness& A) {
+  if (nodes_.count() == 0) takePattern(A);
+  coarse_ = std::make_unique<CoarseSpace>(A, points_, nodes_, kernels_);
 }
 
 // Rows of K, with those of B that are at home in them.
@@ -128,7 +130,7 @@ void PcgMatrix::takeCouplings(const fem::Couplings& couplings) {
 bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
   takeCouplings(A.couplings());
-  if (coarse_ && coarse_->ready()) coarse_->leaveOut(A);
+  if (coarse_) coarse_->leaveOut(A);
   if (changed) {
     pack(A.blocks(), *changed);
     return invertDiagonal(A);

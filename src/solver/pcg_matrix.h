@@ -39,11 +39,12 @@ class PcgMatrix {
 
   /// Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
-  /// The coarse space; null where it would not pay. assign() may leave parts of it
-  /// out.
-  CoarseSpace* coarse() { return coarse_.get(); }
-  /// r -= alpha Ap, z = D^-1 r, with the coarse space's correction if it is ready; gives r . z and
-  /// r . r.
+  /// Whether addCoarse() pays.
+  bool wantsCoarse(bool lasting) const { return CoarseSpace::pays(points_, lasting); }
+  /// A coarse space from here on, of the body at rest; assign() may leave parts of it out.
+  void addCoarse(const fem::Stiffness& A);
+  /// r -= alpha Ap, z = D^-1 r, with the correction of the coarse space if there is one; gives
+  /// r . z and r . r.
   void update(double alpha, const PcgVectors& v, double* rz, double* rr);
   /// x += alpha p, p = z + beta p.
   void direct(double alpha, double beta, const PcgVectors& v);

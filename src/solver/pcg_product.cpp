@@ -80,19 +80,18 @@ double PcgMatrix::applyBlocks(const PcgVectors& v) {
 }
 
 void PcgMatrix::update(double alpha, const PcgVectors& v, double* rz, double* rr) {
-  const bool corrected = coarse_ && coarse_->ready();
   chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
     kernels_.update(inverse_diagonal_.data(), begin, end, alpha, v, &partial_[chunk],
                     &partial_2_[chunk]);
-    if (corrected) coarse_->restrictTo(chunk, begin, end, v.r);
+    if (coarse_) coarse_->restrictTo(chunk, begin, end, v.r);
   });
   *rz = std::accumulate(partial_.begin(), partial_.end(), 0.0);
   *rr = std::accumulate(partial_2_.begin(), partial_2_.end(), 0.0);
-  if (corrected) *rz += coarse_->correct();
+  if (coarse_) *rz += coarse_->correct();
 }
 
 void PcgMatrix::direct(double alpha, double beta, const PcgVectors& v) {
-  const PcgCoarse* coarse = coarse_ ? coarse_->correction() : nullptr;
+  const PcgCoarse* coarse = coarse_ ? &coarse_->correction() : nullptr;
   chunks_.forAll(nodes_.numSlices(), [&](int, int begin, int end) {
     kernels_.direct(begin, end, alpha, beta, v, coarse);
   });

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <set>
 
 #include "palpate/mesh/hilbert_order.h"
@@ -55,7 +56,7 @@ class Cube : public ::testing::TestWithParam<std::string> {
   BlockPcg solverOf(const fem::Stiffness& K) const {
     BlockPcg pcg(1000, nullptr, bestIsa(), mesh.points);
     pcg.takePattern(K);
-    EXPECT_TRUE(pcg.learnsFromRest());
+    EXPECT_TRUE(pcg.learnsFromRest(true));
     pcg.learnFromRest(K);
     return pcg;
   }
@@ -149,21 +150,22 @@ TEST_P(Cube, CorrectsAsTheDenseMatricesSay) {
     lengths.push_back(A.blocks().rowEnd(i) - A.blocks().rowBegin(i));
   }
   const SliceOrder nodes(lengths, mesh::hilbertOrder(mesh.points));
-  CoarseSpace coarse(mesh.points, nodes, pcgKernels(bestIsa()));
-  coarse.build(touching);
-  ASSERT_TRUE(coarse.ready());
+  CoarseSpace coarse(touching, mesh.points, nodes, pcgKernels(bestIsa()));
 
   const std::set<Eigen::Index> out(touched.begin(), touched.end());
+  const CoarseGroups groups(mesh.points, nodes, std::max(64, (A.numNodes() + 63) / 64));
   // The motions of rigid bodies, around any point: they span the same.
-  constexpr int kGroup = 128;
-  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(b.size(), 6 * ((A.numNodes() + kGroup - 1) / kGroup));
+  Eigen::MatrixXd P = Eigen::MatrixXd::Zero(b.size(), 6 * groups.count());
   for (int i = 0; i < A.numNodes(); ++i) {
     if (out.count(i) > 0) continue;
     const Vec3 arm = (mesh.points.col(i) - Vec3(0.05, 0.05, 0.05)) / 0.03;
-    for (int c = 0; c < 3; ++c) {
-      const int at = 6 * (nodes.rank(i) / kGroup) + c;
-      P(3 * i + c, at) = free(c, i);
-      P.block<3, 1>(3 * i, at + 3) = Vec3::Unit(c).cross(arm).cwiseProduct(free.col(i).matrix());
+    for (int q = kGroupsOfANode * i; q < kGroupsOfANode * (i + 1); ++q) {
+      for (int c = 0; c < 3; ++c) {
+        const int at = 6 * groups.group[q] + c;
+        P(3 * i + c, at) += groups.weight[q] * free(c, i);
+        P.block<3, 1>(3 * i, at + 3) +=
+            groups.weight[q] * Vec3::Unit(c).cross(arm).cwiseProduct(free.col(i).matrix());
+      }
     }
   }
   Eigen::MatrixXd AP(b.size(), P.cols());
@@ -187,6 +189,47 @@ TEST_P(Cube, CorrectsAsTheDenseMatricesSay) {
     coarse.restrictTo(chunk, begin, end, in_slices.data());
   });
   EXPECT_NEAR(coarse.correct(), expected, 1e-4 * expected);
+}
+
+TEST_P(Cube, HasPartsInTheNearestGroupsThatSumToOne) {
+  const SliceOrder nodes(std::vector<int>(static_cast<std::size_t>(mesh.numPoints()), 1),
+                         mesh::hilbertOrder(mesh.points));
+  for (const int size : {64, 100, 5000}) {
+    const CoarseGroups groups(mesh.points, nodes, size);
+    ASSERT_EQ(groups.count(), (nodes.count() + size - 1) / size);
+    for (int i = 0; i < nodes.count(); ++i) {
+      std::vector<double> distances;
+      for (int g = 0; g < groups.count(); ++g) {
+        distances.push_back((groups.middle.col(g) - mesh.points.col(i)).norm());
+      }
+      std::vector<double> sorted = distances;
+      std::sort(sorted.begin(), sorted.end());
+      double sum = 0.0;
+      for (int q = kGroupsOfANode * i; q < kGroupsOfANode * (i + 1); ++q) {
+        ASSERT_GE(groups.weight[q], 0.0);
+        sum += groups.weight[q];
+        if (groups.weight[q] == 0.0 || groups.count() <= kGroupsOfANode) continue;
+        ASSERT_LE(distances[groups.group[q]], sorted[kGroupsOfANode - 1]);
+        ASSERT_LE(groups.weight[q], (sorted[kGroupsOfANode] - distances[groups.group[q]]) /
+                                        (sorted[kGroupsOfANode] - sorted[0]) * 1.02);
+      }
+      ASSERT_NEAR(sum, 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(CoarseSpace, PaysWhereNewsHaveALongWayToGo) {
+  const auto pays = [](const Vec3& size, const Eigen::Vector3i& cells, bool lasting) {
+    const Mat3 turned = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).matrix();
+    return CoarseSpace::pays(turned * mesh::boxMesh(size, cells).points, lasting);
+  };
+  const Vec3 cube = Vec3::Constant(0.1), flap(0.06, 0.04, 0.003);
+  EXPECT_FALSE(pays(cube, {7, 7, 7}, true));
+  EXPECT_TRUE(pays(cube, {15, 15, 15}, true));
+  EXPECT_FALSE(pays(cube, {15, 15, 15}, false));
+  EXPECT_TRUE(pays(flap, {20, 13, 1}, true));
+  EXPECT_TRUE(pays(flap, {36, 24, 2}, false));
+  EXPECT_FALSE(CoarseSpace::pays(Points(3, 0), true));
 }
 
 }  // namespace

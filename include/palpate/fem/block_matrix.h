@@ -23,6 +23,8 @@ class BlockMatrix {
   int rowBegin(int i) const { return row_start_[i]; }
   int rowEnd(int i) const { return row_start_[i + 1]; }
   int column(int slot) const { return column_[slot]; }
+  /// Of slot after slot.
+  const int* columns() const { return column_.data(); }
   /// Slot of the diagonal block of row i.
   int diagonal(int i) const { return diagonal_[i]; }
   /// Slot of block (j, i), of block (i, j) in `slot`.

@@ -10,7 +10,7 @@
 namespace palpate::solver {
 
 /// Conjugate gradients preconditioned by the inverses of the 3 x 3 diagonal blocks [Saad 2003,
-/// alg. 9.1] and, in larger bodies, a coarse space, which is that of the body at rest. Starts from
+/// alg. 9.1] and, in long bodies, a coarse space, which is that of the body at rest. Starts from
 /// zero, so that every iterate is a direction of descent.
 ///
 /// Vectors are in double precision, products with the matrix are computed in single precision,
@@ -30,7 +30,7 @@ class BlockPcg final : public LinearSolver {
                      Points* x) override;
   void takePattern(const fem::Stiffness& A) override;
   void onlyChanged(const std::vector<int>& slots) override;
-  bool learnsFromRest() const override;
+  bool learnsFromRest(bool lasting) const override;
   void learnFromRest(const fem::Stiffness& A) override;
 
  private:

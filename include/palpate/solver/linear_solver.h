@@ -31,8 +31,8 @@ class LinearSolver {
   /// What can be done for the matrices to come, of which only A's pattern is known: spares the
   /// first solve().
   virtual void takePattern(const fem::Stiffness& /*A*/) {}
-  /// Whether learnFromRest() is of use, once the pattern is known.
-  virtual bool learnsFromRest() const { return false; }
+  /// Whether learnFromRest() is of use, of a body that is `lasting`, or soon has another mesh.
+  virtual bool learnsFromRest(bool /*lasting*/) const { return false; }
   /// A is the matrix of the body at rest, which those to come are like: something to be kept for
   /// good, and never changed by what is solved.
   virtual void learnFromRest(const fem::Stiffness& /*A*/) {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "palpate/base/phase_times.h"
 #include "palpate/base/state_bytes.h"
 #include "palpate/solver/interrupt.h"
@@ -60,9 +62,9 @@ class Minimizer {
   /// residual gets below it.
   virtual double roundoffForce(const Points& x) const = 0;
 
-  /// As LinearSolver's, of those that solve linear systems.
-  virtual bool learnsFromRest() const { return false; }
-  virtual void learnFromRest(const fem::Stiffness& /*A*/) {}
+  /// As LinearSolver's, of those that solve linear systems; `assemble` writes the matrix at rest.
+  virtual bool learnsFromRest(bool /*lasting*/) const { return false; }
+  virtual void learnFromRest(const std::function<void(fem::Stiffness*)>& /*assemble*/) {}
   /// The first cycle after a restart is about to minimise `potential` near x: time for work that
   /// would take too long later.
   virtual void prepare(const Potential& /*potential*/, const Points& /*x*/) {}

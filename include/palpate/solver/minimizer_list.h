@@ -45,6 +45,6 @@ MinimizerFacts minimizerFacts(const std::string& name);
 /// `A` has the body's pattern.
 /// @throws std::invalid_argument for a name that is not one of minimizerNames().
 std::unique_ptr<Minimizer> makeMinimizer(const std::string& name, const MinimizerSettings& settings,
-                                         const fem::Stiffness& A);
+                                         fem::Stiffness A);
 
 }  // namespace palpate::solver

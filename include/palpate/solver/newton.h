@@ -16,8 +16,7 @@ class Newton final : public Minimizer {
  public:
   /// `A` has the body's pattern. `keep_stiffness`: the elastic part of the tangent is not assembled
   /// again while the body hardly changes its shape and iterations go on well with it.
-  Newton(const fem::Stiffness& A, std::unique_ptr<LinearSolver> linear,
-         bool keep_stiffness = false);
+  Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness = false);
   ~Newton() override;
 
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
@@ -27,8 +26,8 @@ class Newton final : public Minimizer {
                    double linear_tolerance, Points* d, NewtonReport* report) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
-  bool learnsFromRest() const override { return linear_->learnsFromRest(); }
-  void learnFromRest(const fem::Stiffness& A) override { linear_->learnFromRest(A); }
+  bool learnsFromRest(bool lasting) const override { return linear_->learnsFromRest(lasting); }
+  void learnFromRest(const std::function<void(fem::Stiffness*)>& assemble) override;
   void prepare(const Potential& potential, const Points& x) override;
   void beginCycle(double dt) override;
   void restart() override;

@@ -10,39 +10,69 @@
 namespace palpate::solver::PALPATE_ISA {
 namespace {
 
-void restrictTo(const PcgCoarse& coarse, int begin, int end, const double* r, double* sums) {
-  LaneSums all[12];
-  for (int lane = 0; lane < kSlice; lane += kWidth) {
-    Lanes sum[2][6] = {};
-    for (long s = begin; s < end; ++s) {
-      const LaneBits second = loadAsBits(coarse.second + kSlice * s + lane) > 0;
-      Lanes v[6], arm[3];
+// r and arm x r of the slices of a window, in two sweeps: what was stored in halves is not at once
+// loaded as a whole.
+inline void takeForces(const PcgCoarse& coarse, int begin, int end, const double* r,
+                       float (*forces)[6][kSlice]) {
+  for (long s = begin; s < end; ++s) {
+    for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
+      const long at = 3 * kSlice * s + lane;
+      storeAsFloats(forces[s - begin][0] + lane, load(r + at) * loadAsDoubles(coarse.mask + at));
+    }
+  }
+  for (long s = begin; s < end; ++s) {
+    float(*of)[kSlice] = forces[s - begin];
+    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
+      FloatLanes v[3], arm[3];
       for (int c = 0; c < 3; ++c) {
-        const long at = kSlice * (3 * s + c) + lane;
-        v[c] = load(r + at) * loadAsDoubles(coarse.mask + at);
-        arm[c] = loadAsDoubles(coarse.arm + at);
+        v[c] = load(of[c] + lane);
+        arm[c] = load(coarse.arm + kSlice * (3 * s + c) + lane);
       }
       for (int c = 0; c < 3; ++c) {
         const int d = (c + 1) % 3, e = (c + 2) % 3;
-        v[3 + c] = arm[d] * v[e] - arm[e] * v[d];
-      }
-      for (int c = 0; c < 6; ++c) {
-        sum[0][c] += select(second, Lanes{}, v[c]);
-        sum[1][c] += select(second, v[c], Lanes{});
+        store(of[3 + c] + lane, arm[d] * v[e] - arm[e] * v[d]);
       }
     }
-    for (int k = 0; k < 12; ++k) store(all[k].lanes + lane, sum[k / 6][k % 6]);
   }
-  for (int k = 0; k < 12; ++k) sums[k] = all[k].total();
+}
+
+// The same tree for all widths.
+template <int kHalf>
+inline float sumOfLanes(float* lanes) {
+  for (int lane = 0; lane < kHalf; ++lane) lanes[lane] += lanes[lane + kHalf];
+  if constexpr (kHalf > 1) return sumOfLanes<kHalf / 2>(lanes);
+  return lanes[0];
+}
+
+void restrictTo(const PcgCoarse& coarse, int begin, int end, const double* r, double* sums) {
+  alignas(64) float forces[kWindow / kSlice][6][kSlice];
+  takeForces(coarse, begin, end, r, forces);
+  const int window = begin * kSlice / kWindow;
+  for (int k = coarse.parts[window]; k < coarse.parts[window + 1]; ++k, sums += 6) {
+    alignas(64) float all[6][kSlice];
+    for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
+      FloatLanes sum[6] = {};
+      for (long piece = coarse.pieces[k]; piece < coarse.pieces[k + 1]; ++piece) {
+        const FloatLanes weight = load(coarse.weights + kSlice * piece + lane);
+        const float(*of)[kSlice] = forces[coarse.slice[piece]];
+        for (int c = 0; c < 6; ++c) sum[c] += weight * load(of[c] + lane);
+      }
+      for (int c = 0; c < 6; ++c) store(all[c] + lane, sum[c]);
+    }
+    for (int c = 0; c < 6; ++c) sums[c] = sumOfLanes<kSlice / 2>(all[c]);
+  }
 }
 
 // What it moves the nodes of slice s by.
 inline void prolong(const PcgCoarse& coarse, long s, float* motion) {
-  const float* y = coarse.y + 6 * (s * kSlice / kWindow * kWindow / coarse.nodes);
   for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
-    const FloatLanes part = loadAsFloats(coarse.second + kSlice * s + lane);
-    FloatLanes of[6], arm[3];
-    for (int c = 0; c < 6; ++c) of[c] = y[c] + part * (y[6 + c] - y[c]);
+    FloatLanes of[6] = {}, arm[3];
+    for (int k = coarse.start_of_slice[s]; k < coarse.start_of_slice[s + 1]; ++k) {
+      const long piece = coarse.piece_of_slice[k];
+      const FloatLanes weight = load(coarse.weights + kSlice * piece + lane);
+      const float* motions = coarse.motions + 6L * coarse.part_of_slice[k];
+      for (int c = 0; c < 6; ++c) of[c] += weight * motions[c];
+    }
     for (int c = 0; c < 3; ++c) arm[c] = load(coarse.arm + kSlice * (3 * s + c) + lane);
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3, e = (c + 2) % 3;

@@ -48,15 +48,36 @@ struct PcgVectors {
 /// Nodes are sorted within windows of so many.
 constexpr int kWindow = 256;
 
-/// Something that moves groups of nodes as rigid bodies: a node by t + w x arm, but for those of
-/// its components whose mask is 0, not 1. A window has two groups at most, or each group some
-/// windows.
+/// Something that moves overlapping groups of nodes as rigid bodies: a node by the sum over its
+/// groups of weight (t + w x arm), but for those of its components whose mask is 0, not 1. Arms are
+/// from the middle of a window. What a window has of a group is a part, what a slice has of a part
+/// a piece.
 struct PcgCoarse {
-  int nodes;          ///< Of a group.
-  const float* mask;  ///< As the vectors.
-  const float* arm;   ///< As the vectors.
-  const int* second;  ///< [slice][lane]: 1 in the second group of the window, else 0.
-  const float* y;     ///< t and w of each group.
+  const int* parts;           ///< Window w has the parts parts[w] .. parts[w + 1].
+  const int* pieces;          ///< Part k has the pieces pieces[k] .. pieces[k + 1].
+  const int* slice;           ///< Of each piece, in its window.
+  const float* weights;       ///< [piece][lane]
+  const float* motions;       ///< t and w of each part.
+  const int* start_of_slice;  ///< Slice s has the pieces piece_of_slice[start_of_slice[s] ..].
+  const int* piece_of_slice;
+  const int* part_of_slice;  ///< The same pieces' parts.
+  const float* mask;         ///< As the vectors.
+  const float* arm;          ///< As the vectors.
+};
+
+/// Groups that a node has a part in, at most.
+constexpr int kGroupsOfANode = 2;
+/// The six motions of a rigid body, filled up.
+constexpr int kMotions = 8;
+
+/// The same P for A P: the motions of all groups are about one point.
+struct PcgMotions {
+  const int* group;      ///< [node][kGroupsOfANode]
+  const double* weight;  ///< [node][kGroupsOfANode]
+  const double* motion;  ///< [node][component][kMotions]
+  int groups;
+  double* sums;  ///< [group][component][kMotions], for kernels to write to.
+  int* reached;  ///< [group], the same.
 };
 
 /// Every kernel works on the slices from `begin` to `end`.
@@ -85,8 +106,16 @@ struct PcgKernels {
   /// x += alpha p, p = z + beta p; `coarse`, which may be null, adds its motion to z.
   void (*direct)(int begin, int end, double alpha, double beta, const PcgVectors&,
                  const PcgCoarse* coarse);
-  /// The sums of r and arm x r over the groups of a window, in which the slices are: 2 x 6 numbers.
+  /// For each part of a group in the window, in which the slices are: the sums of weight r and of
+  /// weight arm x r.
   void (*restrictTo)(const PcgCoarse&, int begin, int end, const double* r, double* sums);
+  /// C += P^T A P, as far as row i of A adds to it, which has `count` blocks of nine in `columns`.
+  /// C is [group a][group b >= a][6][kMotions].
+  void (*addBlocks)(const PcgMotions&, int i, int count, const int* columns, const double* blocks,
+                    double* C);
+  /// C += weight P^T b b^T P, b with three numbers in each of `columns`.
+  void (*addSquare)(const PcgMotions&, int count, const int* columns, const double* b,
+                    double weight, double* C);
   /// y = A x, A with `columns` columns of `stride` rows, a multiple of kDenseRows.
   void (*multiplyDense)(const float* A, int columns, int stride, const float* x, float* y);
   /// The inverse of A, symmetric and positive semidefinite with n columns of `stride` rows, without

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coarse_kernels.h"
+#include "coarse_matrix_kernels.h"
 #include "palpate/base/float_lanes.h"
 #include "pcg_arrays.h"
 #include "pcg_products.h"
@@ -122,7 +123,7 @@ void direct(int begin, int end, double alpha, double beta, const PcgVectors& v,
 
 extern const PcgKernels kPcgKernels;
 const PcgKernels kPcgKernels{
-    pack,   multiply, multiplyWithVolumes, changeOthers,  addVolumes, invert,
-    update, direct,   restrictTo,          multiplyDense, invertDense};
+    pack,   multiply,   multiplyWithVolumes, changeOthers, addVolumes,    invert,     update,
+    direct, restrictTo, addBlocks,           addSquare,    multiplyDense, invertDense};
 
 }  // namespace palpate::solver::PALPATE_ISA

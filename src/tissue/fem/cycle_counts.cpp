@@ -51,7 +51,7 @@ int trialIterations(FemBody* body, const fem::Stiffness& A) {
   const int most = body->settings.max_linear_iterations;
   solver::BlockPcg pcg(most, body->pool, bestIsa(), body->mesh.points);
   pcg.takePattern(A);
-  pcg.learnFromRest(A);
+  if (pcg.learnsFromRest(body->settings.lasting)) pcg.learnFromRest(A);
   Points x;
   const solver::LinearReport report =
       pcg.solve(A, probe(*body), body->settings.linear_tolerance, &x);
@@ -66,7 +66,8 @@ CycleCounts countCycle(FemBody* body) {
   counts.poisson_ratio = body->largest_poisson_ratio;
   counts.tets = static_cast<double>(body->mesh.numTets()) *
                 (body->mesh.quadratic() ? kLinearTetsOfAQuadratic : 1.0);
-  const fem::Stiffness A = restMatrix(body);
+  fem::Stiffness A = body->elasticity->makeMatrix();
+  assembleAtRest(body, &A);
   counts.averaged = A.hasVolume();
   counts.blocks = A.blocks().numBlocks();
   if (A.hasVolume()) counts.volume_entries = static_cast<double>(A.volume().rows.cols());

@@ -30,7 +30,8 @@ ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer>
       minimizer_(std::move(minimizer)) {
   integrator_.addTerms(&potential_);
   for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
-  if (minimizer_->learnsFromRest()) minimizer_->learnFromRest(restMatrix(body));
+  if (!minimizer_->learnsFromRest(body->settings.lasting)) return;
+  minimizer_->learnFromRest([&](fem::Stiffness* A) { assembleAtRest(body, A); });
 }
 
 void ImplicitMethod::restart() {

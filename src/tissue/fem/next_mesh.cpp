@@ -21,6 +21,7 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
       bisected_(nested_.bisected()),
       tools_(0.0, 0.0),
       beside_(pool) {
+  settings_.lasting = false;
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     const double volume = mesh::signedVolume(coarse.points, coarse.tets.col(t));
     coarsest_ = std::max(coarsest_, mesh::edgeLength(volume));

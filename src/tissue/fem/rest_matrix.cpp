@@ -8,7 +8,7 @@
 
 namespace palpate::tissue {
 
-fem::Stiffness restMatrix(FemBody* body) {
+void assembleAtRest(FemBody* body, fem::Stiffness* A) {
   const FemSettings& settings = body->settings;
   const Points& X = body->mesh.points;
   solver::Integrator integrator(settings.integrator, body->elasticity->masses(),
@@ -21,13 +21,11 @@ fem::Stiffness restMatrix(FemBody* body) {
     body->elasticity->gradient(X, &g);
     integrator.setElasticGradient(g);
   }
-  fem::Stiffness A = body->elasticity->makeMatrix();
   integrator.beginStep(settings.step, &potential);
   body->elasticity->beginStep(settings.step);
-  potential.hessian(X, fem::Tangent::kConvexTerms, &A);
-  A.constrain(body->free);
+  potential.hessian(X, fem::Tangent::kConvexTerms, A);
+  A->constrain(body->free);
   body->elasticity->beginStep(std::numeric_limits<double>::infinity());
-  return A;
 }
 
 }  // namespace palpate::tissue

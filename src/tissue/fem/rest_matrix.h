@@ -5,8 +5,8 @@
 
 namespace palpate::tissue {
 
-/// The matrix of the first step from rest, without contact. The body's elasticity is as if no step
-/// had begun.
-fem::Stiffness restMatrix(FemBody* body);
+/// A = the matrix of the first step from rest, without contact. The body's elasticity is as if no
+/// step had begun.
+void assembleAtRest(FemBody* body, fem::Stiffness* A);
 
 }  // namespace palpate::tissue
