@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCoarsest = 3.0;         // times the edges: beyond it is another organ
 constexpr double kUsualPoisson = 0.45;    // at which the iterations are few
-constexpr int kWorthThreads = 4000;       // nodes: on a liver of half as many it gained 15 % only
+constexpr int kWorthThreads = 1000;       // nodes, from which a cycle takes a quarter less
 constexpr double kThreadShare = 0.6;      // of the time of shared loops, with two threads
 constexpr double kSmallestChange = 0.95;  // of the cycle: advice that gains less is noise
 constexpr std::size_t kMostAdvice = 5;

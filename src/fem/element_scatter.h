@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "for_all.h"
+#include "palpate/base/for_all.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/block_matrix.h"
 #include "sources.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "for_all.h"
+#include "palpate/base/for_all.h"
 
 namespace palpate::fem {
 namespace {

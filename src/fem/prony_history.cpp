@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "for_all.h"
+#include "palpate/base/for_all.h"
 
 namespace palpate::fem {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "element_blocks.h"
-#include "for_all.h"
+#include "palpate/base/for_all.h"
 #include "psd_projection.h"
 
 namespace palpate::fem {
@@ -17,7 +17,7 @@ namespace {
 
 // Tetrahedra: packed ones are so quick that waking a thread for fewer costs more than it gains.
 template <int N>
-constexpr int kWorthThreads = N == 4 ? 8000 : 1000;
+constexpr int kWorthThreads = N == 4 ? 1500 : 300;
 
 std::vector<int> fill(std::vector<int> solid_of, Eigen::Index num_elements) {
   solid_of.resize(static_cast<std::size_t>(num_elements), 0);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "element_scatter.h"
-#include "for_all.h"
 #include "nodal_pressure.h"
 #include "packed_tetrahedra.h"
+#include "palpate/base/for_all.h"
 #include "palpate/fem/elasticity.h"
 #include "point_kernels.h"
 #include "prony_history.h"

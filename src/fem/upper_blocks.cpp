@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "for_all.h"
+#include "palpate/base/for_all.h"
 
 namespace palpate::fem {
 

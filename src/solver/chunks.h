@@ -54,7 +54,7 @@ class Chunks {
   }
 
  private:
-  static constexpr int kWorthThreads = 8;  // chunks: below it, sharing costs more than it gains
+  static constexpr int kWorthThreads = 2;  // chunks
 
   ThreadPool* pool_;
   bool backwards_ = false;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "coarse_matrix.h"
+#include "palpate/base/for_all.h"
 
 namespace palpate::solver {
 namespace {
@@ -30,6 +31,8 @@ double nodesAlong(const Points& points) {
   return std::cbrt(sides[2] * sides[2] / (sides[0] * sides[1]) * points.cols());
 }
 
+constexpr int kWorthThreads = 192;  // rows of the dense matrix
+
 int groupSize(int nodes) {
   return std::max(kSmallestGroup, (nodes + kMostGroups - 1) / kMostGroups);
 }
@@ -41,13 +44,14 @@ bool CoarseSpace::pays(const Points& points, bool lasting) {
 }
 
 CoarseSpace::CoarseSpace(const fem::Stiffness& A, const Points& points, const SliceOrder& nodes,
-                         const PcgKernels& kernels)
+                         const PcgKernels& kernels, ThreadPool* pool)
     : nodes_(nodes),
       kernels_(kernels),
       groups_(points, nodes, groupSize(nodes.count())),
       parts_(groups_, points, nodes),
       size_(6 * groups_.count()),
       stride_((size_ + kDenseRows - 1) / kDenseRows * kDenseRows),
+      pool_(stride_ >= kWorthThreads ? pool : nullptr),
       free_(Points::Ones(3, nodes.count())),
       limit_(Points::Zero(3, nodes.count())),
       held_(static_cast<std::size_t>(nodes.count()), false) {
@@ -135,7 +139,12 @@ double CoarseSpace::correct() {
   }
   std::transform(total_.begin(), total_.end(), r_.begin(),
                  [](double sum) { return static_cast<float>(sum); });
-  kernels_.multiplyDense(inverse_.data(), size_, stride_, r_.data(), y_.data());
+  forAll(pool_, static_cast<std::size_t>(stride_ / kDenseRows),
+         [&](std::size_t begin, std::size_t end) {
+           kernels_.multiplyDense(inverse_.data(), size_, stride_,
+                                  kDenseRows * static_cast<int>(begin),
+                                  kDenseRows * static_cast<int>(end), r_.data(), y_.data());
+         });
   double product = 0.0;
   for (int k = 0; k < size_; ++k) product += static_cast<double>(r_[k]) * y_[k];
   for (std::size_t k = 0; k < parts_.part.size(); ++k) {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "aligned_vector.h"
-#include "chunks.h"
 #include "coarse_groups.h"
 #include "coarse_parts.h"
 #include "kernels/pcg_kernels.h"
+#include "palpate/base/thread_pool.h"
 #include "palpate/fem/stiffness.h"
 
 namespace palpate::solver {
@@ -28,9 +28,9 @@ class CoarseSpace {
   /// another mesh.
   static bool pays(const Points& points, bool lasting);
   /// Of A, constrained. `points`, 3 x n: where nodes are, which follow one another in `nodes` as
-  /// neighbours do. `nodes` and `kernels` must outlive this.
+  /// neighbours do. `nodes`, `kernels` and `pool`, which may be null, must outlive this.
   CoarseSpace(const fem::Stiffness& A, const Points& points, const SliceOrder& nodes,
-              const PcgKernels& kernels);
+              const PcgKernels& kernels, ThreadPool* pool = nullptr);
 
   /// Leaves out the nodes that A holds much more than their neighbours did when this was built.
   void leaveOut(const fem::Stiffness& A);
@@ -51,6 +51,7 @@ class CoarseSpace {
   CoarseGroups groups_;
   CoarseParts parts_;
   int size_, stride_;                    // of the dense matrix
+  ThreadPool* pool_;                     // null where sharing the product does not pay
   Points free_;                          // 0 where a component is held, of each node
   Points limit_;                         // of its diagonal, beyond which a node is held
   std::vector<bool> held_;               // left out now

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kept_stiffness.h"
 
+#include <atomic>
+
 namespace palpate::solver {
 namespace {
 
@@ -13,15 +15,19 @@ bool KeptStiffness::near(const Points& x) const {
   const fem::BlockMatrix& K = elastic_.blocks();
   const double strain = of_this_cycle_ ? kMostStrainInCycle : kMostStrain;
   const double strain_squared = strain * strain;
-  for (int i = 0; i < K.numNodes(); ++i) {
-    for (int slot = K.diagonal(i) + 1; slot < K.rowEnd(i); ++slot) {
-      const int j = K.column(slot);
-      const Vec3 then = x_.col(j) - x_.col(i);
-      const Vec3 change = x.col(j) - x.col(i) - then;
-      if (change.squaredNorm() > strain_squared * then.squaredNorm()) return false;
+  std::atomic<bool> far{false};
+  forAll(pool_, static_cast<std::size_t>(K.numNodes()), [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
+      if (far.load(std::memory_order_relaxed)) return;
+      for (int slot = K.diagonal(i) + 1; slot < K.rowEnd(i); ++slot) {
+        const int j = K.column(slot);
+        const Vec3 then = x_.col(j) - x_.col(i);
+        const Vec3 change = x.col(j) - x.col(i) - then;
+        if (change.squaredNorm() > strain_squared * then.squaredNorm()) far = true;
+      }
     }
-  }
-  return true;
+  });
+  return !far;
 }
 
 bool KeptStiffness::inMatrix(const Potential& potential) const {
@@ -31,9 +37,11 @@ bool KeptStiffness::inMatrix(const Potential& potential) const {
 
 void KeptStiffness::copy(fem::Stiffness* A) const {
   const double* from = elastic_.blocks().values();
-  const std::ptrdiff_t count = 9 * static_cast<std::ptrdiff_t>(elastic_.blocks().numBlocks());
   double* to = A->blocks().values();
-  for (std::ptrdiff_t k = 0; k < count; ++k) to[k] = scale_ * from[k];
+  forAll(pool_, 9 * static_cast<std::size_t>(elastic_.blocks().numBlocks()),
+         [&](std::size_t begin, std::size_t end) {
+           for (std::size_t k = begin; k < end; ++k) to[k] = scale_ * from[k];
+         });
   if (!elastic_.hasVolume()) return;
   A->volume() = elastic_.volume();
   A->volume().factor *= scale_;
@@ -41,7 +49,11 @@ void KeptStiffness::copy(fem::Stiffness* A) const {
 
 void KeptStiffness::restore(fem::BlockMatrix* A) const {
   const fem::BlockMatrix& K = elastic_.blocks();
-  for (int i = 0; i < K.numNodes(); ++i) A->block(A->diagonal(i)) = scale_ * K.block(K.diagonal(i));
+  forAll(pool_, static_cast<std::size_t>(K.numNodes()), [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<int>(begin); i < static_cast<int>(end); ++i) {
+      A->block(A->diagonal(i)) = scale_ * K.block(K.diagonal(i));
+    }
+  });
   for (int slot : A->added()) A->block(slot) = scale_ * K.block(slot);
 }
 

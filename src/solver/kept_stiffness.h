@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "palpate/base/for_all.h"
 #include "palpate/solver/potential.h"
 
 namespace palpate::solver {
@@ -17,8 +18,9 @@ class KeptStiffness {
   /// The same within the cycle that it was assembled in.
   static constexpr double kMostStrainInCycle = 0.2;
 
-  /// `pattern` is the body's.
-  explicit KeptStiffness(const fem::Stiffness& pattern) : elastic_(pattern) {}
+  /// `pattern` is the body's; `pool` may be null and must outlive this.
+  explicit KeptStiffness(const fem::Stiffness& pattern, ThreadPool* pool = nullptr)
+      : elastic_(pattern), pool_(pattern.numNodes() >= kWorthThreads ? pool : nullptr) {}
 
   struct Assembled {
     bool kept;  ///< The elastic part was there.
@@ -43,6 +45,8 @@ class KeptStiffness {
   void restore(StateReader* in);
 
  private:
+  static constexpr int kWorthThreads = 1000;  // nodes: what one goes through in some microseconds
+
   bool near(const Points& x) const;
   bool inMatrix(const Potential& potential) const;
   /// A as it was before terms were added, all of it or where they were.
@@ -50,6 +54,7 @@ class KeptStiffness {
   void restore(fem::BlockMatrix* A) const;
 
   fem::Stiffness elastic_;  // exact in the elements, at x_, not scaled
+  ThreadPool* pool_;
   Points x_;
   bool valid_ = false;
   bool of_this_cycle_ = false;  // x_

@@ -19,18 +19,19 @@ std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, fem::S
       std::move(A),
       std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool, bestIsa(),
                                  settings.points),
-      settings.keep_stiffness);
+      settings.keep_stiffness, settings.pool);
 }
 
 std::unique_ptr<Minimizer> implicitDirect(const MinimizerSettings& settings, fem::Stiffness A) {
   return std::make_unique<Newton>(std::move(A), std::make_unique<CholmodSolver>(),
-                                  settings.keep_stiffness);
+                                  settings.keep_stiffness, settings.pool);
 }
 
 std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings, fem::Stiffness A) {
   auto linear = std::make_unique<StalePcg>(A, settings.max_linear_iterations,
                                            settings.pool && settings.pool->size() > 1);
-  return std::make_unique<Newton>(std::move(A), std::move(linear), settings.keep_stiffness);
+  return std::make_unique<Newton>(std::move(A), std::move(linear), settings.keep_stiffness,
+                                  settings.pool);
 }
 
 std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, fem::Stiffness A) {

@@ -35,10 +35,11 @@ double atTheEnd(const NewtonSettings& settings, double residual, double term) {
 
 }  // namespace
 
-Newton::Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness)
+Newton::Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness,
+               ThreadPool* pool)
     : A_(std::move(A)), linear_(std::move(linear)) {
   linear_->takePattern(A_);
-  if (keep_stiffness) elastic_ = std::make_unique<KeptStiffness>(A_);
+  if (keep_stiffness) elastic_ = std::make_unique<KeptStiffness>(A_, pool);
 }
 
 Newton::~Newton() = default;

@@ -25,7 +25,7 @@ void PcgMatrix::takePattern(const fem::Stiffness& A) {
 
 void PcgMatrix::addCoarse(const fem::Stiffness& A) {
   if (nodes_.count() == 0) takePattern(A);
-  coarse_ = std::make_unique<CoarseSpace>(A, points_, nodes_, kernels_);
+  coarse_ = std::make_unique<CoarseSpace>(A, points_, nodes_, kernels_, pool_);
 }
 
 // Rows of K, with those of B that are at home in them.

@@ -22,7 +22,7 @@ class PcgMatrix {
  public:
   /// `points`, 3 x n: where the nodes are; empty: they keep their order, without a coarse space.
   PcgMatrix(ThreadPool* pool, Isa isa, Points points)
-      : kernels_(pcgKernels(isa)), chunks_(pool), points_(std::move(points)) {}
+      : kernels_(pcgKernels(isa)), pool_(pool), chunks_(pool), points_(std::move(points)) {}
 
   /// Takes the pattern of A.
   void takePattern(const fem::Stiffness& A);
@@ -79,6 +79,7 @@ class PcgMatrix {
   void applyMetric();
 
   const PcgKernels& kernels_;
+  ThreadPool* pool_;
   Chunks chunks_;
   Points points_;
   SliceOrder nodes_;

@@ -148,10 +148,10 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
   EXPECT_TRUE(advises(newton, "lower contact.stiffness from 300000000 to 75000000"));
 
   facts.cores = 2;
-  facts.nodes = 3999;  // too few to share
+  facts.nodes = 999;  // too few to share
   EXPECT_FALSE(
       advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
-  facts.nodes = 4000;
+  facts.nodes = 1000;
   EXPECT_TRUE(advises(judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3))), "threads: 2"));
   facts.method = tissue::methodFacts("implicit_direct");
   const SceneVerdict direct = judgeScene(facts, figuresOf(report(Phase::kLinearSolve, 30e-3)));

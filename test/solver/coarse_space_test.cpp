@@ -11,6 +11,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/potential.h"
+#include "solver/chunks.h"
 #include "support/random.h"
 
 namespace palpate::solver {

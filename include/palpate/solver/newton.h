@@ -15,8 +15,10 @@ class KeptStiffness;
 class Newton final : public Minimizer {
  public:
   /// `A` has the body's pattern. `keep_stiffness`: the elastic part of the tangent is not assembled
-  /// again while the body hardly changes its shape and iterations go on well with it.
-  Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness = false);
+  /// again while the body hardly changes its shape and iterations go on well with it. `pool` may be
+  /// null and must outlive this.
+  Newton(fem::Stiffness A, std::unique_ptr<LinearSolver> linear, bool keep_stiffness = false,
+         ThreadPool* pool = nullptr);
   ~Newton() override;
 
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,

@@ -82,9 +82,10 @@ inline void prolong(const PcgCoarse& coarse, long s, float* motion) {
   }
 }
 
-void multiplyDense(const float* A, int columns, int stride, const float* x, float* y) {
+void multiplyDense(const float* A, int columns, int stride, int begin, int end, const float* x,
+                   float* y) {
   constexpr int kRegisters = kDenseRows / kFloatWidth;
-  for (int i = 0; i < stride; i += kDenseRows) {
+  for (int i = begin; i < end; i += kDenseRows) {
     FloatLanes sums[kRegisters] = {};
     for (int j = 0; j < columns; ++j) {
       const float* column = A + static_cast<long>(stride) * j + i;

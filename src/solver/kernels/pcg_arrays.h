@@ -116,8 +116,10 @@ struct PcgKernels {
   /// C += weight P^T b b^T P, b with three numbers in each of `columns`.
   void (*addSquare)(const PcgMotions&, int count, const int* columns, const double* b,
                     double weight, double* C);
-  /// y = A x, A with `columns` columns of `stride` rows, a multiple of kDenseRows.
-  void (*multiplyDense)(const float* A, int columns, int stride, const float* x, float* y);
+  /// Rows `begin` to `end`, multiples of kDenseRows, of y = A x, A with `columns` columns of
+  /// `stride` rows.
+  void (*multiplyDense)(const float* A, int columns, int stride, int begin, int end, const float* x,
+                        float* y);
   /// The inverse of A, symmetric and positive semidefinite with n columns of `stride` rows, without
   /// the rows and columns that follow from those before.
   void (*invertDense)(int n, int stride, double* A);

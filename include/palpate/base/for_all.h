@@ -5,7 +5,7 @@
 
 #include "palpate/base/thread_pool.h"
 
-namespace palpate::fem {
+namespace palpate {
 
 /// body(begin, end) on all of [0, count), on the pool if there is one.
 template <class Body>
@@ -17,4 +17,4 @@ void forAll(ThreadPool* pool, std::size_t count, const Body& body) {
   }
 }
 
-}  // namespace palpate::fem
+}  // namespace palpate
