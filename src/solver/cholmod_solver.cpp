@@ -35,6 +35,14 @@ bool CholmodSolver::iterationsPay(const fem::Stiffness& A) {
          factorizationSeconds(factor_->flops());
 }
 
+double CholmodSolver::seconds(const fem::Stiffness& A) {
+  const bool iterates = A.hasVolume() && iterationsPay(A);
+  if (!iterates) factor_->analyze(A);
+  const CholmodFactor& factor = iterates ? pressures_->analyze(A) : *factor_;
+  const double solves = iterates ? pressures_->prepare(A) : 1.0;
+  return factorizationSeconds(factor.flops()) + solves * triangularSolveSeconds(factor.nonzeros());
+}
+
 LinearReport CholmodSolver::solve(const fem::Stiffness& A, const Points& b,
                                   double relative_tolerance, Points* x) {
   if (!b.allFinite()) return {SolveStatus::kNonFinite, 0};

@@ -95,7 +95,7 @@ TEST(MethodFacts, SayWhatEachMethodTakes) {
 
 TEST(MethodFacts, AutoChoosesAmongThoseThatAreForIt) {
   CycleCounts counts;
-  counts.tets = counts.blocks = 1e4;
+  counts.tets.number = counts.blocks = 1e4;
   counts.linear_iterations = 10;
   counts.factor_flops = counts.factor_nonzeros = 1e6;
   counts.sub_steps = 10.0;

@@ -25,6 +25,9 @@ class CholmodSolver final : public LinearSolver {
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
 
+  /// What the factor for A and a solve with it take [s], by unit_costs.h: nothing is factorised.
+  double seconds(const fem::Stiffness& A);
+
  private:
   bool iterationsPay(const fem::Stiffness& A);
 

@@ -7,6 +7,7 @@
 #include "method_choice.h"
 #include "method_refusal.h"
 #include "palpate/solver/block_pcg.h"
+#include "palpate/solver/cholmod_solver.h"
 #include "palpate/solver/factor_counts.h"
 #include "rest_matrix.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 // Surface nodes that the probe pushes lie within this part of the body's size.
 constexpr double kProbe = 0.1;
-constexpr double kLinearTetsOfAQuadratic = 8.0;
 
 // A push by something like a tool: on the free surface nodes around the one that is farthest from
 // the middle of the held ones, towards the middle of the body. 3 x n [N].
@@ -64,14 +64,13 @@ CycleCounts countCycle(FemBody* body) {
   const FemSettings& settings = body->settings;
   CycleCounts counts;
   counts.poisson_ratio = body->largest_poisson_ratio;
-  counts.tets = static_cast<double>(body->mesh.numTets()) *
-                (body->mesh.quadratic() ? kLinearTetsOfAQuadratic : 1.0);
   fem::Stiffness A = body->elasticity->makeMatrix();
   assembleAtRest(body, &A);
-  counts.averaged = A.hasVolume();
+  counts.tets = {static_cast<double>(body->mesh.numTets()), body->mesh.quadratic(), A.hasVolume()};
   counts.blocks = A.blocks().numBlocks();
   if (A.hasVolume()) counts.volume_entries = static_cast<double>(A.volume().rows.cols());
   counts.linear_iterations = trialIterations(body, A);
+  counts.direct = solver::CholmodSolver().seconds(A);
   const solver::FactorCounts factor = solver::countFactor(A);
   counts.factor_flops = factor.flops;
   counts.factor_nonzeros = factor.nonzeros;

@@ -30,15 +30,15 @@ struct Estimate {
 };
 
 std::vector<Estimate> implicitEstimates(const CycleCounts& c) {
-  const double gradient = solver::gradientSeconds(c.tets, c.averaged);
-  const double tangent = solver::tangentSeconds(c.tets, c.averaged);
+  const double gradient = solver::gradientSeconds(c.tets);
+  const double tangent = solver::tangentSeconds(c.tets);
   const double factor = solver::factorizationSeconds(c.factor_flops);
   const double back = solver::triangularSolveSeconds(c.factor_nonzeros);
-  const double pcg = solver::packingSeconds(c.tets) +
+  const double pcg = solver::packingSeconds(c.blocks) +
                      c.linear_iterations * solver::pcgIterationSeconds(c.blocks, c.volume_entries);
   return {
       {"implicit_pcg", kNewtonIterations * (tangent + pcg)},
-      {"implicit_direct", kNewtonIterations * (tangent + factor + back)},
+      {"implicit_direct", kNewtonIterations * (tangent + c.direct)},
       {"lbfgs", kLbfgsIterations * (gradient + back) + (tangent + factor) / kCyclesOfAFactor},
   };
 }
@@ -66,8 +66,7 @@ MethodChoice chooseMethod(const CycleCounts& counts) {
   for (const Estimate& e : estimates) {
     if (e.seconds < std::min(kClearlyCheaper * usual.seconds, best.seconds)) best = e;
   }
-  const Estimate explicit_one{
-      "tled", counts.sub_steps * solver::gradientSeconds(counts.tets, counts.averaged)};
+  const Estimate explicit_one{"tled", counts.sub_steps * solver::gradientSeconds(counts.tets)};
   const std::string obstacle = explicitObstacle(counts);
   if (obstacle.empty() && explicit_one.seconds < kExplicitCheaper * best.seconds)
     best = explicit_one;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fem_body.h"
+#include "palpate/solver/unit_costs.h"
 
 namespace palpate::tissue {
 
@@ -11,13 +12,13 @@ namespace palpate::tissue {
 /// is among them: the choice, and with it every bit, is the same on every machine.
 struct CycleCounts {
   double poisson_ratio = 0.0;  ///< The largest of any solid at rest.
-  double tets = 0.0;           ///< In units of linear ones: a quadratic one is eight.
-  bool averaged = false;       ///< Volumes are nodal: `anp`, `p1p1`.
-  double blocks = 0.0;         ///< Of the stiffness, 3 x 3.
+  solver::TetCounts tets;
+  double blocks = 0.0;  ///< Of the stiffness, 3 x 3.
   double volume_entries = 0.0;
   int linear_iterations = 0;  ///< Of conjugate gradients against a push on the surface.
-  double factor_flops = 0.0, factor_nonzeros = 0.0;
-  double sub_steps = 0.0;  ///< Of `tled` in a cycle.
+  double direct = 0.0;        ///< A solve of `implicit_direct` with its factor [s], by unit costs.
+  double factor_flops = 0.0, factor_nonzeros = 0.0;  ///< Of the whole matrix.
+  double sub_steps = 0.0;                            ///< Of `tled` in a cycle.
   /// `tled` takes the settings and the body.
   bool explicit_accepts = false;
   bool mass_damping = false;  ///< There is some; without it an explicit body rings for ever.
