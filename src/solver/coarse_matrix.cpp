@@ -79,6 +79,7 @@ Eigen::MatrixXd coarseMatrix(const fem::Stiffness& A, const CoarseGroups& groups
   }
   using Block = Eigen::Matrix<double, kMotions, 6>;  // transposed, for it lies row by row
   std::vector<Mat6> own;
+  own.reserve(static_cast<std::size_t>(count));
   for (int g = 0; g < count; ++g)
     own.push_back(motions.ofGroup(groups.middle.col(g), groups.radius[g]));
   Eigen::MatrixXd C(6 * count, 6 * count);

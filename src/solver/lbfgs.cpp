@@ -2,6 +2,7 @@
 #include "palpate/solver/lbfgs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "minimizer_parts.h"
 #include "palpate/solver/unit_costs.h"
@@ -22,9 +23,9 @@ constexpr double kLeastCurvature = 1e-10;
 
 }  // namespace
 
-Lbfgs::Lbfgs(const fem::Stiffness& A)
-    : A_(A), factor_(std::make_unique<StaleFactor>()), terms_(A.blocks()) {
-  factor_->analyze(A);
+Lbfgs::Lbfgs(fem::Stiffness A)
+    : A_(std::move(A)), factor_(std::make_unique<StaleFactor>()), terms_(A_.blocks()) {
+  factor_->analyze(A_);
   renewal_ = factorizationSeconds(factor_->factor().flops()) /
              triangularSolveSeconds(factor_->factor().nonzeros());
 }

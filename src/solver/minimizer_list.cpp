@@ -35,7 +35,7 @@ std::unique_ptr<Minimizer> implicitAsync(const MinimizerSettings& settings, fem:
 }
 
 std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, fem::Stiffness A) {
-  return std::make_unique<Lbfgs>(A);
+  return std::make_unique<Lbfgs>(std::move(A));
 }
 
 // To add one: write its header and source, add it here.

@@ -20,7 +20,7 @@ class StaleFactor;
 class Lbfgs final : public Minimizer {
  public:
   /// `A` has the body's pattern.
-  explicit Lbfgs(const fem::Stiffness& A);
+  explicit Lbfgs(fem::Stiffness A);
   ~Lbfgs() override;
 
   /// Iterations are cheaper than Newton's: ten times `settings.max_iterations` are allowed.
