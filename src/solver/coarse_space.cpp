@@ -22,6 +22,8 @@ constexpr int kSmallestGroup = 64, kMostGroups = 64;
 // How many times more than its neighbours something else holds a node that is left out.
 constexpr double kHeld = 4.0, kNoLimit = std::numeric_limits<double>::infinity();
 
+constexpr int kWorthThreads = 192;  // rows of the dense matrix
+
 // As if they lay in a box, evenly.
 double nodesAlong(const Points& points) {
   if (points.cols() < kSmallestGroup) return 0.0;
@@ -30,8 +32,6 @@ double nodesAlong(const Points& points) {
   const Vec3 sides = axes.eigenvalues().cwiseMax(1e-12 * axes.eigenvalues()[2]).cwiseSqrt();
   return std::cbrt(sides[2] * sides[2] / (sides[0] * sides[1]) * points.cols());
 }
-
-constexpr int kWorthThreads = 192;  // rows of the dense matrix
 
 int groupSize(int nodes) {
   return std::max(kSmallestGroup, (nodes + kMostGroups - 1) / kMostGroups);

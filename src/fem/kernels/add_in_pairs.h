@@ -18,6 +18,18 @@ inline void addThree(Pair xy, double z, double* at) {
   at[2] += z;
 }
 
+// To the nodes of a batch: force[3 a + component][element] at node a.
+template <int N>
+inline void addForces(const double (*force)[kBatchSize], const TetBatch<N>& batch, int count,
+                      double* g) {
+  for (int e = 0; e < count; ++e) {
+    for (int a = 0; a < N; ++a) {
+      const Pair xy = {force[3 * a][e], force[3 * a + 1][e]};
+      addThree(xy, force[3 * a + 2][e], g + batch.node[a][e]);
+    }
+  }
+}
+
 // Into the rows of the nodes' pressures: the gradients of an element's volume with respect to the
 // other three nodes.
 inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBatchSize], int count,

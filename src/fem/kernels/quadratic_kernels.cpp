@@ -148,12 +148,7 @@ struct Loops {
         storeForces(t, lane, force);
       }
       arrays.energy[b] = sum(energy, count);
-      for (int e = 0; e < count; ++e) {
-        for (int a = 0; a < 10; ++a) {
-          const Pair xy = {force[3 * a][e], force[3 * a + 1][e]};
-          addThree(xy, force[3 * a + 2][e], g + batch.node[a][e]);
-        }
-      }
+      addForces(force, batch, count, g);
     }
   }
 

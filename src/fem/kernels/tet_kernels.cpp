@@ -127,12 +127,7 @@ struct Loops {
       }
       const int count = countOf(run, k);
       arrays.energy[b] = sum(energy, count);
-      for (int e = 0; e < count; ++e) {
-        for (int a = 0; a < 4; ++a) {
-          const Pair xy = {force[3 * a][e], force[3 * a + 1][e]};
-          addThree(xy, force[3 * a + 2][e], g + batch.node[a][e]);
-        }
-      }
+      addForces(force, batch, count, g);
     }
   }
 
