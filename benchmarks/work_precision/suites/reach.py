@@ -190,9 +190,7 @@ WHY = """What stood in the way where an aim was missed, found on an Intel Xeon (
   it; conjugate gradients have a product of their own, which reads each array once, and faster than a plain
   loop reads as many bytes because it turns at each end.
 - The organ of 500 nodes: in the slowest cycles, at first touch and at the deepest point, Newton takes
-  four or five iterations of a quarter of a millisecond, whatever the tolerance, because the points that
-  touch change. Half of all cycles need one.
+  four iterations of a sixth of a millisecond, whatever the tolerance, because the points that touch
+  change. Most cycles need one.
 - Growth with size: up to about 15 000 tetrahedra the matrix stays in the second-level cache, above it is
-  read from the third. The number of conjugate gradient iterations grows with the nodes along an edge, for
-  nothing in the preconditioner reaches further than a node. Every size is faster than when the exponent
-  was smaller."""
+  read from the third. Every size is faster than when the exponent was smaller."""
