@@ -10,7 +10,8 @@ namespace palpate::contact {
 namespace {
 
 // How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
-// next look: up to the surface, and half of what is left from there to the middle.
+// next look: up to the surface, and half of what is left from there to the middle. With a smaller r
+// it may go less far in.
 double allowedApproach(double distance, double r) {
   return distance >= 0.0 ? distance + 0.5 * r : 0.5 * std::max(distance + r, 0.0);
 }
@@ -171,9 +172,12 @@ void ContactPotential::allowedMotions(const Points& x, std::vector<double>* allo
   allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
   for (const Candidate& c : candidates_) {
     const PlacedObstacle& obstacle = placed_[c.obstacle];
-    const double distance = obstacle.gap(samples_[c.sample].position(x));
+    const SurfaceSample& s = samples_[c.sample];
+    const double distance = obstacle.gap(s.position(x));
     double& least = (*allowed)[c.obstacle];
-    least = std::min(least, allowedApproach(distance, obstacle.radius()));
+    if (distance >= least) continue;
+    const double size = std::min(obstacle.radius(), s.meanEdge(x));
+    least = std::min(least, allowedApproach(distance, size));
   }
 }
 

@@ -66,7 +66,8 @@ class ContactPotential final : public fem::EnergyTerm {
   double maxStep(const Points& x, const Points& d) const override;
 
   /// How far each obstacle may move at once [m] until its nearest candidate at x is as deep
-  /// as that.
+  /// as that, or as half an edge of the triangle around it is long: elements that are pushed
+  /// farther in one go fold.
   void allowedMotions(const Points& x, std::vector<double>* allowed) const;
 
   /// All candidates that answer at x, in a fixed order.

@@ -18,6 +18,12 @@ struct SurfaceSample {
     return weights[0] * x.col(nodes[0]) + weights[1] * x.col(nodes[1]) +
            weights[2] * x.col(nodes[2]);
   }
+  /// Of the triangle [m].
+  double meanEdge(const Points& x) const {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += (x.col(nodes[(k + 1) % 3]) - x.col(nodes[k])).norm();
+    return sum / 3.0;
+  }
 };
 
 /// The nodes of the surface, points that part its edges, where these are longer than `spacing` [m],

@@ -4,19 +4,6 @@
 #include <utility>
 
 namespace palpate::tissue {
-namespace {
-
-// Of the triangle that it lies in [m]: as long as it is now, for where the surface is stretched
-// around a tool it is as coarse as it looks there.
-double meanEdge(const Points& x, const contact::SurfaceSample& sample) {
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    sum += (x.col(sample.nodes[(k + 1) % 3]) - x.col(sample.nodes[k])).norm();
-  }
-  return sum / 3.0;
-}
-
-}  // namespace
 
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
              int organ, std::function<double(double)> excess)
@@ -54,7 +41,9 @@ double Touch::report(const Points& x, TissueStep* out) {
     if (!excess_) continue;
     const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle));
     if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
-    const double excess = excess_(meanEdge(x, s) / touch.radius);
+    // As long as it is now: where the surface is stretched around a tool it is as coarse as it
+    // looks there.
+    const double excess = excess_(s.meanEdge(x) / touch.radius);
     too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }
   for (const Vec3& force : too_much_) out->mesh_error += force.norm();
