@@ -16,8 +16,8 @@
 namespace palpate::io {
 namespace {
 
-constexpr char kFormat[] = "palpate state 2";
-constexpr char kOldFormat[] = "# palpate state 1";
+constexpr char kFormat[] = "palpate state 3";
+constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2"};
 constexpr char kPayload[] = "payload: ";
 
 // What a name may have that would look like another line.
@@ -66,10 +66,8 @@ sim::SimulatorState readState(const std::string& file) {
   if (!in) fail("", "cannot be opened");
   std::string line, lines;
   std::getline(in, line);
-  if (line == kOldFormat) {
-    fail(line,
-         "holds positions and velocities only, as earlier versions wrote them; this one needs "
-         "all of the state: save it again");
+  for (const char* old : kOldFormats) {
+    if (line == old) fail(line, "was written by an earlier version that knew less: save it again");
   }
   if (line != kFormat) fail(line, std::string("is no state: must begin with '") + kFormat + "'");
   while (in && line.rfind(kPayload, 0) != 0) {

@@ -63,6 +63,18 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.list({"supports", "", "What holds the organ; without any it falls."}, organ.supports, 0);
 }
 
+void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {
+  v.flag({"active", "", "In replays too; live it always is."}, proxy.active);
+  v.number({"max_speed", "m/s", "Of the control frame."}, proxy.max_speed,
+           keys::Range::above(0.0, 100.0));
+  v.number({"max_acceleration", "m/s^2", "Of the control frame."}, proxy.max_acceleration,
+           keys::Range::above(0.0, 1.0e6));
+  v.number({"max_angular_speed", "rad/s", "Of the tool, and of its links to one another."},
+           proxy.max_angular_speed, keys::Range::above(0.0, 1000.0));
+  v.number({"max_angular_acceleration", "rad/s^2", "Of the tool."}, proxy.max_angular_acceleration,
+           keys::Range::above(0.0, 1.0e7));
+}
+
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
   v.name({"name", "", "Names the instrument in topics and result files.", keys::Need::kRequired},
          instrument.name);
@@ -88,6 +100,10 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
           "Give cylinders round ends for contact, which is smooth; the ends stay inside the "
           "cylinder's length."},
          instrument.cylinder_as_capsule);
+  v.section({"proxy", "",
+             "How fast the simulated tool may follow: it goes where the input says, but never by a "
+             "jump, and comes only where it touches nothing."},
+            instrument.proxy);
 }
 
 void describe(keys::FieldVisitor& v, ContactConfig& contact) {

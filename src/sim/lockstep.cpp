@@ -16,6 +16,7 @@ std::vector<LinkPoses> between(const std::vector<LinkPoses>& from, const std::ve
                                double s) {
   std::vector<LinkPoses> poses = to;
   for (std::size_t i = 0; i < to.size(); ++i) {
+    if (from[i].empty()) continue;  // it was not there
     for (std::size_t l = 0; l < to[i].size(); ++l) {
       poses[i][l] = contact::interpolate(from[i][l], to[i][l], s);
     }

@@ -2,7 +2,6 @@
 #include "palpate/sim/simulator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "palpate/tissue/method_facts.h"
@@ -24,23 +23,6 @@ void addModel(const tissue::TissueStep& cycle, StepReport* report) {
 
 }  // namespace
 
-bool allFinite(const std::vector<LinkPoses>& poses) {
-  for (const LinkPoses& links : poses) {
-    for (const Pose& X : links) {
-      if (!X.matrix().allFinite()) return false;
-    }
-  }
-  return true;
-}
-
-bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) const {
-  if (!(dt > 0.0) || !std::isfinite(dt) || next.size() != parts.instruments.size()) return false;
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    if (next[i].size() != parts.instruments[i].linkNames().size()) return false;
-  }
-  return allFinite(next);
-}
-
 Simulator::Simulator(const scene::Scene& scene, const Progress& progress)
     : impl_(std::make_unique<Impl>(scene, progress)) {}
 Simulator::~Simulator() = default;
@@ -55,7 +37,7 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   }
   s.result.clear(poses.size());
 
-  s.moveBodies(poses);
+  s.moveBodies(s.follow(poses, dt));
   s.placeControlFrames();
   for (const scene::ModelPart& model : s.parts.models) {
     const std::uint64_t before = Impl::revision(*model.tissue);
@@ -81,6 +63,10 @@ void Simulator::setInterrupt(solver::Interrupt interrupt) {
 void Simulator::reset() {
   for (const scene::ModelPart& model : impl_->parts.models) model.tissue->reset();
   impl_->clear();
+}
+
+bool Simulator::isFree(int i, const LinkPoses& poses) const {
+  return impl_->isFree(static_cast<std::size_t>(i), poses);
 }
 
 void Simulator::place(int i, const Points& positions, const Points& velocities) {

@@ -22,9 +22,11 @@ struct Simulator::Impl {
   scene::SceneParts parts;
   std::vector<contact::Obstacle> bodies;
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
-  std::vector<LinkPoses> poses;                  // where the tools are; empty: nowhere yet
+  std::vector<LinkPoses> poses;                  // where the tools are
+  std::vector<LinkPoses> next_poses;             // and where they go
   StepResult result;
-  std::vector<haptics::WrenchFade> fades;  // one an instrument
+  std::vector<haptics::WrenchFade> fades;   // one an instrument
+  std::vector<haptics::ToolProxy> proxies;  // likewise
   double time = 0.0;
   solver::Interrupt interrupt;
 
@@ -32,36 +34,37 @@ struct Simulator::Impl {
       : scene(s), parts(scene::assembleScene(s, progress)) {
     for (std::size_t i = 0; i < parts.instruments.size(); ++i) {
       const auto& shapes = parts.instruments[i].bodies();
+      std::vector<std::size_t> links;
       for (std::size_t b = 0; b < shapes.size(); ++b) {
         bodies.push_back({&shapes[b].geometry, static_cast<int>(i), Pose(), Pose()});
         body_source.emplace_back(i, b);
+        links.push_back(static_cast<std::size_t>(shapes[b].link));
       }
+      proxies.emplace_back(scene.instruments[i].proxy,
+                           static_cast<std::size_t>(parts.control_links[i]), std::move(links));
     }
     clear();
   }
 
   void clear() {
     time = 0.0;
-    poses.clear();
+    poses.assign(parts.instruments.size(), LinkPoses());
+    for (haptics::ToolProxy& proxy : proxies) proxy.leave();
     result.clear(parts.instruments.size());
     fades.assign(parts.instruments.size(), haptics::WrenchFade(scene.rates.ramp, 1.0));
   }
 
   bool accepts(const std::vector<LinkPoses>& next, double dt) const;
-  void moveBodies(const std::vector<LinkPoses>& next) {
-    const std::vector<LinkPoses>& from = poses.empty() ? next : poses;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const auto [i, b] = body_source[k];
-      const instrument::CollisionBody& shape = parts.instruments[i].bodies()[b];
-      bodies[k].X_WG_begin = from[i][shape.link] * shape.X_LG;
-      bodies[k].X_WG_end = next[i][shape.link] * shape.X_LG;
-    }
-    poses = next;
-  }
-
+  bool isFree(std::size_t i, const LinkPoses& links) const;
+  /// Where the tools go in a cycle in which they are commanded to these poses.
+  const std::vector<LinkPoses>& follow(const std::vector<LinkPoses>& commanded, double dt);
+  void moveBodies(const std::vector<LinkPoses>& next);
   void placeControlFrames() {
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      result.instruments[i].X_WC = poses[i][parts.control_links[i]];
+      InstrumentResult& tool = result.instruments[i];
+      tool.there = !poses[i].empty();
+      tool.waiting = proxies[i].waiting();
+      if (tool.there) tool.X_WC = poses[i][parts.control_links[i]];
     }
   }
 
@@ -110,7 +113,7 @@ struct Simulator::Impl {
   void fade(double dt) {
     for (std::size_t i = 0; i < fades.size(); ++i) {
       InstrumentResult& tool = result.instruments[i];
-      tool.spatial = fades[i].update(tool.spatial, result.report.usable(), dt);
+      tool.spatial = fades[i].update(tool.spatial, tool.there && result.report.usable(), dt);
       tool.solved = fades[i].held();
     }
   }

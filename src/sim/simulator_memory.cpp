@@ -53,18 +53,16 @@ void Simulator::Impl::saveTools(StateWriter* out) const {
     out->put(tool.max_penetration);
   }
   for (const haptics::WrenchFade& fade : fades) fade.save(out);
+  for (const haptics::ToolProxy& proxy : proxies) proxy.save(out);
 }
 
 void Simulator::Impl::restoreTools(StateReader* in) {
-  const std::int64_t instruments = in->count(1);
-  if (instruments != 0 && instruments != static_cast<std::int64_t>(parts.instruments.size())) {
-    StateReader::fail();
-  }
-  for (std::int64_t i = 0; i < instruments; ++i) {
-    LinkPoses links(parts.instruments[static_cast<std::size_t>(i)].linkNames().size());
-    if (in->count(1) != static_cast<std::int64_t>(links.size())) StateReader::fail();
-    for (Pose& X : links) in->get(&X.matrix());
-    poses.push_back(std::move(links));
+  if (in->count(1) != static_cast<std::int64_t>(poses.size())) StateReader::fail();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    poses[i].resize(static_cast<std::size_t>(in->count(1)));
+    const std::size_t links = parts.instruments[i].linkNames().size();
+    if (!poses[i].empty() && poses[i].size() != links) StateReader::fail();
+    for (Pose& X : poses[i]) in->get(&X.matrix());
   }
   if (!allFinite(poses)) StateReader::fail();
   placeControlFrames();
@@ -78,7 +76,13 @@ void Simulator::Impl::restoreTools(StateReader* in) {
     fades[i].restore(in);
     result.instruments[i].solved = fades[i].held();
   }
+  for (haptics::ToolProxy& proxy : proxies) proxy.restore(in);
   in->finish();
+  // A state may be of a scene whose tools had no proxy.
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const bool active = scene.instruments[i].proxy.active;
+    if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].place(poses[i]);
+  }
 }
 
 double Simulator::time() const { return impl_->time; }

@@ -11,9 +11,13 @@ namespace {
 using test::SlabScene;
 
 // A tool presses, and presses again: what the first press needed is there for the second.
-TEST(Simulator, TakesNoMemoryInACycleOnceItHasSeenOneLikeIt) {
+class NoAllocation : public ::testing::TestWithParam<bool> {};
+
+TEST_P(NoAllocation, InACycleOnceItHasSeenOneLikeIt) {
   SlabScene slab;
-  Simulator simulator(slab.scene());
+  scene::Scene scene = slab.scene();
+  scene.instruments[0].proxy.active = GetParam();
+  Simulator simulator(scene);
   std::vector<std::vector<LinkPoses>> poses;
   for (const Eigen::VectorXd& q : SlabScene::press()) {
     poses.push_back({simulator.linkPoses(0, q)});
@@ -29,6 +33,8 @@ TEST(Simulator, TakesNoMemoryInACycleOnceItHasSeenOneLikeIt) {
   EXPECT_GT(contacts, 0);
   EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
 }
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutAProxy, NoAllocation, ::testing::Bool());
 
 }  // namespace
 }  // namespace palpate::sim

@@ -10,7 +10,7 @@ namespace palpate::io {
 /// Writes a simulator's state in a way that a reader never sees half a file: lines for the eye,
 /// then the bytes of the state,
 ///
-///     palpate state 2
+///     palpate state 3
 ///     scene: liver palpation
 ///     time: 12.5 s
 ///     organs: liver; model: fem; state: fem implicit_pcg backward_euler anp penalty, 1020 points

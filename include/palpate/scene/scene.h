@@ -7,6 +7,7 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/response_settings.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/haptics/tool_proxy.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/selection.h"
@@ -49,6 +50,10 @@ struct OrganConfig : BodyConfig {
   std::vector<SupportConfig> supports;
 };
 
+struct ProxyConfig : haptics::ProxySettings {
+  bool active = false;  ///< In replays; the live node's always are.
+};
+
 struct InstrumentConfig {
   std::string name;
   std::string urdf;
@@ -58,6 +63,7 @@ struct InstrumentConfig {
   std::string tf_prefix;         ///< Put before link names when looking up tf frames.
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
+  ProxyConfig proxy;
 };
 
 struct ContactConfig : contact::ResponseSettings {

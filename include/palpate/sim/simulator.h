@@ -9,6 +9,7 @@
 
 #include "palpate/base/types.h"
 #include "palpate/haptics/body_wrench.h"
+#include "palpate/haptics/tool_proxy.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/scene/scene.h"
@@ -19,8 +20,8 @@
 
 namespace palpate::sim {
 
-/// Where all links of one instrument are: `X_WL[i]` maps link i to world.
-using LinkPoses = std::vector<Pose>;
+/// Where all links of one instrument are: `X_WL[i]` maps link i to world. Empty: it is not there.
+using LinkPoses = haptics::ToolProxy::LinkPoses;
 
 /// One touching point, for pictures.
 struct ContactPoint {
@@ -36,7 +37,9 @@ struct InstrumentResult {
   /// the last solved state fades (haptics::WrenchFade, in `rates.ramp` of simulated time).
   Wrench spatial;
   Wrench solved;  ///< The same of the last solved state, whole: for who fades it in real time.
-  Pose X_WC = Pose::Identity();  ///< The control frame in world.
+  Pose X_WC = Pose::Identity();  ///< The control frame in world, of a tool that is there.
+  bool there = false;            ///< The tool could touch. If it goes, what it felt fades.
+  bool waiting = false;  ///< It is commanded to where it would be inside tissue, and not there yet.
 
   /// `spatial` expressed in the control frame.
   Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
@@ -93,8 +96,10 @@ class Simulator {
   /// triangles. Made anew in each call.
   mesh::CellMesh cells(int i) const;
 
-  /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`. The
-  /// first cycle after construction or reset() takes `poses` as where the tools already were.
+  /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`, or, of
+  /// an instrument with a proxy, as far towards it as the proxy may. The first cycle after
+  /// construction or reset(), or in which an instrument is there again, takes `poses` as where it
+  /// already was. Without poses an instrument is not there.
   /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report; the
   /// wrench fades as after a failed solve.
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
@@ -106,6 +111,8 @@ class Simulator {
 
   /// Back to the rest state at time 0.
   void reset();
+  /// Whether instrument i, with its links at `poses`, would be clear of all tissue as it is now.
+  bool isFree(int i, const LinkPoses& poses) const;
   /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
   /// goes on without a past.
   /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
