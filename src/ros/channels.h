@@ -30,11 +30,12 @@ struct HapticTarget {
 
   /// What a step gave instrument `i`, whose input has this stamp and is `fresh` or not.
   void take(const sim::StepResult& result, std::size_t i, bool fresh, const ros::Time& input) {
+    const sim::InstrumentResult& tool = result.instruments[i];
     valid = true;
-    live = fresh && result.report.usable();
+    live = fresh && tool.there && result.report.usable();
     stamp = input;
-    spatial = result.instruments[i].solved;
-    R_WC = result.instruments[i].X_WC.linear();
+    spatial = tool.solved;
+    if (tool.there) R_WC = tool.X_WC.linear();
   }
 };
 
@@ -69,10 +70,9 @@ struct Statistics {
   double sim_speed = 0.0;                                    ///< Simulated over real time.
   advice::SceneVerdict verdict;  ///< Whether the scene is too heavy; unknown while no cycle solves.
   long cycles = 0, unsolved = 0, resets = 0;
-  tissue::SkipCounters skipped;      ///< Work that the cycles could leave out, since the start.
-  long unwatched_pictures = 0;       ///< Pictures not made because nobody subscribes.
-  std::vector<std::string> missing;  ///< Inputs that never came.
-  std::vector<std::string> stale;    ///< Inputs that stopped.
+  tissue::SkipCounters skipped;  ///< Work that the cycles could leave out, since the start.
+  long unwatched_pictures = 0;   ///< Pictures not made because nobody subscribes.
+  std::vector<ToolState> tools;  ///< One an instrument.
 };
 
 /// Below this share of the wanted rate the node calls itself too slow.

@@ -8,6 +8,21 @@ namespace palpate::node {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+namespace {
+
+std::string said(ToolState state) {
+  switch (state) {
+    case ToolState::kWaiting:
+      return "no input has come yet for ";
+    case ToolState::kStale:
+      return "input stopped for ";
+    default:
+      return "lift out of the tissue: ";
+  }
+}
+
+}  // namespace
+
 Diagnostics::Diagnostics() {
   updater_.setHardwareID("none");
   updater_.add("simulation", this, &Diagnostics::simulation);
@@ -20,8 +35,10 @@ void Diagnostics::loading(const std::string& what) {
   updater_.force_update();
 }
 
-void Diagnostics::running(const Inputs* inputs, const HapticLoop* haptic) {
+void Diagnostics::running(const Inputs* inputs, const HapticLoop* haptic,
+                          const std::vector<std::string>& names) {
   inputs_ = inputs;
+  names_ = names;
   haptic_ = haptic;
   haptic_since_ = Steady::now();
 }
@@ -81,16 +98,23 @@ void Diagnostics::input(Status& status) {
     return;
   }
   status.summary(DiagnosticStatus::OK, "all instruments have fresh input");
-  if (!statistics_.missing.empty()) {
-    status.summary(DiagnosticStatus::WARN,
-                   "no input has come yet for " + joinNames(statistics_.missing));
-  } else if (!statistics_.stale.empty()) {
-    status.summary(DiagnosticStatus::WARN, "input stopped for " + joinNames(statistics_.stale));
+  for (std::size_t i = 0; i < statistics_.tools.size(); ++i) {
+    const ToolState state = statistics_.tools[i];
+    if (state != ToolState::kLive) {
+      status.mergeSummary(DiagnosticStatus::WARN,
+                          said(state) + names_[i] + " (" + (*inputs_)[i]->source() + ")");
+    }
+    status.add("state of " + names_[i], toString(state));
   }
-  for (const auto& input : *inputs_) {
-    const std::string problem = input->problem();
+  for (std::size_t i = 0; i < inputs_->size(); ++i) {
+    const Input& input = *(*inputs_)[i];
+    const std::string problem = input.problem(), conflict = input.conflict();
     if (!problem.empty()) status.mergeSummary(DiagnosticStatus::WARN, problem);
-    status.add(input->source(), problem.empty() ? "ok" : problem);
+    if (!conflict.empty()) {
+      status.mergeSummary(DiagnosticStatus::ERROR,
+                          names_[i] + " (" + input.source() + "): " + conflict);
+    }
+    status.add(input.source(), !conflict.empty() ? conflict : problem.empty() ? "ok" : problem);
   }
 }
 

@@ -27,8 +27,9 @@ class Diagnostics {
   void setNotes(const std::vector<std::string>& notes) { notes_ = notes; }
   /// Where meshes are too coarse for the tools, for every report on the simulation.
   void setMeshAdvice(const std::vector<std::string>& advice) { mesh_advice_ = advice; }
-  /// From now on there is a simulation to report on.
-  void running(const Inputs* inputs, const HapticLoop* haptic);
+  /// From now on there is a simulation to report on; `names`: of the instruments.
+  void running(const Inputs* inputs, const HapticLoop* haptic,
+               const std::vector<std::string>& names);
 
   void update(const ReportFrame& frame, const Statistics& statistics);
 
@@ -41,7 +42,7 @@ class Diagnostics {
 
   diagnostic_updater::Updater updater_;
   std::string loading_, blas_warning_;
-  std::vector<std::string> notes_, mesh_advice_;
+  std::vector<std::string> notes_, mesh_advice_, names_;
   const Inputs* inputs_ = nullptr;
   const HapticLoop* haptic_ = nullptr;
   ReportFrame frame_;

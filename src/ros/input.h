@@ -34,6 +34,9 @@ class Input {
 
   /// What was wrong with the last input or why there is none; "" if all is well.
   virtual std::string problem() const = 0;
+
+  /// Who else publishes it, and names for both; "" if nobody does.
+  virtual std::string conflict() const { return ""; }
 };
 
 }  // namespace palpate::node

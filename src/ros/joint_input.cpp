@@ -11,17 +11,20 @@ JointInput::JointInput(ros::NodeHandle handle, const std::string& topic, const s
       simulator_(simulator),
       index_(index),
       reader_(simulator.instrument(index)),
-      latest_(Joints{Eigen::VectorXd::Zero(reader_.numJoints()), ros::Time(), Steady::now()}) {
+      latest_(Joints{Eigen::VectorXd::Zero(reader_.numJoints()), ros::Time(), Steady::now()}),
+      publisher_(simulator.scene().rates.stale_after) {
   scratch_.q = Eigen::VectorXd::Zero(reader_.numJoints());
   subscriber_ =
       handle.subscribe(topic, 1, &JointInput::receive, this, ros::TransportHints().tcpNoDelay());
 }
 
-void JointInput::receive(const sensor_msgs::JointState::ConstPtr& message) {
-  const std::string problem = reader_.read(*message, &scratch_.q);
+void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>& event) {
+  const sensor_msgs::JointState::ConstPtr& message = event.getConstMessage();
+  std::string problem;
   {
     std::lock_guard<std::mutex> lock(problem_mutex_);
-    problem_ = problem;
+    if (!publisher_.takes(event.getPublisherName(), Steady::now())) return;
+    problem = problem_ = reader_.read(*message, &scratch_.q);
   }
   if (!problem.empty()) {
     if (warning_.due()) ROS_WARN_STREAM(name_ << ": JointState dropped: " << problem);
@@ -49,6 +52,11 @@ std::string JointInput::source() const { return "topic " + subscriber_.getTopic(
 std::string JointInput::problem() const {
   std::lock_guard<std::mutex> lock(problem_mutex_);
   return problem_;
+}
+
+std::string JointInput::conflict() const {
+  std::lock_guard<std::mutex> lock(problem_mutex_);
+  return publisher_.conflict(Steady::now());
 }
 
 }  // namespace palpate::node

@@ -10,12 +10,13 @@
 
 #include "input.h"
 #include "joint_state_reader.h"
+#include "one_publisher.h"
 #include "palpate/base/latest_value.h"
 
 namespace palpate::node {
 
-/// Joint positions from a JointState topic. A message that does not fit is dropped with a
-/// throttled warning and counts as no input.
+/// Joint positions from a JointState topic, of one publisher. A message that does not fit is
+/// dropped with a throttled warning and counts as no input.
 class JointInput : public Input {
  public:
   /// Subscribes in `handle`'s callback queue, which one thread must serve. `simulator` outlives
@@ -27,6 +28,7 @@ class JointInput : public Input {
   void forget() override;
   std::string source() const override;
   std::string problem() const override;
+  std::string conflict() const override;
 
  private:
   struct Joints {
@@ -35,7 +37,7 @@ class JointInput : public Input {
     Steady::time_point received;
   };
 
-  void receive(const sensor_msgs::JointState::ConstPtr& message);
+  void receive(const ros::MessageEvent<const sensor_msgs::JointState>& event);
 
   std::string name_;
   const sim::Simulator& simulator_;
@@ -44,8 +46,9 @@ class JointInput : public Input {
   Joints scratch_;  // the callback's
   LatestValue<Joints> latest_;
   Throttle warning_{5.0};
-  mutable std::mutex problem_mutex_;
+  mutable std::mutex problem_mutex_;  // of these two
   std::string problem_ = "no message yet";
+  OnePublisher publisher_;
   ros::Subscriber subscriber_;  // last: its callback uses the rest
 };
 

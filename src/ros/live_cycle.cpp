@@ -39,14 +39,13 @@ void LiveCycle::run() {
   pollInputs();
 
   facts_ = CycleFacts();
-  facts_.any_live = samples_.empty();  // nobody to wait for
-  facts_.all_seen = std::all_of(samples_.begin(), samples_.end(),
-                                [](const InputSample& sample) { return sample.valid; });
+  facts_.any_seen = facts_.any_live = samples_.empty();  // nobody to wait for
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     live_[i] = live(i, start);
+    facts_.any_seen |= samples_[i].valid;
     facts_.any_live |= live_[i];
   }
-  if (facts_.all_seen && facts_.any_live) step(start);
+  if (facts_.any_live) step(start);
 
   const Steady::time_point now = Steady::now();
   machine_.update(facts_, inSeconds(now.time_since_epoch()));
@@ -63,18 +62,14 @@ void LiveCycle::reset() {
   ++resets_;
 }
 
-void LiveCycle::restart() {
-  reset();
-  for (InputSample& sample : samples_) sample.valid = false;
-}
-
 void LiveCycle::checkClock() {
   if (!ros::Time::isSimTime()) return;  // the wall clock may be adjusted at any time
   const ros::Time now = ros::Time::now();
   if (now < last_now_) {
     ROS_INFO("time went back from %.3f to %.3f s: reset", last_now_.toSec(), now.toSec());
     for (const auto& input : inputs_) input->forget();
-    restart();
+    for (InputSample& sample : samples_) sample.valid = false;
+    reset();
   }
   last_now_ = now;
 }
@@ -86,9 +81,10 @@ void LiveCycle::pollInputs() {
     InputSample& sample = samples_[i];
     if (sample.valid && polled_.stamp < sample.stamp) {
       if (sample.stamp - polled_.stamp < reordered) continue;  // a late one: the newer counts
-      ROS_INFO("stamps of %s went back from %.3f to %.3f s: reset", inputs_[i]->source().c_str(),
-               sample.stamp.toSec(), polled_.stamp.toSec());
-      restart();
+      if (stamp_warning_.due()) {
+        ROS_WARN("stamps of %s went back from %.3f to %.3f s; the scene goes on as it is",
+                 inputs_[i]->source().c_str(), sample.stamp.toSec(), polled_.stamp.toSec());
+      }
     }
     std::swap(sample, polled_);
   }
@@ -99,11 +95,18 @@ bool LiveCycle::live(std::size_t i, Steady::time_point now) const {
          now - samples_[i].received < seconds(simulator_.scene().rates.stale_after);
 }
 
+ToolState LiveCycle::toolState(std::size_t i, Steady::time_point now) const {
+  if (!samples_[i].valid) return ToolState::kWaiting;
+  if (!live(i, now)) return ToolState::kStale;
+  return result_ && result_->instruments[i].waiting ? ToolState::kOutside : ToolState::kLive;
+}
+
+// A tool whose input is missing is not there.
 void LiveCycle::step(Steady::time_point start) {
   stamp_ = ros::Time();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    poses_[i] = samples_[i].poses;
-    stamp_ = std::max(stamp_, samples_[i].stamp);
+    poses_[i] = live_[i] ? samples_[i].poses : sim::LinkPoses();
+    if (live_[i]) stamp_ = std::max(stamp_, samples_[i].stamp);
   }
   const scene::Scene& scene = simulator_.scene();
   deadline_ = start + seconds(scene.solver.deadline / scene.rates.simulation);
@@ -128,13 +131,25 @@ void LiveCycle::step(Steady::time_point start) {
   }
 }
 
+// What draws the hand to its tool, where that could not follow.
+Vec3 LiveCycle::coupling(std::size_t i) const {
+  const sim::InstrumentResult& tool = result_->instruments[i];
+  if (!tool.there || poses_[i].empty()) return Vec3::Zero();
+  const Pose& X_WH = poses_[i][simulator_.controlLink(static_cast<int>(i))];
+  return haptics::couplingForce(simulator_.scene().instruments[i].proxy, X_WH.translation(),
+                                tool.X_WC.translation());
+}
+
 // After a reset the last wrench stays as a target that is not live, so that it fades.
 void LiveCycle::writeHaptic(Steady::time_point now) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     HapticTarget& target = targets_[i];
     target.made = now;
     target.live = false;
-    if (facts_.stepped) target.take(*result_, i, live_[i], samples_[i].stamp);
+    if (facts_.stepped) {
+      target.take(*result_, i, live_[i], samples_[i].stamp);
+      target.spatial.force += coupling(i);
+    }
     channels_.haptic[i].write(target);
   }
 }

@@ -28,7 +28,7 @@ class LiveCycle {
 
   void run();
 
-  /// Rest state; the tools count as placed where the next input says.
+  /// Rest state; the tools come where they are next commanded to a free pose.
   void reset();
 
   NodeState state() const { return machine_.state(); }
@@ -39,6 +39,8 @@ class LiveCycle {
   void pollInputs();
   void restart();
   bool live(std::size_t i, Steady::time_point now) const;
+  ToolState toolState(std::size_t i, Steady::time_point now) const;
+  Vec3 coupling(std::size_t i) const;
   void step(Steady::time_point start);
   void writeHaptic(Steady::time_point now);
   void writeReport(Steady::time_point now);
@@ -75,7 +77,7 @@ class LiveCycle {
   long window_ticks_ = 0, window_steps_ = 0;
   Steady::time_point window_start_ = Steady::now();
   Throttle idle_report_{1.0}, picture_, unwatched_, idle_picture_{1.0};
-  Throttle waiting_warning_{5.0}, slow_warning_{5.0}, fault_warning_{5.0};
+  Throttle waiting_warning_{5.0}, slow_warning_{5.0}, fault_warning_{5.0}, stamp_warning_{5.0};
 };
 
 }  // namespace palpate::node

@@ -2,6 +2,7 @@
 // What the live cycle says about itself once a second.
 #include <ros/console.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -41,14 +42,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.resets = resets_;
   s.skipped = skipped_;
   s.unwatched_pictures = unwatched_pictures_;
-  for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    const std::string& name = scene.instruments[i].name;
-    if (!samples_[i].valid) {
-      s.missing.push_back(name + " (" + inputs_[i]->source() + ")");
-    } else if (!live(i, now)) {
-      s.stale.push_back(name + " (" + inputs_[i]->source() + ")");
-    }
-  }
+  for (std::size_t i = 0; i < inputs_.size(); ++i) s.tools.push_back(toolState(i, now));
   if (!first) {
     warnWaiting(s);
     warnSlow(s);
@@ -63,12 +57,19 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
 }
 
 void LiveCycle::warnWaiting(const Statistics& s) {
-  if (s.missing.empty() || !waiting_warning_.due()) return;
+  const auto waits = [](ToolState state) {
+    return state == ToolState::kWaiting || state == ToolState::kOutside;
+  };
+  if (std::none_of(s.tools.begin(), s.tools.end(), waits) || !waiting_warning_.due()) return;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    if (samples_[i].valid) continue;
-    ROS_WARN_STREAM("WAITING for the input of " << simulator_.scene().instruments[i].name << " on "
-                                                << inputs_[i]->source() << ": "
-                                                << inputs_[i]->problem());
+    const std::string& name = simulator_.scene().instruments[i].name;
+    if (s.tools[i] == ToolState::kWaiting) {
+      ROS_WARN_STREAM("WAITING for the input of " << name << " on " << inputs_[i]->source() << ": "
+                                                  << inputs_[i]->problem());
+    } else if (s.tools[i] == ToolState::kOutside) {
+      ROS_WARN_STREAM(name << " is commanded to where it would be inside tissue: it comes when it "
+                              "is lifted out");
+    }
   }
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "blas_check.h"
 #include "diagnostics.h"
@@ -75,7 +77,12 @@ int run() {
   ros::NodeHandle handle, private_handle("~");
   Diagnostics diagnostics;
   const NodeParams params = readParams(private_handle);
-  const scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
+  scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
+  std::vector<std::string> names;
+  for (scene::InstrumentConfig& instrument : scene.instruments) {
+    instrument.proxy.active = true;  // a hand may let go, or a cable
+    names.push_back(instrument.name);
+  }
   diagnostics.loading(scene.file);
   const std::unique_ptr<sim::Simulator> simulator = makeSimulator(scene, &diagnostics);
   diagnostics.setBlasWarning(checkBlas(*simulator));
@@ -91,7 +98,7 @@ int run() {
   LiveCycle cycle(simulator.get(), &inputs, &channels);
   SimulationLoop simulation(&cycle, scene.rates.simulation);
   HapticLoop haptic(handle, scene, &channels);
-  diagnostics.running(&inputs, &haptic);
+  diagnostics.running(&inputs, &haptic, names);
   PublishingLoop publishing(handle, *simulator, params.arrow_scale, &channels, &diagnostics);
 
   // Requests wait for the simulation; joint positions must not wait for requests.

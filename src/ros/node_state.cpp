@@ -17,12 +17,26 @@ const char* toString(NodeState state) {
   return "";
 }
 
+const char* toString(ToolState state) {
+  switch (state) {
+    case ToolState::kWaiting:
+      return "WAITING";
+    case ToolState::kLive:
+      return "LIVE";
+    case ToolState::kOutside:
+      return "OUTSIDE";
+    case ToolState::kStale:
+      return "STALE";
+  }
+  return "";
+}
+
 NodeState StateMachine::update(const CycleFacts& facts, double now) {
   if (facts.stepped) {
     if (!facts.solved && !failing_) failing_since_ = now;
     failing_ = !facts.solved;
   }
-  if (!facts.all_seen) {
+  if (!facts.any_seen) {
     failing_ = false;
     state_ = NodeState::kWaiting;
   } else if (!facts.any_live) {

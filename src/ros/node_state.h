@@ -5,7 +5,7 @@ namespace palpate::node {
 
 /// What the node is doing, as it says in step_report and /diagnostics.
 enum class NodeState {
-  kWaiting,  ///< Some instrument has never had an input.
+  kWaiting,  ///< No instrument has had an input yet.
   kRunning,
   kPaused,  ///< No instrument has had an input for rates.stale_after; the wrench is gone.
   kFault    ///< The solver has been failing for kFaultAfter; the wrench is gone.
@@ -15,9 +15,19 @@ inline constexpr double kFaultAfter = 0.5;  ///< [s]
 
 const char* toString(NodeState state);
 
+/// What one instrument is doing. Each for itself: the others go on.
+enum class ToolState {
+  kWaiting,  ///< It has never had an input.
+  kLive,
+  kOutside,  ///< It has input, but is commanded into tissue where it never was: lift it out.
+  kStale     ///< Its input stopped; it is not there.
+};
+
+const char* toString(ToolState state);
+
 /// What one cycle knows.
 struct CycleFacts {
-  bool all_seen = false;  ///< Every instrument has had an input since the last reset.
+  bool any_seen = false;  ///< Some instrument has had an input since the clock went back.
   bool any_live = false;  ///< Some instrument's newest input is fresh enough.
   bool stepped = false;   ///< The simulation made a step in this cycle ...
   bool solved = false;    ///< ... and the tissue took its state.

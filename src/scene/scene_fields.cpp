@@ -73,6 +73,11 @@ void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {
            proxy.max_angular_speed, keys::Range::above(0.0, 1000.0));
   v.number({"max_angular_acceleration", "rad/s^2", "Of the tool."}, proxy.max_angular_acceleration,
            keys::Range::above(0.0, 1.0e7));
+  v.number({"coupling_stiffness", "N/m",
+            "Live, the hand is drawn to a tool that could not follow it by this spring."},
+           proxy.coupling_stiffness, keys::Range::closed(0.0, 1.0e5));
+  v.number({"coupling_force", "N", "With no more than this."}, proxy.coupling_force,
+           keys::Range::closed(0.0, 1000.0));
 }
 
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {

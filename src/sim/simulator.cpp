@@ -96,6 +96,9 @@ int Simulator::numInstruments() const { return static_cast<int>(impl_->parts.ins
 const instrument::Instrument& Simulator::instrument(int i) const {
   return impl_->parts.instruments[i];
 }
+int Simulator::controlLink(int i) const {
+  return impl_->parts.control_links[static_cast<std::size_t>(i)];
+}
 int Simulator::numOrgans() const { return static_cast<int>(impl_->parts.organs.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
 tissue::Shape Simulator::shape(int i) const { return impl_->parts.organs[i].shape(); }

@@ -3,6 +3,7 @@
 """The live node with joint positions as input."""
 import math
 import os
+import subprocess
 import sys
 import time
 import unittest
@@ -133,22 +134,84 @@ class Joints(unittest.TestCase):
         f = self.body.last().wrench.force
         self.assertAlmostEqual(f.x / f.z, -math.tan(0.6), delta=0.1)
 
-    def test_stamps_that_go_back_reset(self):
+    def test_stamps_that_go_back_change_nothing(self):
         self.touch()
-        before = self.reports.last().time
+        before, held = self.reports.last().time, force(self.spatial.last())
         self.assertGreater(before, 0.1)
-        self.reports.clear()
+        self.clear()
         past = rospy.Time(100)
         began = time.monotonic()
 
         def make():
-            return joint_state(ABOVE, past + rospy.Duration(time.monotonic() - began))
+            return joint_state(TOUCHING, past + rospy.Duration(time.monotonic() - began))
 
         self.hand.send(make)
-        reset = self.reports.wait(lambda m: m.header.stamp.to_sec() < 200, 3.0)
-        self.assertIsNotNone(reset)
-        self.assertLess(reset.time, before)
-        self.assertEqual(self.reports.last().state, "RUNNING")
+        after = self.reports.wait(lambda m: 0 < m.header.stamp.to_sec() < 200, 3.0)
+        self.assertIsNotNone(after)
+        self.assertGreater(after.time, before)
+        time.sleep(0.5)
+        self.assertEqual({m.state for m in self.reports.all()}, {"RUNNING"})
+        for m in self.spatial.all():
+            self.assertAlmostEqual(force(m), held, delta=0.05 * held)
+
+    def test_after_a_reset_in_contact_the_tool_waits_outside(self):
+        self.touch()
+        before = force(self.spatial.last())
+        self.assertTrue(rospy.ServiceProxy("/palpate/reset", Trigger)().success)
+        self.wait_for_force(lambda f: f == 0.0)
+        self.clear()
+        self.diagnostics.clear()
+        said = self.diagnostics.wait(
+            lambda d: status(d, "input") and "lift out" in status(d, "input").message, 5.0)
+        self.assertIsNotNone(said)
+        self.assertEqual({v.key: v.value for v in status(said, "input").values}["state of probe"], "OUTSIDE")
+        self.assertEqual({force(m) for m in self.spatial.all()}, {0.0})
+        self.hand.hold(ABOVE)
+        time.sleep(0.3)
+        self.touch()
+        self.assertAlmostEqual(force(self.spatial.last()), before, delta=0.02 * before)
+
+    def test_a_leap_of_the_hand_is_no_jump_of_the_force(self):
+        self.touch()
+        before = force(self.spatial.last())
+        for leap in (0.05, 0.1, 0.5):
+            self.hand.hold(TOUCHING + leap)
+            time.sleep(1.0)
+            self.clear()
+            self.hand.hold(TOUCHING)
+            time.sleep(1.0)
+            timed = self.spatial.timed()
+            for (_, a), (_, b) in zip(timed, timed[1:]):
+                self.assertLess(abs(force(a) - force(b)), 2.0 + 1e-6, leap)  # 2000 N/s
+            self.assertLess(max(force(m) for _, m in timed), 2.0 + 2.0 * before, leap)
+            self.assertAlmostEqual(force(timed[-1][1]), before, delta=0.02 * before, msg=leap)
+            self.assertLess(max(m.cycle_ms for m in self.reports.all()), 30.0, leap)
+            self.assertTrue(all(m.min_jacobian > 0.0 for m in self.reports.all()), leap)
+
+    def test_of_two_publishers_one_counts_and_both_are_named(self):
+        self.touch()
+        before = force(self.spatial.last())
+        self.clear()
+        self.diagnostics.clear()
+        other = subprocess.Popen(
+            ["rostopic", "pub", "-r", "100", "/probe/measured_js", "sensor_msgs/JointState",
+             "{header: {stamp: now}, name: [x, y, z, roll, pitch, yaw],"
+             " position: [0.0, 0.0, %g, 0.0, 0.6, 0.0]}" % ABOVE, "__name:=other_hand"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            said = self.diagnostics.wait(
+                lambda d: status(d, "input") and "both publish" in status(d, "input").message, 15.0)
+            self.assertIsNotNone(said)
+            self.assertEqual(status(said, "input").level, 2)  # ERROR
+            for name in ("/joints_test", "other_hand"):
+                self.assertIn(name, status(said, "input").message)
+            time.sleep(0.3)
+        finally:
+            other.send_signal(2)
+            other.wait(10)
+        for m in self.spatial.all():
+            self.assertAlmostEqual(force(m), before, delta=0.05 * before)
+        self.assertEqual({m.state for m in self.reports.all()}, {"RUNNING"})
 
     def test_services(self):
         self.touch()

@@ -8,7 +8,7 @@ namespace {
 
 CycleFacts facts(bool seen, bool live, bool stepped, bool solved) {
   CycleFacts f;
-  f.all_seen = seen;
+  f.any_seen = seen;
   f.any_live = live;
   f.stepped = stepped;
   f.solved = solved;

@@ -12,7 +12,7 @@ import rostest
 from rosgraph_msgs.msg import Clock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from helpers import TOUCHING, Hand, force, joint_state, report_ear, wrench_ear  # noqa: E402
+from helpers import ABOVE, TOUCHING, Hand, force, joint_state, report_ear, wrench_ear  # noqa: E402
 
 
 class SimTime(unittest.TestCase):
@@ -29,6 +29,8 @@ class SimTime(unittest.TestCase):
         threading.Thread(target=tick, daemon=True).start()
         rospy.wait_for_service("/palpate/reset", 30)
         reports, spatial, hand = report_ear(), wrench_ear(), Hand()
+        hand.send(lambda: joint_state(ABOVE, rospy.Time(now[0])))
+        self.assertIsNotNone(reports.wait(lambda m: m.state == "RUNNING", 5.0))
         hand.send(lambda: joint_state(TOUCHING, rospy.Time(now[0])))
         self.assertIsNotNone(spatial.wait(lambda m: force(m) > 0.02, 5.0))
         self.assertIsNotNone(reports.wait(lambda m: m.time > 0.5, 5.0))

@@ -7,6 +7,7 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/response_settings.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/haptics/tool_coupling.h"
 #include "palpate/haptics/tool_proxy.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/instrument/instrument.h"
@@ -50,7 +51,7 @@ struct OrganConfig : BodyConfig {
   std::vector<SupportConfig> supports;
 };
 
-struct ProxyConfig : haptics::ProxySettings {
+struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {
   bool active = false;  ///< In replays; the live node's always are.
 };
 

@@ -80,6 +80,7 @@ class Simulator {
 
   int numInstruments() const;
   const instrument::Instrument& instrument(int i) const;
+  int controlLink(int i) const;  ///< Index of its control frame among its links.
   /// Link poses in world for positions of instrument(i).joints() [m or rad].
   LinkPoses linkPoses(int i, const Eigen::VectorXd& joints) const;
 

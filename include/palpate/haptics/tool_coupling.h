@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "palpate/base/types.h"
+
+namespace palpate::haptics {
+
+/// What is felt of a proxy that is elsewhere than the hand.
+struct CouplingSettings {
+  double coupling_stiffness = 100.0;  ///< [N/m]
+  double coupling_force = 2.0;        ///< Never more [N].
+};
+
+/// Force on the hand at `p_hand` from its proxy at `p_proxy`, both in world [m]: a spring, limited
+/// [N]. Nothing where both are at one place, as in all but the fastest motions.
+inline Vec3 couplingForce(const CouplingSettings& settings, const Vec3& p_hand,
+                          const Vec3& p_proxy) {
+  const Vec3 force = settings.coupling_stiffness * (p_proxy - p_hand);
+  const double norm = force.norm();
+  return norm > settings.coupling_force ? Vec3(force * (settings.coupling_force / norm)) : force;
+}
+
+}  // namespace palpate::haptics
