@@ -35,6 +35,11 @@ geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
   return m;
 }
 
+Wrench fromMsg(const geometry_msgs::Wrench& wrench) {
+  return {Vec3(wrench.force.x, wrench.force.y, wrench.force.z),
+          Vec3(wrench.torque.x, wrench.torque.y, wrench.torque.z)};
+}
+
 palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const ros::Time& stamp,
                           double cycle_ms) {
   palpate::StepReport m;

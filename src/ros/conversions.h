@@ -23,6 +23,8 @@ geometry_msgs::Point toPoint(const Vec3& p);
 geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
                                    const std::string& frame);
 
+Wrench fromMsg(const geometry_msgs::Wrench& wrench);
+
 /// `cycle_ms`: wall time of the cycle [ms]. A number that is not finite becomes -1.
 palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const ros::Time& stamp,
                           double cycle_ms);

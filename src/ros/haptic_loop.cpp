@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "conversions.h"
+#include "ending.h"
 #include "palpate/haptics/body_wrench.h"
 #include "topics.h"
 
@@ -26,6 +27,10 @@ haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
 }
 
 namespace {
+
+constexpr int kZeros = 20;           // sent at the end
+constexpr double kUntilHeard = 0.5;  // [s] a program that ends at once lets who listens connect
+constexpr double kUntilSent = 0.05;  // [s] for the last message
 
 /// Real-time priority for this thread, if the system lets us.
 bool becomeRealtime() {
@@ -50,20 +55,38 @@ HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channe
   }
 }
 
-HapticLoop::~HapticLoop() { stop(); }
+HapticLoop::~HapticLoop() { finish(); }
 
-void HapticLoop::start() { thread_ = std::thread(&HapticLoop::loop, this); }
+void HapticLoop::start() {
+  thread_ = std::thread([this] { Ending::guard("force", [this] { loop(); }); });
+}
 
-void HapticLoop::stop() {
-  stopping_ = true;
-  if (thread_.joinable()) thread_.join();
+void HapticLoop::finish() {
+  finishing_ = true;
+  if (!thread_.joinable()) return;
+  thread_.join();
+  // Here too where the thread failed.
+  for (int k = 0; k < kZeros; ++k) {
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+      send(&hands_[i], Wrench(), channels_.haptic[i].read());
+    }
+    std::this_thread::sleep_for(period_);
+  }
+  std::this_thread::sleep_for(seconds(kUntilSent));
+}
+
+bool HapticLoop::atRest() const {
+  return std::all_of(hands_.begin(), hands_.end(), [](const Hand& hand) {
+    const Wrench& wrench = hand.filter.output();
+    return wrench.force == Vec3::Zero() && wrench.torque == Vec3::Zero();
+  });
 }
 
 void HapticLoop::loop() {
   statistics_.realtime = becomeRealtime();
-  Steady::time_point last = Steady::now();
-  Steady::time_point next = last + period_;
-  while (!stopping_) {
+  const Steady::time_point begin = Steady::now();
+  Steady::time_point last = begin, next = begin + period_;
+  while (!(finishing_ && atRest() && last - begin > seconds(kUntilHeard))) {
     std::this_thread::sleep_until(next);
     const Steady::time_point now = Steady::now();
     for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
@@ -81,19 +104,21 @@ void HapticLoop::loop() {
 void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
   const HapticTarget& target = channels_.haptic[i].read();
   Hand& hand = hands_[i];
-  const bool live = target.live && now - target.made < silence_;
+  const bool live = target.live && !finishing_ && now - target.made < silence_;
   const Wrench& spatial = hand.filter.update(target.spatial, live, dt);
-  if (!target.valid) return;
-
-  if (hand.spatial.getNumSubscribers() > 0) {
-    hand.spatial.publish(toMsg(spatial, target.stamp, kWorldFrame));
-  }
-  if (hand.body.getNumSubscribers() > 0) {
-    hand.body.publish(
-        toMsg(haptics::bodyWrench(spatial, target.R_WC), target.stamp, hand.body_frame));
-  }
+  send(&hand, spatial, target);
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;
+}
+
+void HapticLoop::send(Hand* hand, const Wrench& spatial, const HapticTarget& target) {
+  const ros::Time stamp = target.valid ? target.stamp : ros::Time::now();
+  if (hand->spatial.getNumSubscribers() > 0) {
+    hand->spatial.publish(toMsg(spatial, stamp, kWorldFrame));
+  }
+  if (hand->body.getNumSubscribers() > 0) {
+    hand->body.publish(toMsg(haptics::bodyWrench(spatial, target.R_WC), stamp, hand->body_frame));
+  }
 }
 
 }  // namespace palpate::node

@@ -26,15 +26,18 @@ struct HapticStatistics {
 haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene);
 
 /// The force thread: at rates.haptic, the newest wrench of each instrument through its filter to
-/// spatial/measured_cf and body/measured_cf. The stamp is that of the input that caused it.
-/// Silent until the first cycle of the simulation.
+/// spatial/measured_cf and body/measured_cf. The stamp is that of the input that caused it. Until
+/// the first cycle of the simulation it sends zeros, for a device may still hold what somebody sent
+/// before.
 class HapticLoop {
  public:
   HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channels* channels);
   ~HapticLoop();
 
   void start();
-  void stop();
+  /// Takes the force back, sends some zeros more, so that the device has one whatever else is lost,
+  /// and ends. The destructor does so, too.
+  void finish();
 
   const HapticStatistics& statistics() const { return statistics_; }
   double rate() const { return 1.0 / inSeconds(period_); }  ///< Wanted [Hz].
@@ -48,13 +51,15 @@ class HapticLoop {
 
   void loop();
   void update(std::size_t i, Steady::time_point now, double dt);
+  void send(Hand* hand, const Wrench& spatial, const HapticTarget& target);
+  bool atRest() const;
 
   Channels& channels_;
   std::vector<Hand> hands_;
   Steady::duration period_;
   Steady::duration silence_;  // of the simulation, after which the wrench fades
   HapticStatistics statistics_;
-  std::atomic<bool> stopping_{false};
+  std::atomic<bool> finishing_{false};
   std::thread thread_;
 };
 

@@ -2,7 +2,6 @@
 // palpate_node: an instrument driven by ROS touches the organs of a scene.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <ros/spinner.h>
 
 #include <cmath>
 #include <exception>
@@ -11,7 +10,9 @@
 #include <vector>
 
 #include "blas_check.h"
+#include "callback_thread.h"
 #include "diagnostics.h"
+#include "ending.h"
 #include "environment.h"
 #include "haptic_loop.h"
 #include "input_factory.h"
@@ -38,7 +39,7 @@ std::unique_ptr<sim::Simulator> makeSimulator(const scene::Scene& scene, Diagnos
   std::string last;
   auto simulator =
       std::make_unique<sim::Simulator>(scene, [&](const std::string& what, double fraction) {
-        if (!ros::ok()) throw Interrupted();
+        if (Ending::asked()) throw Interrupted();
         const bool due = said.due();
         if (what == last && !due) return;
         last = what;
@@ -83,6 +84,10 @@ int run() {
     instrument.proxy.active = true;  // a hand may let go, or a cable
     names.push_back(instrument.name);
   }
+  Channels channels(scene.instruments.size());
+  HapticLoop haptic(handle, scene, &channels);
+  haptic.start();
+
   diagnostics.loading(scene.file);
   const std::unique_ptr<sim::Simulator> simulator = makeSimulator(scene, &diagnostics);
   diagnostics.setBlasWarning(checkBlas(*simulator));
@@ -94,10 +99,8 @@ int run() {
   InputFactory factory;
   Inputs inputs = factory.make(handle, *simulator);
   broadcastBases(*simulator);
-  Channels channels(inputs.size());
   LiveCycle cycle(simulator.get(), &inputs, &channels);
   SimulationLoop simulation(&cycle, scene.rates.simulation);
-  HapticLoop haptic(handle, scene, &channels);
   diagnostics.running(&inputs, &haptic, names);
   PublishingLoop publishing(handle, *simulator, params.arrow_scale, &channels, &diagnostics);
 
@@ -105,22 +108,21 @@ int run() {
   ros::CallbackQueue requests;
   private_handle.setCallbackQueue(&requests);
   Services services(private_handle, simulator.get(), &cycle, &simulation, params.state_directory);
-  ros::AsyncSpinner request_spinner(1, &requests);
-  ros::AsyncSpinner input_spinner(1);
+  CallbackThread request_thread("requests", &requests);
+  CallbackThread input_thread("input", ros::getGlobalCallbackQueue());
 
   publishing.start();
-  haptic.start();
   simulation.start();
-  request_spinner.start();
-  input_spinner.start();
-  ros::waitForShutdown();
+  request_thread.start();
+  input_thread.start();
+  Ending::wait();
 
-  input_spinner.stop();
-  request_spinner.stop();
+  haptic.finish();  // before all else: a hand holds it
+  input_thread.stop();
+  request_thread.stop();
   simulation.stop();
-  haptic.stop();
   publishing.stop();
-  return 0;
+  return Ending::status();
 }
 
 }  // namespace
@@ -129,8 +131,10 @@ int run() {
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
   palpate::start::keepFreedMemory();
-  ros::init(argc, argv, "palpate");
+  palpate::node::Ending::catchSignals();
+  ros::init(argc, argv, "palpate", ros::init_options::NoSigintHandler);
   const ros::NodeHandle alive;  // so that the last words get out
+  palpate::node::Ending::catchShutdownRequests();
   try {
     return palpate::node::run();
   } catch (const palpate::InputError& e) {

@@ -2,6 +2,7 @@
 #include "publishing_loop.h"
 
 #include "conversions.h"
+#include "ending.h"
 #include "topics.h"
 
 namespace palpate::node {
@@ -17,7 +18,9 @@ PublishingLoop::PublishingLoop(ros::NodeHandle handle, const sim::Simulator& sim
 
 PublishingLoop::~PublishingLoop() { stop(); }
 
-void PublishingLoop::start() { thread_ = std::thread(&PublishingLoop::loop, this); }
+void PublishingLoop::start() {
+  thread_ = std::thread([this] { Ending::guard("publishing", [this] { loop(); }); });
+}
 
 void PublishingLoop::stop() {
   stopping_ = true;

@@ -4,6 +4,8 @@
 #include <future>
 #include <memory>
 
+#include "ending.h"
+
 namespace palpate::node {
 
 struct SimulationLoop::Task {
@@ -17,7 +19,9 @@ SimulationLoop::SimulationLoop(LiveCycle* cycle, double rate)
 
 SimulationLoop::~SimulationLoop() { stop(); }
 
-void SimulationLoop::start() { thread_ = std::thread(&SimulationLoop::loop, this); }
+void SimulationLoop::start() {
+  thread_ = std::thread([this] { Ending::guard("simulation", [this] { loop(); }); });
+}
 
 void SimulationLoop::stop() {
   stopping_ = true;

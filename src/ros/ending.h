@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace palpate::node {
+
+/// Why a program of the node ends: a signal, `rosnode kill`, or an exception in one of its threads.
+/// They only ask; what must still be done, such as taking a force back, the program does before it
+/// shuts ROS down. One a process: signals know no objects.
+class Ending {
+ public:
+  /// SIGINT, SIGTERM and SIGHUP ask. Each has its own way again once it came: a second Ctrl-C ends
+  /// the program at once. Call before ros::init(), with ros::init_options::NoSigintHandler.
+  static void catchSignals();
+  /// The shutdown that `rosnode kill` and a second node of this name request asks as well. Call
+  /// after the first NodeHandle.
+  static void catchShutdownRequests();
+
+  /// Safe in any thread.
+  static void ask(const std::string& why);
+  /// The program ends with status 1, and says so.
+  static void fail(const std::string& what);
+  static bool asked();
+  /// Until somebody asks.
+  static void wait();
+  /// 0, or 1 after fail().
+  static int status();
+
+  /// Runs the body of a thread; an exception in it is a fail() that names the thread.
+  static void guard(const char* thread, const std::function<void()>& body);
+};
+
+}  // namespace palpate::node

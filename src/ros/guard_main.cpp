@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate_guard: stands between the node and a haptic device, in a process of its own. It passes
+// wrenches on as they come, and takes the last one back when none comes any more: a device holds
+// what it heard last, also of a node that has died.
+//
+//   ~input    geometry_msgs/WrenchStamped, of the node
+//   ~output   geometry_msgs/WrenchStamped, to the device
+//   ~patience [s] so long a silence is none yet, 0.05
+//   ~ramp     [s] from there to zero, 0.02
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <cmath>
+#include <exception>
+#include <string>
+#include <thread>
+
+#include "conversions.h"
+#include "ending.h"
+#include "palpate/base/error.h"
+#include "palpate/haptics/silence_guard.h"
+#include "throttle.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr double kTick = 0.002;  // [s]
+
+std::string topicParam(const ros::NodeHandle& handle, const char* name) {
+  std::string topic;
+  if (!handle.getParam(name, topic) || topic.empty()) {
+    throw InputError("parameters of " + handle.getNamespace(), name, topic, "must be a topic");
+  }
+  return topic;
+}
+
+double timeParam(const ros::NodeHandle& handle, const char* name, double value) {
+  handle.getParam(name, value);
+  if (!std::isfinite(value) || value < 0.0) {
+    throw InputError("parameters of " + handle.getNamespace(), name, std::to_string(value),
+                     "must be finite and >= 0 [s]");
+  }
+  return value;
+}
+
+/// One input, one output, one thread.
+class Guard {
+ public:
+  Guard(ros::NodeHandle handle, const ros::NodeHandle& parameters)
+      : guard_(timeParam(parameters, "patience", 0.05), timeParam(parameters, "ramp", 0.02)),
+        output_(
+            handle.advertise<geometry_msgs::WrenchStamped>(topicParam(parameters, "output"), 1)),
+        input_(handle.subscribe(topicParam(parameters, "input"), 1, &Guard::receive, this,
+                                ros::TransportHints().tcpNoDelay())) {}
+
+  /// Until the end of the program is asked for, and the output is zero.
+  void run() {
+    Steady::time_point last = Steady::now();
+    while (!Ending::asked()) {
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kTick));
+      const Steady::time_point now = Steady::now();
+      if (now - last < seconds(kTick)) continue;
+      pass(inSeconds(now - last));
+      last = now;
+    }
+    input_.shutdown();
+    do {
+      std::this_thread::sleep_for(seconds(kTick));
+      pass(kTick);
+    } while (!guard_.silent() || guard_.output().force != Vec3::Zero());
+    for (int k = 0; k < 20; ++k) {
+      pass(kTick);
+      std::this_thread::sleep_for(seconds(kTick));
+    }
+  }
+
+ private:
+  void receive(const geometry_msgs::WrenchStamped& message) {
+    last_ = message;
+    if (!guard_.hear(fromMsg(message.wrench))) return;
+    if (spoken_for_) ROS_INFO("the wrench is back");
+    spoken_for_ = false;
+    output_.publish(message);
+  }
+  void pass(double dt) {
+    if (!guard_.pass(dt)) return;
+    if (!spoken_for_ && !last_.header.frame_id.empty() && !Ending::asked()) {
+      ROS_WARN("nothing is heard on %s: the wrench goes to zero", input_.getTopic().c_str());
+    }
+    spoken_for_ = true;
+    last_.header.stamp = ros::Time::now();
+    output_.publish(toMsg(guard_.output(), last_.header.stamp, last_.header.frame_id));
+  }
+
+  haptics::SilenceGuard guard_;
+  geometry_msgs::WrenchStamped last_;
+  bool spoken_for_ = false;
+  ros::Publisher output_;
+  ros::Subscriber input_;
+};
+
+}  // namespace
+}  // namespace palpate::node
+
+int main(int argc, char** argv) {
+  using palpate::node::Ending;
+  Ending::catchSignals();
+  ros::init(argc, argv, "palpate_guard", ros::init_options::NoSigintHandler);
+  const ros::NodeHandle handle;
+  Ending::catchShutdownRequests();
+  try {
+    palpate::node::Guard(handle, ros::NodeHandle("~")).run();
+  } catch (const palpate::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return palpate::node::kBadInput;
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM(error.what());
+    return 1;
+  }
+  return 0;
+}

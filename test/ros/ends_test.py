@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""However the node ends, the last wrench that a device has heard is zero."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import roslib.packages
+import rospkg
+import rospy
+import rostest
+from geometry_msgs.msg import WrenchStamped
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from helpers import ABOVE, TOUCHING, Ear, Hand, force, wrench_ear  # noqa: E402
+
+SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scenes")
+DEVICE = "master/body/servo_cf"
+
+
+def program(name, *arguments):
+    return subprocess.Popen([roslib.packages.find_node("palpate", name)[0]] + list(arguments))
+
+
+class Ends(unittest.TestCase):
+    def setUp(self):
+        self.spatial, self.body, self.device = wrench_ear("spatial"), wrench_ear("body"), Ear(DEVICE, WrenchStamped)
+        self.programs = []
+
+    def tearDown(self):
+        for p in self.programs:
+            if p.poll() is None:
+                p.kill()
+                p.wait(10)
+        for ear in (self.spatial, self.body, self.device):
+            ear.subscriber.unregister()
+
+    def start(self, name, *arguments):
+        self.programs.append(program(name, *arguments))
+        return self.programs[-1]
+
+    def node(self):
+        return self.start("palpate_node", "__name:=palpate", "_scene:=" + os.path.join(SCENES, "block.yaml"))
+
+    def guard(self):
+        return self.start("palpate_guard", "__name:=guard", "_input:=probe/body/measured_cf", "_output:=" + DEVICE)
+
+    def press(self, ear=None):
+        hand = Hand()
+        hand.hold(ABOVE)
+        rospy.wait_for_service("/palpate/reset", 30)
+        time.sleep(0.5)
+        hand.hold(TOUCHING)
+        ear = ear or self.spatial
+        self.assertIsNotNone(ear.wait(lambda m: force(m) > 0.02))
+        time.sleep(0.5)
+        self.hand = hand
+        return force(ear.last())
+
+    def ends_in_zeros(self, ear, before, slope=0.2):
+        """The wrench goes in a ramp, and at least ten zeros follow."""
+        forces = [force(m) for m in ear.all()]
+        self.assertLess(max(abs(a - b) for a, b in zip(forces, forces[1:])), slope * before)
+        zeros = next((i for i, f in enumerate(reversed(forces)) if f != 0.0), len(forces))
+        self.assertGreaterEqual(zeros, 10)
+
+    def test_signals_and_rosnode_kill(self):
+        for how in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, "rosnode"):
+            node = self.node()
+            before = self.press()
+            self.spatial.clear()
+            self.body.clear()
+            asked = time.monotonic()
+            if how == "rosnode":
+                subprocess.check_call(["rosnode", "kill", "/palpate"], stdout=subprocess.DEVNULL)
+            else:
+                node.send_signal(how)
+            self.assertEqual(node.wait(10), 0, how)
+            took = time.monotonic() - asked
+            self.assertLess(took, 3.0 if how == "rosnode" else 1.0, how)
+            time.sleep(0.3)
+            self.ends_in_zeros(self.spatial, before)
+            self.ends_in_zeros(self.body, before)
+            self.hand.stop()
+
+    def test_a_scene_that_fails_sends_zeros(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(SCENES, "block.yaml")) as f:
+                text = f.read().replace("block.msh", "nowhere.msh").replace(
+                    "urdf: probe.urdf", "urdf: " + os.path.join(SCENES, "probe.urdf"))
+            bad = os.path.join(folder, "bad.yaml")
+            with open(bad, "w") as f:
+                f.write(text)
+            node = self.start("palpate_node", "__name:=palpate", "_scene:=" + bad)
+            self.assertEqual(node.wait(20), 2)
+        time.sleep(0.3)
+        self.assertGreaterEqual(len(self.spatial.all()), 10)
+        self.assertEqual({force(m) for m in self.spatial.all()}, {0.0})
+
+    def test_a_second_interrupt_ends_it_at_once(self):
+        node = self.node()
+        self.press()
+        node.send_signal(signal.SIGINT)
+        node.send_signal(signal.SIGINT)
+        self.assertIn(node.wait(1), (-signal.SIGINT, 0))
+        self.hand.stop()
+
+    def test_with_a_guard_even_a_killed_node_leaves_a_zero(self):
+        guard, node = self.guard(), self.node()
+        before = self.press(self.device)
+        self.assertAlmostEqual(force(self.body.last()), before, delta=0.02 * before)
+        self.device.clear()
+        node.kill()
+        killed = time.monotonic()
+        self.assertIsNotNone(self.device.wait(lambda m: force(m) == 0.0, 1.0))
+        self.assertLess(time.monotonic() - killed, 0.2)
+        time.sleep(0.3)
+        self.ends_in_zeros(self.device, before)
+        # The guard goes, too: the device has its zero.
+        self.device.clear()
+        guard.send_signal(signal.SIGINT)
+        self.assertEqual(guard.wait(5), 0)
+        time.sleep(0.2)
+        self.assertGreaterEqual(len(self.device.all()), 10)
+        self.assertEqual({force(m) for m in self.device.all()}, {0.0})
+        self.hand.stop()
+
+    def test_a_guard_that_ends_takes_the_wrench_back(self):
+        guard = self.guard()
+        self.node()
+        before = self.press(self.device)
+        self.device.clear()
+        guard.send_signal(signal.SIGTERM)
+        self.assertEqual(guard.wait(5), 0)
+        time.sleep(0.2)
+        self.ends_in_zeros(self.device, before)
+        self.hand.stop()
+
+    def test_a_guard_says_what_it_needs(self):
+        done = subprocess.run([roslib.packages.find_node("palpate", "palpate_guard")[0], "__name:=lost"],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20, universal_newlines=True)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("must be a topic", done.stdout)
+
+
+if __name__ == "__main__":
+    rospy.init_node("ends_test")
+    rostest.rosrun("palpate", "ends_test", Ends)
