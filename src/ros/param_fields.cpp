@@ -26,6 +26,27 @@ void ParamFields::check() const {
   if (!problems_.empty()) throw InputError("parameters of " + handle_.getNamespace(), problems_);
 }
 
+void ParamFields::refuseOthers(const std::vector<std::string>& known) {
+  const std::string prefix = handle_.getNamespace() + "/";
+  std::vector<std::string> all;
+  handle_.getParamNames(all);
+  for (const std::string& name : all) {
+    if (name.rfind(prefix, 0) != 0) continue;
+    const std::string key = name.substr(prefix.size());
+    const bool is_known = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
+      return key == k || key.rfind(k + "/", 0) == 0;
+    });
+    if (is_known) continue;
+    // Known are names of one part, and of two.
+    const std::size_t first = key.find('/');
+    std::string near = nearestName(key.substr(0, key.find('/', first + 1)), known);
+    if (near.empty()) near = nearestName(key.substr(0, first), known);
+    refuse(key, "",
+           near.empty() ? "is unknown; known: " + joinNames(known)
+                        : "is unknown; did you mean " + near + "?");
+  }
+}
+
 void ParamFields::begin(const std::string& path) {
   open_ = {path};
   known_.clear();

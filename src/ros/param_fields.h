@@ -27,6 +27,9 @@ class ParamFields : public keys::FieldVisitor {
   }
 
   /// @throws InputError with everything that was wrong.
+  /// Refuses all parameters below the node's name that are none of `known`, names or sections of
+  /// which each has been applied.
+  void refuseOthers(const std::vector<std::string>& known);
   void check() const;
 
   bool number(const keys::Field& field, double& value, const keys::Range& range) override;

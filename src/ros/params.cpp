@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "palpate/base/error.h"
 #include "param_fields.h"
@@ -56,6 +57,13 @@ scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
   for (scene::InstrumentConfig& instrument : scene.instruments) {
     fields.apply(std::string(kInstrumentsSection) + "/" + instrument.name, instrument);
   }
+  std::vector<std::string> known(std::begin(kNodeParams), std::end(kNodeParams));
+  known.insert(known.end(), std::begin(kSceneSections), std::end(kSceneSections));
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
+    known.push_back(std::string(kInstrumentsSection) + "/" + instrument.name);
+  }
+  known.insert(known.end(), std::begin(kLibraryParams), std::end(kLibraryParams));
+  fields.refuseOthers(known);
   fields.check();
   return scene;
 }

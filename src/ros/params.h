@@ -16,11 +16,13 @@ inline constexpr char kArrowScaleParam[] = "arrow_scale";
 inline constexpr const char* kNodeParams[] = {kSceneParam, kInitialStateParam, kStateDirectoryParam,
                                               kArrowScaleParam};
 
+/// What libraries read below the node's name: diagnostic_updater.
+inline constexpr const char* kLibraryParams[] = {"diagnostic_period", "diagnostic_updater_use_fqn"};
+
 /// Sections of the scene whose keys are parameters as well, and the list of which each item is.
 inline constexpr const char* kSceneSections[] = {"contact", "solver", "rates", "haptics"};
 inline constexpr char kInstrumentsSection[] = "instruments";
 
-/// Private parameters of the node that are not keys of the scene.
 /// Where ROS keeps a user's files.
 std::string rosHome();
 

@@ -51,6 +51,15 @@ class Parameters(unittest.TestCase):
                      "_instruments/probe/input:=hands", "_contact/stiffness:=soft")
         self.refused(["arrow_scale"], scene, "_arrow_scale:=-1.0")
 
+    def test_unknown_parameters_are_refused_anywhere(self):
+        scene = "_scene:=" + os.path.join(SCENES, "block.yaml")
+        self.refused(["sceen", "did you mean scene"], scene, "_sceen:=liver_palpation")
+        self.refused(["haptic/max_force", "did you mean haptics"], scene, "_haptic/max_force:=3.0")
+        self.refused(["instruments/prob/input", "did you mean instruments/probe"], scene,
+                     "_instruments/prob/input:=tf")
+        self.refused(["proxy/max_sped", "max_speed"], scene, "_instruments/probe/proxy/max_sped:=0.1")
+        self.refused(["wind", "known: scene"], scene, "_wind:=strong")
+
     def test_bad_state_file(self):
         with tempfile.NamedTemporaryFile("w", suffix=".state") as f:
             f.write("nonsense\n")
