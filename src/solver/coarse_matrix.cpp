@@ -87,7 +87,7 @@ Eigen::MatrixXd coarseMatrix(const fem::Stiffness& A, const CoarseGroups& groups
     for (int b = a; b < count; ++b) {
       const Eigen::Map<const Block> block(product.data() + 6 * kMotions * (count * a + b));
       C.block<6, 6>(6 * a, 6 * b) = own[a].transpose() * block.topRows<6>().transpose() * own[b];
-      C.block<6, 6>(6 * b, 6 * a) = C.block<6, 6>(6 * a, 6 * b).transpose();
+      if (b > a) C.block<6, 6>(6 * b, 6 * a) = C.block<6, 6>(6 * a, 6 * b).transpose();
     }
   }
   return C;

@@ -32,7 +32,9 @@ TEST(BlasSpeed, IsMeasuredHereAndBelievable) {
   EXPECT_GT(speed.dgemm, 1e8);
   EXPECT_GT(speed.peak, 1e9);
   EXPECT_LT(speed.peak, 1e12);
+#if !defined(__SANITIZE_ADDRESS__)           // slows the loop down that finds the peak
   EXPECT_LT(speed.dgemm, 2.0 * speed.peak);  // one may have been disturbed
+#endif
 #else
   EXPECT_FALSE(speed.known());
 #endif
