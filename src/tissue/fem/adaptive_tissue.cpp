@@ -107,11 +107,19 @@ class AdaptiveTissue final : public TissueModel {
     cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
   }
 
+  // The tissue went on since the mesh was begun: a mesh that does not suit it any more, because
+  // elements would be turned inside out, is left, and asked for again.
   void takeNext() {
+    const std::string before = next_.bisected();
     NextMesh::Result next = next_.take();
     if (!next.complete) tools_.forget();
     if (!next.change) return;
     const FemOrgan& old = *organ_;
+    const FemOrgan& organ = next.organ ? *next.organ : *coarse_;
+    if (!organ.canGoOnFrom(old, *next.change)) {
+      next_.restore(before);
+      return tools_.forget();
+    }
     const std::unique_ptr<FemOrgan> kept = std::exchange(fine_, std::move(next.organ));
     become(fine_ ? fine_.get() : coarse_.get());
     organ_->goOnFrom(old, *next.change);

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem_organ.h"
 
+#include <cmath>
+
 namespace palpate::tissue {
+namespace {
+
+// Of the least det F: what a change of the mesh must leave.
+constexpr double kKeptVolume = 0.5;
+
+}  // namespace
 
 FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
                    const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool,
@@ -16,6 +24,14 @@ void FemOrgan::settle() {
   settled_ = settleUnderGravity(&body_);
   method_->settle(&settled_);
   reset();
+}
+
+bool FemOrgan::canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) const {
+  const Points x = change.interpolate(old.body_.x);
+  const double before = old.body_.elasticity->minJacobian(old.body_.x);
+  const double now = body_.elasticity->minJacobian(x);
+  return now >= (before > 0.0 ? kKeptVolume * before : before) &&
+         std::isfinite(body_.elasticity->energy(x));
 }
 
 void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {

@@ -29,6 +29,9 @@ class FemOrgan final : public TissueModel {
   /// `change`: positions, velocities, and all memory that has a place. What reset() goes back to
   /// stays.
   void goOnFrom(const FemOrgan& old, const mesh::MeshChange& change);
+  /// Whether it can: no element would be turned inside out, or lose half of the room that the least
+  /// one of `old` has left, and the energy is finite.
+  bool canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) const;
 
   Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(body_.mesh); }
