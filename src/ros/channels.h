@@ -32,7 +32,7 @@ struct HapticTarget {
   void take(const sim::StepResult& result, std::size_t i, bool fresh, const ros::Time& input) {
     const sim::InstrumentResult& tool = result.instruments[i];
     valid = true;
-    live = fresh && tool.there && result.report.usable();
+    live = fresh && tool.live;
     stamp = input;
     spatial = tool.solved;
     if (tool.there) R_WC = tool.X_WC.linear();

@@ -17,6 +17,9 @@ namespace palpate::sim {
 
 bool allFinite(const std::vector<LinkPoses>& poses);
 
+/// Of the largest force on a tool: what may be unbalanced where that force is still felt.
+constexpr double kToldWithin = 0.5;
+
 struct Simulator::Impl {
   scene::Scene scene;
   scene::SceneParts parts;
@@ -109,11 +112,25 @@ struct Simulator::Impl {
   void saveTools(StateWriter* out) const;
   void restoreTools(StateReader* in);
 
+  /// Whether the wrenches of the cycle say something: one that ended early, as the best that there
+  /// was, may be far from a balance.
+  bool isTold() const {
+    if (!result.report.usable()) return false;
+    if (solver::balanced(result.report.status)) return true;
+    double largest = 0.0;
+    for (const InstrumentResult& tool : result.instruments) {
+      largest = std::max(largest, tool.spatial.force.norm());
+    }
+    return result.report.residual <= kToldWithin * largest;
+  }
+
   /// The hand feels solved states only; after a cycle that failed what it felt fades.
   void fade(double dt) {
+    const bool told = isTold();
     for (std::size_t i = 0; i < fades.size(); ++i) {
       InstrumentResult& tool = result.instruments[i];
-      tool.spatial = fades[i].update(tool.spatial, tool.there && result.report.usable(), dt);
+      tool.live = tool.there && told;
+      tool.spatial = fades[i].update(tool.spatial, tool.live, dt);
       tool.solved = fades[i].held();
     }
   }

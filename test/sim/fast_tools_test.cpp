@@ -65,5 +65,33 @@ TEST_F(FastTools, AStabEndsWhereASlowPressDoes) {
   EXPECT_GT(slow, 0.5);
 }
 
+// With too few iterations a cycle may end far from a balance: its force is none to be felt.
+TEST_F(FastTools, WhatIsFarFromABalanceIsNotFelt) {
+  scene.solver.max_newton_iterations = 2;
+  Simulator simulator(scene);
+  int told = 0, held_back = 0;
+  double felt = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+    q[2] = 0.002 - (k < 30 ? 0.004 * std::min(k % 6, 4) : 0.0002 * (k - 30));
+    const StepResult& result = simulator.step({simulator.linkPoses(0, q)}, kStep);
+    Vec3 force = Vec3::Zero();
+    for (const ContactPoint& c : result.contacts) force += c.force_W;
+    const InstrumentResult& tool = result.instruments[0];
+    const bool near = result.report.ok() || result.report.residual <= 0.5 * force.norm();
+    EXPECT_EQ(tool.live, near) << k;
+    if (near) {
+      EXPECT_NEAR((tool.solved.force - force).norm(), 0.0, 1e-12) << k;
+      ++told;
+    } else {
+      EXPECT_LE(tool.spatial.force.norm(), felt) << k;
+      ++held_back;
+    }
+    felt = tool.spatial.force.norm();
+  }
+  EXPECT_GT(told, 20);
+  EXPECT_GE(held_back, 3);
+}
+
 }  // namespace
 }  // namespace palpate::sim

@@ -39,6 +39,7 @@ struct InstrumentResult {
   Wrench solved;  ///< The same of the last solved state, whole: for who fades it in real time.
   Pose X_WC = Pose::Identity();  ///< The control frame in world, of a tool that is there.
   bool there = false;            ///< The tool could touch. If it goes, what it felt fades.
+  bool live = false;     ///< It is there, and the solve good enough: `spatial` is of this cycle.
   bool waiting = false;  ///< It is commanded to where it would be inside tissue, and not there yet.
 
   /// `spatial` expressed in the control frame.
