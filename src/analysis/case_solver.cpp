@@ -29,6 +29,7 @@ solver::SolveStatus solveStatically(const StaticAnalysis& analysis, CaseModel* m
   result->load_steps = report.load_steps;
   result->newton_iterations = report.newton_iterations;
   result->residual = report.residual;
+  result->load_factor = report.load_factor;
   return report.status;
 }
 

@@ -115,6 +115,7 @@ int runSmall(Options options) {
   printBenchHead();
   for (const BenchScene& scene : benchScenes()) {
     if (scene.small_tets == 0) continue;
+    if (!options.scene.empty() && scene.name != options.scene) continue;
     BenchChoice choice = options.choice;
     choice.tets = scene.small_tets;
     const std::string out = options.out.empty() ? "" : options.out + "/" + scene.name;
@@ -140,9 +141,12 @@ int run(const Options& options) {
   if (!std::count(elements.begin(), elements.end(), element)) {
     throw InputError("command line", "--element", element, "must be one of " + joinNames(elements));
   }
-  if (options.small) return runSmall(options);
-  if (options.scene.empty()) return list();
+  if (options.scene.empty()) return options.small ? runSmall(options) : list();
   const BenchScene& scene = benchScene(options.scene);
+  if (options.small) {
+    if (scene.small_tets > 0) return runSmall(options);
+    throw InputError("command line", "--small", options.scene, "this scene has no small version");
+  }
   const WorkFolder folder(options.out);
   BenchTitle title;
   const BenchResult result = runScene(scene, options, options.choice, folder.path(), &title);

@@ -47,6 +47,10 @@ int solve(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   outcome.result.seconds = {{"total", seconds.count()}};
   writeOutcome(outcome, folder);
+  if (outcome.result.load_factor < 1.0) {
+    std::cerr << "note: converged for " << outcome.result.load_factor
+              << " of the loads; what is written is that state\n";
+  }
   std::cout << outcome.result.status << " after " << outcome.result.load_steps << " steps and "
             << outcome.result.newton_iterations << " Newton iterations, residual "
             << outcome.result.residual << " of the forces, " << seconds.count() << " s; see "

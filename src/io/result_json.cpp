@@ -23,6 +23,7 @@ std::string resultJson(const analysis::SolveResult& result) {
   JsonMembers all(",\n  ");
   all.add("status", jsonText(result.status));
   all.add("load_steps", std::to_string(result.load_steps));
+  if (result.load_factor < 1.0) all.add("load_factor", json(result.load_factor));
   if (result.rejected_steps > 0) {
     all.add("rejected_steps", std::to_string(result.rejected_steps));
   }

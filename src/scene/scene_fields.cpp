@@ -60,7 +60,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);
-  v.list({"supports", "", "What holds the organ; without any it falls."}, organ.supports, 0);
+  v.list({"supports", "", "What holds the organ; it needs some where there is gravity."},
+         organ.supports, 0);
 }
 
 void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {

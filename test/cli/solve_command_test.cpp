@@ -135,6 +135,8 @@ TEST_F(SolveCommand, WhatDoesNotConvergeIsStatusOneWithItsFiles) {
             1);
   EXPECT_FALSE(contains(json(), "\"status\": \"converged\""));
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/result.vtu")));
+  EXPECT_TRUE(contains(result.err, "note: converged for 0")) << result.err;
+  EXPECT_TRUE(contains(json(), "\"load_factor\": 0"));
 }
 
 TEST_F(SolveCommand, BadCasesAreStatusTwo) {

@@ -25,6 +25,7 @@ struct ProbeResult {
 /// Summary of a run of `palpate solve`.
 struct SolveResult {
   std::string status;          ///< toString(SolveStatus).
+  double load_factor = 1.0;    ///< What part of the loads of a static case it converged for.
   int load_steps = 0;          ///< Done; time steps in a dynamic case.
   int rejected_steps = 0;      ///< Tried again in shorter ones.
   int newton_iterations = 0;   ///< Of all steps.
