@@ -20,7 +20,7 @@ class Scene:
     config: Config
     uniform: dict  # {element: values of `size`}
     graded: dict  # {element: edges where the tool goes [m]}
-    adapted: tuple  # edges where the tool is [m], of `anp`
+    adapted: dict  # {element: edges where the tool is [m]}
     start: dict  # the coarse mesh that adapts
     size: str = "tets"  # the field of Config that makes a uniform mesh finer
 
@@ -36,13 +36,14 @@ class Scene:
         for element, values in self.graded.items():
             for value in values:
                 yield "graded", element, self.config.but(element=element, finest=value)
-        for value in self.adapted:
-            yield "adapted", "anp", self.config.but(element="anp", adapt=value, **self.start)
+        for element, values in self.adapted.items():
+            for value in values:
+                yield "adapted", element, self.config.but(element=element, adapt=value, **self.start)
 
 
 # In real time or near it: cycles of 10 ms, default tolerances and contact.
 BASE = {"method": "implicit_pcg", "step": 0.01}
-ADAPTED_CUBE = (0.012, 0.008, 0.006, 0.004, 0.003), {"tets": 384}
+ADAPTED_CUBE = {"anp": (0.012, 0.008, 0.006, 0.004, 0.003), "tet10p": (0.015, 0.010)}, {"tets": 384}
 CUBE = {"tet4": (1080, 4860, 20250, 48000), "anp": (1080, 4860, 20250, 48000), "tet10": (162, 750),
         "tet10p": (162, 750, 2058)}
 SCENES = (
@@ -56,13 +57,15 @@ SCENES = (
           {"tet4": (0.0225, 0.0155, 0.0103, 0.00775), "anp": (0.0225, 0.0155, 0.0103, 0.00775, 0.0055, 0.004),
            "tet10": (0.030, 0.0225), "tet10p": (0.030, 0.0225)},
           {"anp": (0.010, 0.007, 0.005, 0.004), "tet10": (0.012, 0.008), "tet10p": (0.012, 0.008)},
-          (0.006, 0.004, 0.003, 0.002, 0.0015), {"edge_length": 0.0155}, size="edge_length"),
+          {"anp": (0.006, 0.004, 0.003, 0.002, 0.0015), "tet10p": (0.008, 0.006, 0.004)},
+          {"edge_length": 0.0155}, size="edge_length"),
     Scene("thin flap", Config("flap", **BASE),
           {"tet4": (360, 2880, 9720, 23040), "anp": (360, 2880, 9720, 23040), "tet10": (360,),
            "tet10p": (360, 1215)},
           {"anp": (0.006, 0.004, 0.003, 0.002), "tet10": (0.008, 0.006),
            "tet10p": (0.008, 0.006)},
-          (0.004, 0.003, 0.002, 0.0015), {"tets": 360, "growth": 0.1}))
+          {"anp": (0.004, 0.003, 0.002, 0.0015), "tet10p": (0.008, 0.006)},
+          {"tets": 360, "growth": 0.1}))
 AT, FASTER = 0.08, 10.0  # error at which kinds are compared, and how much faster adapted meshes should be
 FROM = 0.15  # error from which on down adapted meshes should be on the hull
 
