@@ -17,6 +17,7 @@ using Action = std::function<int()>;
 // work in `action`. To add one: write its file, declare it here, add it to the table in main.cpp.
 void addBench(CLI::App& app, Action& action);
 void addDocs(CLI::App& app, Action& action);
+void addHand(CLI::App& app, Action& action);
 void addMesh(CLI::App& app, Action& action);
 void addOrgan(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);

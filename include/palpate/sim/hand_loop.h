@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <functional>
+
+#include "palpate/haptics/local_model.h"
+#include "palpate/haptics/simulated_hand.h"
+#include "palpate/haptics/wrench_filter.h"
+#include "palpate/sim/simulator.h"
+
+namespace palpate::sim {
+
+/// How a simulated device is joined to a simulator.
+struct HandLoopSettings {
+  haptics::HandSettings hand;
+  haptics::WrenchFilterSettings filter;
+  double tick = 1.0e-3;     ///< Of the force loop and the device [s].
+  double cycle = 0.01;      ///< Of the simulation [s].
+  double solve = 0.005;     ///< From the input of a cycle to its wrench [s].
+  double delay_in = 0.0;    ///< From the device to the program [s].
+  double delay_out = 0.0;   ///< And back [s].
+  bool local_model = true;  ///< Else the last wrench is held.
+};
+
+/// Where the hand means to be at a time, away from where it begins [m], and how fast it goes
+/// there [m/s], and what pushes it beside [N].
+struct HandIntent {
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), push = Vec3::Zero();
+};
+
+/// What a tick of the loop did.
+struct HandTick {
+  double time = 0.0;     ///< At its end [s].
+  Vec3 position, meant;  ///< Of the device, and where the hand means it to be; as intents [m].
+  Vec3 force;            ///< Rendered [N].
+  Vec3 solved;           ///< Of the newest solve [N].
+};
+
+/// The loop through the hand, in simulated time: a device on one instrument, whose tool it carries
+/// along without turning it. Everything that the node does between pose and force is here done by
+/// the same parts; delays are what the settings say, so that the same settings give the same bits.
+class HandLoop {
+ public:
+  /// The instrument stands at `start`, clear of tissue. `simulator` outlives this.
+  HandLoop(Simulator* simulator, int instrument, const LinkPoses& start,
+           const HandLoopSettings& settings);
+
+  const HandTick& tick(const HandIntent& intent);
+  const haptics::SimulatedHand& hand() const { return hand_; }
+
+ private:
+  struct Sent {
+    double time;
+    Vec3 value;
+  };
+  static Vec3 newest(std::deque<Sent>* sent, double until, const Vec3& before);
+  void beginCycle();
+
+  Simulator& simulator_;
+  int instrument_;
+  LinkPoses start_;
+  HandLoopSettings settings_;
+  haptics::SimulatedHand hand_;
+  haptics::LocalModel local_;
+  haptics::WrenchFilter filter_;
+  std::vector<LinkPoses> poses_;
+  std::deque<Sent> positions_, forces_;  // under way
+  Vec3 heard_ = Vec3::Zero();            // newest position that the program knows
+  Vec3 rendered_ = Vec3::Zero();         // newest force that the device knows
+  long ticks_ = 0;
+  double next_cycle_ = 0.0, ready_ = 0.0;  // when the next begins; when the one under way is done
+  bool under_way_ = false;
+  haptics::ContactModel solved_, model_;  // of the cycle under way; in use
+  HandTick done_;
+};
+
+}  // namespace palpate::sim
