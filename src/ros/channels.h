@@ -14,28 +14,45 @@
 #include "node_state.h"
 #include "palpate/advice/scene_verdict.h"
 #include "palpate/base/latest_value.h"
+#include "palpate/haptics/local_model.h"
 #include "palpate/sim/simulator.h"
 #include "throttle.h"
 
 namespace palpate::node {
 
+/// Where an instrument is commanded to, as last heard. Plain numbers.
+struct HandPose {
+  bool valid = false;
+  ros::Time stamp;           ///< Of the input.
+  Vec3 p_WC = Vec3::Zero();  ///< Control frame's origin in world [m].
+  Mat3 R_WC = Mat3::Identity();
+};
+
 /// What the force loop gets of one instrument. Plain numbers: copied in real time.
 struct HapticTarget {
   bool valid = false;  ///< False: there was no cycle yet.
   bool live = false;   ///< The wrench is of a solved state and of fresh input.
-  ros::Time stamp;     ///< Of the input that caused it.
   Steady::time_point made;
-  Wrench spatial;  ///< Of the last solved state, at the control frame's origin, in world.
-  Mat3 R_WC = Mat3::Identity();
+  haptics::ContactModel model;     ///< Around the last solved state.
+  Vec3 coupling_W = Vec3::Zero();  ///< What draws the hand to a tool that could not follow [N].
+  Vec3 p_hand_W = Vec3::Zero();    ///< Where the hand was then [m].
 
-  /// What a step gave instrument `i`, whose input has this stamp and is `fresh` or not.
-  void take(const sim::StepResult& result, std::size_t i, bool fresh, const ros::Time& input) {
-    const sim::InstrumentResult& tool = result.instruments[i];
+  /// What is felt where the hand is now: the solved wrench goes on with the hand's motion since.
+  Wrench felt(const HandPose& now) const {
+    Wrench wrench = now.valid ? model.at(model.p_W + (now.p_WC - p_hand_W)) : model.wrench;
+    wrench.force += coupling_W;
+    return wrench;
+  }
+
+  /// What a cycle gave its instrument, whose input is `fresh` or not, and whom the hand has at
+  /// `p_hand`.
+  void take(const sim::InstrumentResult& tool, bool fresh, const Vec3& p_hand,
+            haptics::LocalModel* local) {
     valid = true;
     live = fresh && tool.live;
-    stamp = input;
-    spatial = tool.solved;
-    if (tool.there) R_WC = tool.X_WC.linear();
+    if (!live) return local->forget();
+    model = local->observe(tool.X_WC.translation(), tool.solved);
+    p_hand_W = p_hand;
   }
 };
 
@@ -81,10 +98,12 @@ inline constexpr double kSlowShare = 0.9;
 /// "simulation reaches 62 of 100 Hz ...": the rate reached and what to change.
 std::string slowAdvice(const Statistics& statistics);
 
-/// From the simulation thread to the others, newest value only.
+/// From the inputs and the simulation thread to the others, newest value only.
 struct Channels {
-  explicit Channels(std::size_t num_instruments) : haptic(num_instruments) {}
+  explicit Channels(std::size_t num_instruments)
+      : hands(num_instruments), haptic(num_instruments) {}
 
+  std::deque<LatestValue<HandPose>> hands;       ///< One an instrument; from its input's thread.
   std::deque<LatestValue<HapticTarget>> haptic;  ///< One an instrument; read by the force loop.
   LatestValue<ReportFrame> report;               ///< These three: read by the publishing thread.
   LatestValue<Picture> picture;

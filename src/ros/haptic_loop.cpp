@@ -22,7 +22,6 @@ haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
   s.max_torque_rate =
       scene.haptics.max_force_rate * scene.haptics.max_torque / scene.haptics.max_force;
   s.ramp = scene.rates.ramp;
-  s.smoothing = 0.5 / scene.rates.simulation;
   return s;
 }
 
@@ -68,7 +67,7 @@ void HapticLoop::finish() {
   // Here too where the thread failed.
   for (int k = 0; k < kZeros; ++k) {
     for (std::size_t i = 0; i < hands_.size(); ++i) {
-      send(&hands_[i], Wrench(), channels_.haptic[i].read());
+      send(&hands_[i], Wrench(), channels_.haptic[i].read(), channels_.hands[i].read());
     }
     std::this_thread::sleep_for(period_);
   }
@@ -105,19 +104,22 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
   const HapticTarget& target = channels_.haptic[i].read();
   Hand& hand = hands_[i];
   const bool live = target.live && !finishing_ && now - target.made < silence_;
-  const Wrench& spatial = hand.filter.update(target.spatial, live, dt);
-  send(&hand, spatial, target);
+  const HandPose& pose = channels_.hands[i].read();
+  const Wrench& spatial = hand.filter.update(target.felt(pose), live, dt);
+  send(&hand, spatial, target, pose);
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;
 }
 
-void HapticLoop::send(Hand* hand, const Wrench& spatial, const HapticTarget& target) {
-  const ros::Time stamp = target.valid ? target.stamp : ros::Time::now();
+// The stamp is that of the pose for which it is.
+void HapticLoop::send(Hand* hand, const Wrench& spatial, const HapticTarget& target,
+                      const HandPose& pose) {
+  const ros::Time stamp = target.valid && pose.valid ? pose.stamp : ros::Time::now();
   if (hand->spatial.getNumSubscribers() > 0) {
     hand->spatial.publish(toMsg(spatial, stamp, kWorldFrame));
   }
   if (hand->body.getNumSubscribers() > 0) {
-    hand->body.publish(toMsg(haptics::bodyWrench(spatial, target.R_WC), stamp, hand->body_frame));
+    hand->body.publish(toMsg(haptics::bodyWrench(spatial, pose.R_WC), stamp, hand->body_frame));
   }
 }
 

@@ -25,8 +25,9 @@ struct HapticStatistics {
 /// What stands between the simulation and the hand in this scene.
 haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene);
 
-/// The force thread: at rates.haptic, the newest wrench of each instrument through its filter to
-/// spatial/measured_cf and body/measured_cf. The stamp is that of the input that caused it. Until
+/// The force thread: at rates.haptic, what each instrument feels where it is commanded to now, by
+/// the local model around the newest solve and through its filter, to spatial/measured_cf and
+/// body/measured_cf. The stamp is that of the input that it is for. Until
 /// the first cycle of the simulation it sends zeros, for a device may still hold what somebody sent
 /// before.
 class HapticLoop {
@@ -51,7 +52,7 @@ class HapticLoop {
 
   void loop();
   void update(std::size_t i, Steady::time_point now, double dt);
-  void send(Hand* hand, const Wrench& spatial, const HapticTarget& target);
+  void send(Hand* hand, const Wrench& spatial, const HapticTarget& target, const HandPose& pose);
   bool atRest() const;
 
   Channels& channels_;

@@ -22,17 +22,19 @@ struct InputFactory::Tf {
 InputFactory::InputFactory() = default;
 InputFactory::~InputFactory() = default;
 
-Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulator) {
+Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulator,
+                          Channels* channels) {
   Inputs inputs;
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
+    LatestValue<HandPose>* const hand = &channels->hands[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
       if (!tf_) tf_ = std::make_unique<Tf>();
-      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, simulator.instrument(i), config));
+      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, simulator, i, hand));
     } else {
-      inputs.push_back(
-          std::make_unique<JointInput>(handle, jointTopic(config), config.name, simulator, i));
+      inputs.push_back(std::make_unique<JointInput>(handle, jointTopic(config), config.name,
+                                                    simulator, i, hand));
     }
   }
   return inputs;

@@ -14,7 +14,7 @@ class InputFactory {
  public:
   InputFactory();
   ~InputFactory();
-  Inputs make(ros::NodeHandle handle, const sim::Simulator& simulator);
+  Inputs make(ros::NodeHandle handle, const sim::Simulator& simulator, Channels* channels);
 
  private:
   struct Tf;

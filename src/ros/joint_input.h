@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "channels.h"
 #include "input.h"
 #include "joint_state_reader.h"
 #include "one_publisher.h"
@@ -21,8 +22,9 @@ class JointInput : public Input {
  public:
   /// Subscribes in `handle`'s callback queue, which one thread must serve. `simulator` outlives
   /// this; its forward kinematics is used.
+  /// Where the hand is goes to `hand` at once.
   JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
-             const sim::Simulator& simulator, int index);
+             const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand);
 
   bool poll(InputSample* sample) override;
   void forget() override;
@@ -43,6 +45,7 @@ class JointInput : public Input {
   const sim::Simulator& simulator_;
   int index_;
   JointStateReader reader_;
+  LatestValue<HandPose>& hand_;
   Joints scratch_;  // the callback's
   LatestValue<Joints> latest_;
   Throttle warning_{5.0};

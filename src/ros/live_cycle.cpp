@@ -24,6 +24,7 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       live_(inputs->size(), false),
       poses_(inputs->size()),
       targets_(inputs->size()),
+      local_(inputs->size()),
       scene_facts_(advice::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {
@@ -133,11 +134,13 @@ void LiveCycle::step(Steady::time_point start) {
 
 // What draws the hand to its tool, where that could not follow.
 Vec3 LiveCycle::coupling(std::size_t i) const {
-  const sim::InstrumentResult& tool = result_->instruments[i];
-  if (!tool.there || poses_[i].empty()) return Vec3::Zero();
-  const Pose& X_WH = poses_[i][simulator_.controlLink(static_cast<int>(i))];
-  return haptics::couplingForce(simulator_.scene().instruments[i].proxy, X_WH.translation(),
-                                tool.X_WC.translation());
+  return haptics::couplingForce(simulator_.scene().instruments[i].proxy, handPosition(i),
+                                result_->instruments[i].X_WC.translation());
+}
+
+Vec3 LiveCycle::handPosition(std::size_t i) const {
+  if (poses_[i].empty()) return Vec3::Zero();
+  return poses_[i][simulator_.controlLink(static_cast<int>(i))].translation();
 }
 
 // After a reset the last wrench stays as a target that is not live, so that it fades.
@@ -147,8 +150,8 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
     target.made = now;
     target.live = false;
     if (facts_.stepped) {
-      target.take(*result_, i, live_[i], samples_[i].stamp);
-      target.spatial.force += coupling(i);
+      target.take(result_->instruments[i], live_[i], handPosition(i), &local_[i]);
+      if (target.live) target.coupling_W = coupling(i);
     }
     channels_.haptic[i].write(target);
   }

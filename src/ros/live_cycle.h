@@ -41,6 +41,7 @@ class LiveCycle {
   bool live(std::size_t i, Steady::time_point now) const;
   ToolState toolState(std::size_t i, Steady::time_point now) const;
   Vec3 coupling(std::size_t i) const;
+  Vec3 handPosition(std::size_t i) const;
   void step(Steady::time_point start);
   void writeHaptic(Steady::time_point now);
   void writeReport(Steady::time_point now);
@@ -59,6 +60,7 @@ class LiveCycle {
   std::vector<bool> live_;  // whose input was fresh at the start of the cycle
   std::vector<sim::LinkPoses> poses_;
   std::vector<HapticTarget> targets_;
+  std::vector<haptics::LocalModel> local_;  // likewise, one an instrument
   SurfaceCopies surfaces_;
   const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
   CycleFacts facts_;

@@ -97,7 +97,7 @@ int run() {
   sayHello(*simulator);
 
   InputFactory factory;
-  Inputs inputs = factory.make(handle, *simulator);
+  Inputs inputs = factory.make(handle, *simulator, &channels);
   broadcastBases(*simulator);
   LiveCycle cycle(simulator.get(), &inputs, &channels);
   SimulationLoop simulation(&cycle, scene.rates.simulation);

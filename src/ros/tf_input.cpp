@@ -5,9 +5,13 @@
 
 namespace palpate::node {
 
-TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer,
-                 const instrument::Instrument& instrument, const scene::InstrumentConfig& config)
-    : buffer_(std::move(buffer)), lookup_(instrument, config) {}
+TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simulator& simulator,
+                 int index, LatestValue<HandPose>* hand)
+    : buffer_(std::move(buffer)),
+      lookup_(simulator.instrument(index),
+              simulator.scene().instruments[static_cast<std::size_t>(index)]),
+      control_(static_cast<std::size_t>(simulator.controlLink(index))),
+      hand_(*hand) {}
 
 bool TfInput::poll(InputSample* sample) {
   ros::Time stamp;
@@ -24,6 +28,8 @@ bool TfInput::poll(InputSample* sample) {
   sample->stamp = stamp.isZero() ? ros::Time::now() : stamp;
   sample->received = Steady::now();
   sample->poses = poses_;
+  const Pose& X_WC = poses_[control_];
+  hand_.write({true, sample->stamp, X_WC.translation(), X_WC.linear()});
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include "channels.h"
 #include "input.h"
 #include "tf_lookup.h"
 
@@ -15,8 +16,9 @@ namespace palpate::node {
 /// Link poses from tf. The buffer is filled by its own listener; poll() never waits for it.
 class TfInput : public Input {
  public:
-  TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const instrument::Instrument& instrument,
-          const scene::InstrumentConfig& config);
+  /// Where the hand is goes to `hand` with each poll().
+  TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simulator& simulator, int index,
+          LatestValue<HandPose>* hand);
 
   bool poll(InputSample* sample) override;
   void forget() override;
@@ -26,6 +28,8 @@ class TfInput : public Input {
  private:
   std::shared_ptr<const tf2_ros::Buffer> buffer_;
   TfLookup lookup_;
+  std::size_t control_;
+  LatestValue<HandPose>& hand_;
   sim::LinkPoses poses_;
   ros::Time last_;
   mutable std::mutex problem_mutex_;

@@ -22,13 +22,14 @@ class Hand {
       : filter_(filterSettings(scene)), tick_(scene.solver.step / kTicks) {}
 
   Wrench feel(const sim::StepResult& result) {
-    target_.take(result, 0, true, ros::Time(1.0));
-    for (int k = 0; k < kTicks; ++k) filter_.update(target_.spatial, target_.live, tick_);
+    target_.take(result.instruments[0], true, Vec3::Zero(), &local_);
+    for (int k = 0; k < kTicks; ++k) filter_.update(target_.felt({}), target_.live, tick_);
     return filter_.output();
   }
 
  private:
   HapticTarget target_;
+  haptics::LocalModel local_;
   haptics::WrenchFilter filter_;
   double tick_;
 };
