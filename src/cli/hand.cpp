@@ -20,7 +20,7 @@ namespace {
 
 struct Options {
   std::string scene, out, grip = "light";
-  std::optional<double> mass, damping, stiffness, grip_damping, resolution;
+  std::optional<double> passivity, mass, damping, stiffness, grip_damping, resolution;
   double depth = 0.004, speed = 0.03, push = 0.0, duration = 5.0;
   double rate = 100.0, solve = 0.005, delay_in = 0.0, delay_out = 0.0;
   bool hold = false;
@@ -88,6 +88,7 @@ sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip,
   s.delay_in = o.delay_in;
   s.delay_out = o.delay_out;
   s.local_model = !o.hold;
+  s.passivity.max_damping = o.passivity.value_or(s.passivity.max_damping);
   return s;
 }
 
@@ -148,8 +149,11 @@ int hand(const Options& o) {
   }
   line.finish();
   if (csv) csv->close();
-  std::printf("swing of the last %.3g s: %.4g mm, force %.4g to %.4g N; deepest %.4g mm\n",
-              o.duration - last, 1e3 * (high - low).norm(), least, most, 1e3 * deepest);
+  std::printf(
+      "swing of the last %.3g s: %.4g mm, force %.4g to %.4g N; deepest %.4g mm\n"
+      "energy out of the port, at most: %.4g mJ, of which %.4g mJ were taken back\n",
+      o.duration - last, 1e3 * (high - low).norm(), least, most, 1e3 * deepest,
+      1e3 * loop.passivity().largestOut(), 1e3 * loop.passivity().dissipated());
   return kOk;
 }
 
@@ -175,6 +179,8 @@ void addHand(CLI::App& app, Action& action) {
   command.option("--solve", &options->solve, "From a cycle's input to its wrench [s]");
   command.option("--delay-in", &options->delay_in, "From the device to the program [s]");
   command.option("--delay-out", &options->delay_out, "And back [s]");
+  command.option("--passivity", &options->passivity,
+                 "Damping that the passivity controller may add [N s/m]; 0: none");
   command.flag("--hold", &options->hold, "Hold the last wrench: no local model");
   command.option("--out", &options->out, "CSV of every tick");
   command.onUse([options, &action] { action = [options] { return hand(*options); }; });

@@ -32,6 +32,7 @@ struct HandPose {
 struct HapticTarget {
   bool valid = false;  ///< False: there was no cycle yet.
   bool live = false;   ///< The wrench is of a solved state and of fresh input.
+  ros::Time stamp;     ///< Of the input that was solved.
   Steady::time_point made;
   haptics::ContactModel model;     ///< Around the last solved state.
   Vec3 coupling_W = Vec3::Zero();  ///< What draws the hand to a tool that could not follow [N].

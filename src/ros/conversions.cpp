@@ -35,6 +35,22 @@ geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
   return m;
 }
 
+palpate::ContactModel toMsg(const haptics::ContactModel& model, const ros::Time& stamp) {
+  palpate::ContactModel message;
+  message.header.stamp = stamp;
+  message.header.frame_id = kWorldFrame;
+  message.position = toPoint(model.p_W);
+  message.wrench = toMsg(model.wrench, stamp, kWorldFrame).wrench;
+  if (!model.wrench.allFinite() || !model.stiffness_W.allFinite()) return message;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      message.stiffness[static_cast<std::size_t>(3 * row + column)] =
+          model.stiffness_W(row, column);
+    }
+  }
+  return message;
+}
+
 Wrench fromMsg(const geometry_msgs::Wrench& wrench) {
   return {Vec3(wrench.force.x, wrench.force.y, wrench.force.z),
           Vec3(wrench.torque.x, wrench.torque.y, wrench.torque.z)};

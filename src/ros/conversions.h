@@ -9,8 +9,10 @@
 #include <string>
 
 #include "node_state.h"
+#include "palpate/ContactModel.h"
 #include "palpate/StepReport.h"
 #include "palpate/base/types.h"
+#include "palpate/haptics/local_model.h"
 #include "palpate/sim/step_report.h"
 
 namespace palpate::node {
@@ -22,6 +24,9 @@ geometry_msgs::Point toPoint(const Vec3& p);
 /// A wrench with a component that is not finite becomes zero.
 geometry_msgs::WrenchStamped toMsg(const Wrench& wrench, const ros::Time& stamp,
                                    const std::string& frame);
+
+/// A model with a number that is not finite becomes none: no wrench, no stiffness.
+palpate::ContactModel toMsg(const haptics::ContactModel& model, const ros::Time& stamp);
 
 Wrench fromMsg(const geometry_msgs::Wrench& wrench);
 

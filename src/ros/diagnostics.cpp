@@ -139,6 +139,8 @@ void Diagnostics::haptic(Status& status) {
   status.add("rate wanted [Hz]", haptic_->rate());
   status.add("late cycles", s.late.load());
   status.add("peak force [N]", s.peak_force.load());
+  status.add("energy out of a port, at most [mJ]", 1e3 * s.energy_out.load());
+  status.add("energy taken back [mJ]", 1e3 * s.taken_back.load());
 }
 
 }  // namespace palpate::node

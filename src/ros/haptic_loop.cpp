@@ -49,8 +49,12 @@ HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channe
       return handle.advertise<geometry_msgs::WrenchStamped>(instrumentTopic(instrument.name, topic),
                                                             1);
     };
-    hands_.push_back({haptics::WrenchFilter(filterSettings(scene)), advertise(kSpatialWrench),
-                      advertise(kBodyWrench), instrument.tf_prefix + instrument.control_frame});
+    hands_.push_back({haptics::WrenchFilter(filterSettings(scene)),
+                      haptics::PassivityController(scene.haptics), advertise(kSpatialWrench),
+                      advertise(kBodyWrench),
+                      handle.advertise<palpate::ContactModel>(
+                          instrumentTopic(instrument.name, kContactModel), 1),
+                      instrument.tf_prefix + instrument.control_frame});
   }
 }
 
@@ -90,6 +94,12 @@ void HapticLoop::loop() {
     const Steady::time_point now = Steady::now();
     for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
     last = now;
+    double taken_back = 0.0;
+    for (const Hand& hand : hands_) {
+      statistics_.energy_out = std::max(statistics_.energy_out.load(), hand.passivity.largestOut());
+      taken_back += hand.passivity.dissipated();
+    }
+    statistics_.taken_back = taken_back;
     channels_.haptics_seconds = inSeconds(Steady::now() - now);
     ++statistics_.cycles;
     next += period_;
@@ -101,11 +111,18 @@ void HapticLoop::loop() {
 }
 
 void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
+  const bool solved = channels_.haptic[i].hasNew();
   const HapticTarget& target = channels_.haptic[i].read();
   Hand& hand = hands_[i];
+  if (solved && target.live && hand.model.getNumSubscribers() > 0) {
+    hand.model.publish(toMsg(target.model, target.stamp));
+  }
   const bool live = target.live && !finishing_ && now - target.made < silence_;
   const HandPose& pose = channels_.hands[i].read();
-  const Wrench& spatial = hand.filter.update(target.felt(pose), live, dt);
+  Wrench felt = target.felt(pose);
+  const Vec3 sent = hand.filter.output().force;
+  if (pose.valid) felt.force += hand.passivity.update(pose.p_WC, sent, felt.force, dt);
+  const Wrench& spatial = hand.filter.update(felt, live, dt);
   send(&hand, spatial, target, pose);
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;

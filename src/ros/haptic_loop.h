@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "channels.h"
+#include "palpate/haptics/passivity.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/scene/scene.h"
 
@@ -20,6 +21,8 @@ struct HapticStatistics {
   std::atomic<long> cycles{0};        ///< Since the start.
   std::atomic<long> late{0};          ///< Cycles that began more than one period late.
   std::atomic<double> peak_force{0};  ///< Largest |F| sent since the start [N].
+  std::atomic<double> energy_out{0};  ///< Most that came out of a hand's port unpaid [J],
+  std::atomic<double> taken_back{0};  ///< and what was taken back of all hands'.
 };
 
 /// What stands between the simulation and the hand in this scene.
@@ -46,7 +49,8 @@ class HapticLoop {
  private:
   struct Hand {
     haptics::WrenchFilter filter;
-    ros::Publisher spatial, body;
+    haptics::PassivityController passivity;
+    ros::Publisher spatial, body, model;
     std::string body_frame;
   };
 

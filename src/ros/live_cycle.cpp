@@ -152,6 +152,7 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
     if (facts_.stepped) {
       target.take(result_->instruments[i], live_[i], handPosition(i), &local_[i]);
       if (target.live) target.coupling_W = coupling(i);
+      target.stamp = samples_[i].stamp;
     }
     channels_.haptic[i].write(target);
   }

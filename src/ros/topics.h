@@ -17,6 +17,8 @@ inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/Join
 inline constexpr char kSpatialWrench[] = "spatial/measured_cf";  ///< geometry_msgs/WrenchStamped
 inline constexpr char kBodyWrench[] = "body/measured_cf";        ///< geometry_msgs/WrenchStamped
 
+inline constexpr char kContactModel[] = "contact_model";  ///< palpate/ContactModel
+
 inline constexpr char kResetService[] = "reset";           ///< std_srvs/Trigger, private
 inline constexpr char kSaveStateService[] = "save_state";  ///< std_srvs/Trigger, private
 

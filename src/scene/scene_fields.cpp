@@ -192,6 +192,10 @@ void describe(keys::FieldVisitor& v, HapticsConfig& haptics) {
            keys::Range::above(0.0, 1000.0));
   v.number({"max_force_rate", "N/s", "The force to the hand changes no faster."},
            haptics.max_force_rate, keys::Range::above(0.0, 1.0e6));
+  v.number({"max_damping", "N s/m",
+            "Where more energy comes out of a wrench than went in, it is taken back by damping, at "
+            "most so much; 0: by none."},
+           haptics.max_damping, keys::Range::closed(0.0, 100.0));
 }
 
 void describe(keys::FieldVisitor& v, Scene& scene) {

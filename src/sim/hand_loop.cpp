@@ -16,6 +16,7 @@ HandLoop::HandLoop(Simulator* simulator, int instrument, const LinkPoses& start,
       settings_(settings),
       hand_(settings.hand, Vec3::Zero()),
       filter_(settings.filter),
+      passivity_(settings.passivity),
       poses_(static_cast<std::size_t>(simulator->numInstruments())) {}
 
 // The newest value that has arrived, or the one before.
@@ -61,7 +62,8 @@ const HandTick& HandLoop::tick(const HandIntent& intent) {
 
   const int link = simulator_.controlLink(instrument_);
   const Vec3 p_W = start_[static_cast<std::size_t>(link)].translation() + heard_;
-  const Wrench target = settings_.local_model ? model_.at(p_W) : model_.wrench;
+  Wrench target = settings_.local_model ? model_.at(p_W) : model_.wrench;
+  target.force += passivity_.update(heard_, filter_.output().force, target.force, settings_.tick);
   const Wrench& wrench = filter_.update(target, true, settings_.tick);
   forces_.push_back({t + settings_.delay_out, wrench.force});
   rendered_ = newest(&forces_, t, rendered_);

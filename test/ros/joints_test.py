@@ -10,6 +10,7 @@ import unittest
 
 import rospy
 import rostest
+from palpate.msg import ContactModel
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -68,6 +69,25 @@ class Joints(unittest.TestCase):
         self.assertGreater(self.reports.last().contacts, 0)
         self.assertGreater(self.reports.last().max_penetration, 0.0)
         self.assertEqual(self.reports.last().state, "RUNNING")
+
+    def test_the_contact_model_is_the_wrench_at_its_pose(self):
+        self.touch()
+        models = Ear("probe/contact_model", ContactModel)
+        for k in range(30):  # a tremor, from which it learns
+            self.hand.hold(TOUCHING - 0.001 * math.sin(k))
+            time.sleep(0.02)
+        self.hand.hold(TOUCHING)
+        time.sleep(0.5)
+        model, spatial = models.last(), self.spatial.last()
+        models.subscriber.unregister()
+        self.assertEqual(model.header.frame_id, "world")
+        self.assertAlmostEqual(model.position.z, 0.1 + TOUCHING, delta=1e-9)  # the base's height
+        self.assertAlmostEqual(model.wrench.force.z, spatial.wrench.force.z, delta=0.02 * force(spatial))
+        # 10 kPa under a ball of 5 mm, some millimetres deep: 4/3 E / (1 - nu^2) sqrt(R d) and the like.
+        self.assertGreater(model.stiffness[8], 20.0)
+        self.assertLess(model.stiffness[8], 500.0)
+        for i, j in ((1, 3), (2, 6), (5, 7)):
+            self.assertAlmostEqual(model.stiffness[i], model.stiffness[j], delta=1e-9 * model.stiffness[8])
 
     def test_the_stamp_is_that_of_the_input(self):
         sent = []

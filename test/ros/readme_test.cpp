@@ -12,6 +12,7 @@
 
 #include "diagnostic_msgs/DiagnosticArray.h"
 #include "geometry_msgs/WrenchStamped.h"
+#include "palpate/ContactModel.h"
 #include "palpate/StepReport.h"
 #include "palpate/base/number.h"
 #include "params.h"
@@ -75,6 +76,7 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
       {"`/tf`, `/tf_static`", typeOf<tf2_msgs::TFMessage>()},
       {code(instrumentTopic("<instrument>", kSpatialWrench)), wrench},
       {code(instrumentTopic("<instrument>", kBodyWrench)), wrench},
+      {code(instrumentTopic("<instrument>", kContactModel)), typeOf<palpate::ContactModel>()},
       {code(kOrgansTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kStepReportTopic), typeOf<palpate::StepReport>()},
       {"`/diagnostics`", typeOf<diagnostic_msgs::DiagnosticArray>()},

@@ -55,7 +55,10 @@ class HandOnSlab : public ::testing::Test {
 HandLoopSettings light(bool local_model) {
   HandLoopSettings settings;
   settings.local_model = local_model;
-  if (!local_model) settings.filter.smoothing = 0.005;  // as the node had it
+  if (!local_model) {  // as the node had it
+    settings.filter.smoothing = 0.005;
+    settings.passivity.max_damping = 0.0;
+  }
   return settings;
 }
 
@@ -83,6 +86,36 @@ TEST_F(HandOnSlab, RestsInEveryHandThatHasTheDampingForItsDelay) {
         EXPECT_LT(hold(settings).swing, 2e-4)
             << stiffness << " N/m, " << mass << " kg, " << delay << " s";
       }
+    }
+  }
+}
+
+// 50 g that mean to be nowhere and weigh half a newton: they bounce, and each bounce gives a
+// little.
+TEST_F(HandOnSlab, ALimpHandComesToRestWhereEnergyIsTakenBack) {
+  for (const double damping : {0.0, 2.0}) {
+    HandLoopSettings settings = light(true);
+    settings.passivity.max_damping = damping;
+    settings.hand = {0.05, 0.1, 0.0, 0.0, 5.5e-5};
+    Simulator simulator(scene);
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+    q[2] = -0.05;
+    HandLoop loop(&simulator, 0, simulator.linkPoses(0, q), settings);
+    HandIntent intent;
+    intent.push.z() = -0.5;
+    double low = 1.0, high = -1.0;
+    for (double t = 0.0; t < 4.0;) {
+      const HandTick& tick = loop.tick(intent);
+      t = tick.time;
+      if (t < 3.0) continue;
+      low = std::min(low, tick.position.z());
+      high = std::max(high, tick.position.z());
+    }
+    if (damping > 0.0) {
+      EXPECT_LT(high - low, 2e-4);
+      EXPECT_LT(loop.passivity().largestOut(), 2e-3);
+    } else {
+      EXPECT_GT(high - low, 2e-4);
     }
   }
 }

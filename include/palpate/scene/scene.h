@@ -7,6 +7,7 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/response_settings.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/haptics/passivity.h"
 #include "palpate/haptics/tool_coupling.h"
 #include "palpate/haptics/tool_proxy.h"
 #include "palpate/haptics/wrench_filter.h"
@@ -90,7 +91,7 @@ struct RatesConfig {
   double ramp = haptics::WrenchFilterSettings().ramp;  ///< For the wrench to come or go fully [s].
 };
 
-struct HapticsConfig {
+struct HapticsConfig : haptics::PassivitySettings {
   double max_force = haptics::WrenchFilterSettings().max_force;            ///< [N]
   double max_torque = haptics::WrenchFilterSettings().max_torque;          ///< [N m]
   double max_force_rate = haptics::WrenchFilterSettings().max_force_rate;  ///< [N/s]

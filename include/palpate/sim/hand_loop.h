@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "palpate/haptics/local_model.h"
+#include "palpate/haptics/passivity.h"
 #include "palpate/haptics/simulated_hand.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/sim/simulator.h"
@@ -15,6 +16,7 @@ namespace palpate::sim {
 struct HandLoopSettings {
   haptics::HandSettings hand;
   haptics::WrenchFilterSettings filter;
+  haptics::PassivitySettings passivity;
   double tick = 1.0e-3;     ///< Of the force loop and the device [s].
   double cycle = 0.01;      ///< Of the simulation [s].
   double solve = 0.005;     ///< From the input of a cycle to its wrench [s].
@@ -48,6 +50,7 @@ class HandLoop {
 
   const HandTick& tick(const HandIntent& intent);
   const haptics::SimulatedHand& hand() const { return hand_; }
+  const haptics::PassivityController& passivity() const { return passivity_; }
 
  private:
   struct Sent {
@@ -64,6 +67,7 @@ class HandLoop {
   haptics::SimulatedHand hand_;
   haptics::LocalModel local_;
   haptics::WrenchFilter filter_;
+  haptics::PassivityController passivity_;
   std::vector<LinkPoses> poses_;
   std::deque<Sent> positions_, forces_;  // under way
   Vec3 heard_ = Vec3::Zero();            // newest position that the program knows

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/haptics/passivity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <random>
+#include <stdexcept>
+
+namespace palpate::haptics {
+namespace {
+
+constexpr double kTick = 1e-3;
+constexpr double kStiffness = 500.0;
+
+Vec3 spring(const Vec3& p) { return Vec3(0, 0, kStiffness * std::max(0.0, -p.z())); }
+
+// In and out of a spring that answers `late` ticks late: energy that comes out of the port.
+struct Energies {
+  double true_out, watched_out, dissipated;
+};
+Energies pressTwice(int late, double max_damping, int every = 1) {
+  PassivitySettings settings;
+  settings.max_damping = max_damping;
+  PassivityController controller(settings);
+  std::deque<Vec3> forces(static_cast<std::size_t>(late), Vec3::Zero());
+  Vec3 sent = Vec3::Zero(), p = Vec3(0, 0, 0.002), reported = p;
+  double out = 0.0, largest = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 next(0.0, 0.0, 0.002 - 0.007 * (1.0 - std::cos(2.0 * M_PI * 2.0 * kTick * k)));
+    out += sent.dot(next - p);
+    if (next.z() > 0.0 && sent == Vec3::Zero()) out = 0.0;
+    largest = std::max(largest, out);
+    p = next;
+    if (k % every == 0) reported = p;
+    forces.push_back(spring(p));
+    const Vec3 force = forces.front();
+    forces.pop_front();
+    sent = force + controller.update(reported, sent, force, kTick);
+  }
+  return {largest, controller.largestOut(), controller.dissipated()};
+}
+
+TEST(Passivity, LeavesAPassiveSpringAlone) {
+  // One that is held for a tick T gives K T int v^2 dt, here 0.7 mJ a press, at most.
+  const Energies run = pressTwice(0, 5.0);
+  EXPECT_LT(run.watched_out, 7e-4);
+  EXPECT_LT(run.dissipated, 1.4e-3);
+}
+
+TEST(Passivity, TakesBackWhatALateSpringGives) {
+  const Energies without = pressTwice(15, 0.0), with = pressTwice(15, 20.0);
+  EXPECT_GT(without.true_out, 5e-3);
+  EXPECT_NEAR(without.watched_out, without.true_out, 0.02 * without.true_out);
+  EXPECT_EQ(without.dissipated, 0.0);
+  EXPECT_LT(with.true_out, 0.35 * without.true_out);
+  EXPECT_GT(with.dissipated, 0.5 * without.true_out);
+}
+
+TEST(Passivity, CountsTheSameForADeviceThatReportsEachTenthTick) {
+  const Energies fast = pressTwice(15, 0.0), slow = pressTwice(15, 0.0, 10);
+  EXPECT_NEAR(slow.watched_out, fast.watched_out, 0.1 * fast.watched_out);
+}
+
+TEST(Passivity, KeepsToItsLimitAndDampsOnlyWhereSomethingTouches) {
+  PassivitySettings settings;
+  settings.max_damping = 1.5;
+  PassivityController controller(settings);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  Vec3 p = Vec3::Zero(), sent = Vec3::Zero();
+  for (int k = 0; k < 10000; ++k) {
+    p += 1e-4 * Vec3(u(random), u(random), u(random));
+    const Vec3 force = k % 100 < 50 ? Vec3(u(random), u(random), u(random)) : Vec3(Vec3::Zero());
+    const Vec3 added = controller.update(p, sent, force, kTick);
+    EXPECT_LE(controller.damping(), 1.5);
+    EXPECT_TRUE(added.allFinite());
+    if (force == Vec3::Zero()) {
+      EXPECT_EQ(added, Vec3::Zero());
+    }
+    sent = force + added;
+  }
+}
+
+TEST(Passivity, RefusesSettingsThatAreNone) {
+  PassivitySettings settings;
+  settings.max_damping = -1.0;
+  EXPECT_THROW(PassivityController{settings}, std::invalid_argument);
+  settings = {};
+  settings.velocity_smoothing = std::nan("");
+  EXPECT_THROW(PassivityController{settings}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace palpate::haptics
