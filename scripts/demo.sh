@@ -2,8 +2,9 @@
 # A recorded master arm palpates the shipped liver: installs what is missing, builds, runs the ROS
 # graph until the bag has ended, prints a table.
 #
-#   scripts/demo.sh [--rviz] [--screenshot FILE] [--rate R]
+#   scripts/demo.sh [--device sim] [--rviz] [--screenshot FILE] [--rate R]
 #
+#   --device sim       a simulated hand on a simulated device, which feels the force, instead of the bag
 #   --rviz             opens rviz on it
 #   --screenshot FILE  renders rviz without a screen and saves a picture at the largest force
 #   --rate R           speed of playing the bag (1; 0.4 with --screenshot, because drawing without a
@@ -20,11 +21,16 @@ die() {
   exit 1
 }
 
+device=bag
 rviz=false
 screenshot=
 rate=
 while [ $# -gt 0 ]; do
   case $1 in
+    --device)
+      [[ ${2:-} =~ ^(bag|sim)$ ]] || die "--device needs bag or sim"
+      device=$2
+      shift ;;
     --rviz) rviz=true ;;
     --screenshot)
       [ $# -ge 2 ] || die "--screenshot needs a file"
@@ -35,7 +41,7 @@ while [ $# -gt 0 ]; do
       [[ ${2:-} =~ ^[0-9]*\.?[0-9]+$ && ! $2 =~ ^[0.]+$ ]] || die "--rate needs a number > 0"
       rate=$2
       shift ;;
-    -h | --help) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,15s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown option '$1'; see --help" ;;
   esac
   shift
@@ -51,7 +57,7 @@ fi
 sets=(build demo)
 if $rviz; then sets+=(rviz); fi
 if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh "${sets[@]}"; fi
-scripts/build.sh palpate_node palpate_when_ready # scripts/build.sh alone builds all programs
+scripts/build.sh palpate_node palpate_device palpate_when_ready # scripts/build.sh alone builds all programs
 unset ROS_MASTER_URI # a graph of our own
 # shellcheck disable=SC1091
 . scripts/env.sh
@@ -107,10 +113,10 @@ node_memory() {
 }
 
 master_port=${ROS_MASTER_URI##*:}
-echo "+ roslaunch palpate demo.launch rate:=$rate rviz:=$rviz   (log: $log)"
+echo "+ roslaunch palpate demo.launch device:=$device rate:=$rate rviz:=$rviz   (log: $log)"
 set -m # a process group of its own, so that Ctrl-C reaches this script first
 roslaunch -p "${master_port%/}" palpate demo.launch \
-  bag_out:="$PWD/demo/output.bag" rate:="$rate" rviz:="$rviz" \
+  bag_out:="$PWD/demo/output.bag" device:="$device" rate:="$rate" rviz:="$rviz" \
   ${screenshot:+rviz_args:=--fullscreen} </dev/null >"$log" 2>&1 &
 launch=$!
 set +m
@@ -132,7 +138,7 @@ launch=
 # The player ends first, cleanly; then roslaunch stops the others. Anything else is a failure.
 first=$(grep -aoE 'REQUIRED process \[[a-z_]+' "$log" | head -n 1 | sed 's/.*\[//' || true)
 if [ "$first" != player ] || grep -aqE 'process has died \[pid' "$log"; then
-  echo "demo.sh: ${first:-roslaunch} ended before the bag had been played (roslaunch: $status)." >&2
+  echo "demo.sh: ${first:-roslaunch} ended before the hand had (roslaunch: $status)." >&2
   echo "The last lines of $log:" >&2
   tail -n 25 "$log" >&2
   exit 1

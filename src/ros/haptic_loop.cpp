@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptic_loop.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
 
 #include "conversions.h"
 #include "ending.h"
 #include "palpate/haptics/body_wrench.h"
+#include "realtime.h"
 #include "topics.h"
 
 namespace palpate::node {
@@ -30,13 +28,6 @@ namespace {
 constexpr int kZeros = 20;           // sent at the end
 constexpr double kUntilHeard = 0.5;  // [s] a program that ends at once lets who listens connect
 constexpr double kUntilSent = 0.05;  // [s] for the last message
-
-/// Real-time priority for this thread, if the system lets us.
-bool becomeRealtime() {
-  sched_param param{};
-  param.sched_priority = sched_get_priority_min(SCHED_FIFO) + 10;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0;
-}
 
 }  // namespace
 

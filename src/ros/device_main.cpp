@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate_device: a simulated haptic device and the hand that holds it, in real time. It publishes
+// joint positions as a master arm does, and feels the wrench that comes back, held as drivers hold
+// it. The hand goes down, stays, trembles, and comes up.
+//
+//   ~joints    sensor_msgs/JointState to publish, /probe/measured_js
+//   ~wrench    geometry_msgs/WrenchStamped in world axes to feel, /probe/spatial/measured_cf
+//   ~names     joints; the first three move along world's x, y, z: [x, y, z, roll, pitch, yaw]
+//   ~start     their positions at the start [m], [rad]
+//   ~after     service that is there when the scene is loaded, /palpate/reset; "": begins at once
+//   ~way       how far down the hand means to go [m], 0.02
+//   ~speed     on the way [m/s], 0.03
+//   ~hold      how long it stays there [s], 3
+//   ~tremor    how far it then trembles, at 4 Hz and as long [m], 0
+//   ~mass, ~damping, ~grip_stiffness, ~grip_damping, ~resolution: see haptics::HandSettings
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+
+#include <cmath>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "conversions.h"
+#include "ending.h"
+#include "palpate/base/error.h"
+#include "palpate/haptics/simulated_hand.h"
+#include "realtime.h"
+#include "throttle.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr double kTick = 1.0e-3;     // [s]
+constexpr double kTremorRate = 4.0;  // [Hz]
+constexpr double kBefore = 0.5;      // [s] at the start, so that the node has heard of it
+
+struct DeviceParams {
+  explicit DeviceParams(const ros::NodeHandle& handle) {
+    handle.getParam("joints", joints);
+    handle.getParam("wrench", wrench);
+    handle.getParam("after", after);
+    handle.getParam("names", names);
+    handle.getParam("start", start);
+    handle.getParam("way", way);
+    handle.getParam("speed", speed);
+    handle.getParam("hold", hold);
+    handle.getParam("tremor", tremor);
+    handle.getParam("mass", hand.mass);
+    handle.getParam("damping", hand.device_damping);
+    handle.getParam("grip_stiffness", hand.grip_stiffness);
+    handle.getParam("grip_damping", hand.grip_damping);
+    handle.getParam("resolution", hand.resolution);
+    if (start.size() != names.size() || names.size() < 3) {
+      throw InputError("parameters of " + handle.getNamespace(), "start", "",
+                       "must have a number for each of ~names, three at least");
+    }
+    if (!(speed > 0.0) || !(hold >= 0.0) || !(way >= 0.0)) {
+      throw InputError("parameters of " + handle.getNamespace(), "speed", std::to_string(speed),
+                       "must be > 0, hold and way >= 0");
+    }
+  }
+
+  std::string joints = "/probe/measured_js", wrench = "/probe/spatial/measured_cf";
+  std::string after = "/palpate/reset";
+  std::vector<std::string> names = {"x", "y", "z", "roll", "pitch", "yaw"};
+  std::vector<double> start = std::vector<double>(6, 0.0);
+  double way = 0.02, speed = 0.03, hold = 3.0, tremor = 0.0;
+  haptics::HandSettings hand;
+};
+
+/// Where the hand means to be at a time, and how fast it goes there, along z.
+struct Intent {
+  double z, v;
+};
+Intent intentAt(const DeviceParams& p, double t) {
+  const double down = p.way / p.speed;
+  if (t < 0.0) return {0.0, 0.0};
+  if (t < down) return {-p.speed * t, -p.speed};
+  if (t < down + p.hold) return {-p.way, 0.0};
+  if (t < down + 2.0 * p.hold) {
+    const double omega = 2.0 * M_PI * kTremorRate, s = omega * (t - down - p.hold);
+    return {-p.way + p.tremor * std::sin(s), p.tremor * omega * std::cos(s)};
+  }
+  const double up = t - down - 2.0 * p.hold;
+  return up < down ? Intent{-p.way + p.speed * up, p.speed} : Intent{0.0, 0.0};
+}
+
+class Device {
+ public:
+  Device(ros::NodeHandle handle, const DeviceParams& params)
+      : params_(params),
+        hand_(params.hand, Vec3::Zero()),
+        joints_(handle.advertise<sensor_msgs::JointState>(params.joints, 1)),
+        wrench_(handle.subscribe(params.wrench, 1, &Device::feel, this,
+                                 ros::TransportHints().tcpNoDelay())) {
+    message_.name = params.names;
+    message_.position = params.start;
+  }
+
+  /// The organs may not be there yet.
+  void wait() const {
+    while (!params_.after.empty() && !Ending::asked() &&
+           !ros::service::exists(params_.after, false)) {
+      std::this_thread::sleep_for(seconds(0.05));
+    }
+  }
+
+  void run() {
+    const double end = 2.0 * params_.way / params_.speed + 2.0 * params_.hold + 0.5;
+    Steady::time_point next = Steady::now();
+    for (double t = -kBefore; t < end && !Ending::asked(); t += kTick) {
+      ros::getGlobalCallbackQueue()->callAvailable();
+      const Intent meant = intentAt(params_, t);
+      hand_.tick(Vec3(0.0, 0.0, meant.z), Vec3(0.0, 0.0, meant.v), force_, Vec3::Zero(), kTick);
+      const Vec3 p = hand_.measured();
+      for (int k = 0; k < 3; ++k) message_.position[k] = params_.start[k] + p[k];
+      message_.header.stamp = ros::Time::now();
+      joints_.publish(message_);
+      next += seconds(kTick);
+      std::this_thread::sleep_until(next);
+    }
+  }
+
+ private:
+  void feel(const geometry_msgs::WrenchStamped& message) {
+    const Wrench wrench = fromMsg(message.wrench);
+    if (wrench.allFinite()) force_ = wrench.force;
+  }
+
+  DeviceParams params_;
+  haptics::SimulatedHand hand_;
+  Vec3 force_ = Vec3::Zero();
+  sensor_msgs::JointState message_;
+  ros::Publisher joints_;
+  ros::Subscriber wrench_;
+};
+
+}  // namespace
+}  // namespace palpate::node
+
+int main(int argc, char** argv) {
+  using palpate::node::Ending;
+  Ending::catchSignals();
+  ros::init(argc, argv, "palpate_device", ros::init_options::NoSigintHandler);
+  const ros::NodeHandle handle;
+  Ending::catchShutdownRequests();
+  palpate::node::becomeRealtime();
+  try {
+    palpate::node::Device device(handle, palpate::node::DeviceParams(ros::NodeHandle("~")));
+    device.wait();
+    device.run();
+  } catch (const palpate::InputError& error) {
+    ROS_FATAL_STREAM(error.what());
+    return palpate::node::kBadInput;
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM(error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A light hand holds the tool by a device that pushes back: it comes to rest in the tissue."""
+import os
+import sys
+import time
+import unittest
+
+import rospy
+import rostest
+from sensor_msgs.msg import JointState
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from helpers import Ear, diagnostics_ear, force, report_ear, status, wrench_ear  # noqa: E402
+
+
+class FreeHand(unittest.TestCase):
+    def test_it_rests(self):
+        rospy.wait_for_service("/palpate/reset", 30)
+        spatial, reports, diagnostics = wrench_ear(), report_ear(), diagnostics_ear()
+        joints = Ear("probe/measured_js", JointState)
+        self.assertIsNotNone(spatial.wait(lambda m: force(m) > 0.05, 20.0))
+        time.sleep(4.0)  # on the way, and three seconds after it
+        for ear in (spatial, joints):
+            ear.clear()
+        time.sleep(1.5)
+        z = [m.position[2] for m in joints.all()]
+        forces = [force(m) for m in spatial.all()]
+        self.assertGreater(len(z), 500)
+        self.assertLess(max(z) - min(z), 2e-4, "%g mm" % (1e3 * (max(z) - min(z))))
+        self.assertGreater(min(forces), 0.05)
+        self.assertEqual({m.state for m in reports.all()[-100:]}, {"RUNNING"})
+        said = diagnostics.wait(lambda d: status(d, "haptic loop") is not None, 3.0)
+        values = {v.key: v.value for v in status(said, "haptic loop").values}
+        self.assertLess(float(values["energy out of a port, at most [mJ]"]), 1.0)
+
+
+if __name__ == "__main__":
+    rospy.init_node("free_hand_test")
+    rostest.rosrun("palpate", "free_hand_test", FreeHand)
