@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "ending.h"
+#include "realtime.h"
 
 namespace palpate::node {
 
@@ -14,11 +15,14 @@ namespace palpate::node {
 /// program by Ending, and nothing in between.
 class CallbackThread {
  public:
-  CallbackThread(const char* name, ros::CallbackQueue* queue) : name_(name), queue_(*queue) {}
+  /// `realtime`: at that priority, if the system lets us.
+  CallbackThread(const char* name, ros::CallbackQueue* queue, bool realtime)
+      : name_(name), queue_(*queue), realtime_(realtime) {}
   ~CallbackThread() { stop(); }
 
   void start() {
     thread_ = std::thread([this] {
+      if (realtime_) becomeRealtime();
       Ending::guard(name_, [this] {
         while (!stopping_) queue_.callAvailable(ros::WallDuration(0.1));
       });
@@ -32,6 +36,7 @@ class CallbackThread {
  private:
   const char* name_;
   ros::CallbackQueue& queue_;
+  bool realtime_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

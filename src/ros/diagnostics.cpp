@@ -35,7 +35,7 @@ void Diagnostics::loading(const std::string& what) {
   updater_.force_update();
 }
 
-void Diagnostics::running(const Inputs* inputs, const HapticLoop* haptic,
+void Diagnostics::running(const Inputs* inputs, HapticLoop* haptic,
                           const std::vector<std::string>& names) {
   inputs_ = inputs;
   names_ = names;
@@ -129,15 +129,27 @@ void Diagnostics::haptic(Status& status) {
   const double rate = static_cast<double>(cycles - haptic_cycles_) / inSeconds(now - haptic_since_);
   haptic_cycles_ = cycles;
   haptic_since_ = now;
-  status.summary(DiagnosticStatus::OK, s.realtime ? "real-time priority (SCHED_FIFO)"
-                                                  : "ordinary priority: SCHED_FIFO is not allowed "
-                                                    "here (see ulimit -r)");
+  status.summary(DiagnosticStatus::OK, "real-time priority (SCHED_FIFO), memory locked");
+  if (!s.realtime || !realtime_.sends) {
+    status.summary(DiagnosticStatus::WARN,
+                   "ordinary priority: SCHED_FIFO is not allowed here (see ulimit -r)");
+  }
+  if (!realtime_.memory) {
+    status.mergeSummary(DiagnosticStatus::WARN, "memory is not locked (see ulimit -l)");
+  }
   if (rate < kSlowShare * haptic_->rate()) {
     status.mergeSummary(DiagnosticStatus::WARN, "the force loop is late");
   }
   status.add("rate reached [Hz]", rate);
   status.add("rate wanted [Hz]", haptic_->rate());
   status.add("late cycles", s.late.load());
+  const Percentiles period = haptic_->periods().percentiles();
+  status.add("period as sent p50 [ms]", 1e3 * period.p50);
+  status.add("period as sent p99 [ms]", 1e3 * period.p99);
+  status.add("period as sent max [ms]", 1e3 * period.max);
+  const Percentiles latency = haptic_->latencies().percentiles();
+  status.add("stamp to wrench p50 [ms]", 1e3 * latency.p50);
+  status.add("stamp to wrench p99 [ms]", 1e3 * latency.p99);
   status.add("peak force [N]", s.peak_force.load());
   status.add("energy out of a port, at most [mJ]", 1e3 * s.energy_out.load());
   status.add("energy taken back [mJ]", 1e3 * s.taken_back.load());

@@ -27,9 +27,14 @@ class Diagnostics {
   void setNotes(const std::vector<std::string>& notes) { notes_ = notes; }
   /// Where meshes are too coarse for the tools, for every report on the simulation.
   void setMeshAdvice(const std::vector<std::string>& advice) { mesh_advice_ = advice; }
+  /// Whether the system let us: said with the force loop's own priority.
+  struct Realtime {
+    bool sends = false;   ///< Of the threads that send what it publishes.
+    bool memory = false;  ///< Memory is locked.
+  };
+  void setRealtime(const Realtime& realtime) { realtime_ = realtime; }
   /// From now on there is a simulation to report on; `names`: of the instruments.
-  void running(const Inputs* inputs, const HapticLoop* haptic,
-               const std::vector<std::string>& names);
+  void running(const Inputs* inputs, HapticLoop* haptic, const std::vector<std::string>& names);
 
   void update(const ReportFrame& frame, const Statistics& statistics);
 
@@ -44,7 +49,8 @@ class Diagnostics {
   std::string loading_, blas_warning_;
   std::vector<std::string> notes_, mesh_advice_, names_;
   const Inputs* inputs_ = nullptr;
-  const HapticLoop* haptic_ = nullptr;
+  HapticLoop* haptic_ = nullptr;
+  Realtime realtime_;
   ReportFrame frame_;
   Statistics statistics_;
   long haptic_cycles_ = 0;

@@ -84,6 +84,7 @@ void HapticLoop::loop() {
     std::this_thread::sleep_until(next);
     const Steady::time_point now = Steady::now();
     for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
+    periods_.add(inSeconds(now - last));
     last = now;
     double taken_back = 0.0;
     for (const Hand& hand : hands_) {
@@ -109,7 +110,9 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
     hand.model.publish(toMsg(target.model, target.stamp));
   }
   const bool live = target.live && !finishing_ && now - target.made < silence_;
+  const bool heard = channels_.hands[i].hasNew();
   const HandPose& pose = channels_.hands[i].read();
+  if (heard && !ros::Time::isSimTime()) latencies_.add((ros::Time::now() - pose.stamp).toSec());
   Wrench felt = target.felt(pose);
   const Vec3 sent = hand.filter.output().force;
   if (pose.valid) felt.force += hand.passivity.update(pose.p_WC, sent, felt.force, dt);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "channels.h"
+#include "interval_log.h"
 #include "palpate/haptics/passivity.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/scene/scene.h"
@@ -44,6 +45,10 @@ class HapticLoop {
   void finish();
 
   const HapticStatistics& statistics() const { return statistics_; }
+  /// Between two wrenches, and from an input's stamp to the first wrench that knows it [s]; one
+  /// thread may look.
+  IntervalLog& periods() { return periods_; }
+  IntervalLog& latencies() { return latencies_; }
   double rate() const { return 1.0 / inSeconds(period_); }  ///< Wanted [Hz].
 
  private:
@@ -64,6 +69,7 @@ class HapticLoop {
   Steady::duration period_;
   Steady::duration silence_;  // of the simulation, after which the wrench fades
   HapticStatistics statistics_;
+  IntervalLog periods_, latencies_;
   std::atomic<bool> finishing_{false};
   std::thread thread_;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "palpate/io/state_file.h"
 #include "params.h"
 #include "publishing_loop.h"
+#include "realtime.h"
 #include "services.h"
 #include "simulation_loop.h"
 
@@ -74,7 +76,8 @@ std::string checkBlas(const sim::Simulator& simulator) {
   return warning;
 }
 
-int run() {
+/// `sends_realtime`: ROS's own threads do.
+int run(bool sends_realtime) {
   ros::NodeHandle handle, private_handle("~");
   Diagnostics diagnostics;
   const NodeParams params = readParams(private_handle);
@@ -108,8 +111,9 @@ int run() {
   ros::CallbackQueue requests;
   private_handle.setCallbackQueue(&requests);
   Services services(private_handle, simulator.get(), &cycle, &simulation, params.state_directory);
-  CallbackThread request_thread("requests", &requests);
-  CallbackThread input_thread("input", ros::getGlobalCallbackQueue());
+  CallbackThread request_thread("requests", &requests, false);
+  CallbackThread input_thread("input", ros::getGlobalCallbackQueue(), true);
+  diagnostics.setRealtime({sends_realtime, lockMemory()});
 
   publishing.start();
   simulation.start();
@@ -133,10 +137,17 @@ int main(int argc, char** argv) {
   palpate::start::keepFreedMemory();
   palpate::node::Ending::catchSignals();
   ros::init(argc, argv, "palpate", ros::init_options::NoSigintHandler);
-  const ros::NodeHandle alive;  // so that the last words get out
+  std::optional<ros::NodeHandle> alive;  // so that the last words get out
+  bool sends_realtime = false;
+  {
+    // ROS starts its threads now, that which sends what the force loop publishes among them.
+    const palpate::node::RealtimeScope starting;
+    alive.emplace();
+    sends_realtime = starting.isRealtime();
+  }
   palpate::node::Ending::catchShutdownRequests();
   try {
-    return palpate::node::run();
+    return palpate::node::run(sends_realtime);
   } catch (const palpate::InputError& e) {
     ROS_FATAL_STREAM(e.what());
     return palpate::node::kBadInput;

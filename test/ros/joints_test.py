@@ -288,6 +288,17 @@ class Joints(unittest.TestCase):
         values = {v.key: v.value for v in status(said, "haptic loop").values}
         self.assertGreater(float(values["rate reached [Hz]"]), 500.0)
         self.assertEqual(float(values["rate wanted [Hz]"]), 1000.0)
+        self.assertGreater(float(values["period as sent p50 [ms]"]), 0.5)
+        self.assertLess(float(values["period as sent p50 [ms]"]), 1.5)
+
+        def measured(d):
+            s = status(d, "haptic loop")
+            return s and any(v.key == "stamp to wrench p50 [ms]" and float(v.value) > 0.0 for v in s.values)
+
+        said = self.diagnostics.wait(measured, 15.0)  # a thousand inputs at 100 Hz
+        self.assertIsNotNone(said)
+        values.update({v.key: v.value for v in status(said, "haptic loop").values})
+        self.assertLess(float(values["stamp to wrench p50 [ms]"]), 4.0)
         values = {v.key: v.value for v in status(said, "simulation").values}
         self.assertEqual(values["state"], "RUNNING")
         self.assertGreater(float(values["rate held [Hz]"]), 50.0)
