@@ -17,6 +17,7 @@
 #include "environment.h"
 #include "haptic_loop.h"
 #include "input_factory.h"
+#include "master_watch.h"
 #include "palpate/advice/mesh_verdict.h"
 #include "palpate/base/error.h"
 #include "palpate/io/state_file.h"
@@ -25,6 +26,7 @@
 #include "realtime.h"
 #include "services.h"
 #include "simulation_loop.h"
+#include "topics.h"
 
 namespace palpate::node {
 namespace {
@@ -119,6 +121,9 @@ int run(bool sends_realtime) {
   simulation.start();
   request_thread.start();
   input_thread.start();
+  MasterWatch master(
+      {private_handle.resolveName(kResetService), private_handle.resolveName(kSaveStateService)});
+  master.start();
   Ending::wait();
 
   haptic.finish();  // before all else: a hand holds it

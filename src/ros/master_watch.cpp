@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "master_watch.h"
+
+#include <ros/connection_manager.h>
+#include <ros/console.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
+
+#include <chrono>
+#include <utility>
+
+#include "ending.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr std::chrono::milliseconds kPeriod(500);
+
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue list(const std::vector<XmlRpcValue>& values) {
+  XmlRpcValue array;
+  array.setSize(static_cast<int>(values.size()));
+  for (int i = 0; i < array.size(); ++i) array[i] = values[static_cast<std::size_t>(i)];
+  return array;
+}
+
+// Asks the master; false: there is none, or it refuses.
+bool ask(const std::string& method, const std::vector<XmlRpcValue>& arguments,
+         XmlRpcValue* answer) {
+  std::vector<XmlRpcValue> all{ros::this_node::getName()};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  XmlRpcValue response;
+  return ros::master::execute(method, list(all), response, *answer, false);
+}
+
+// Calls a function that this node offers to the master and to others [ROS slave API].
+bool askSelf(const std::string& method, const std::vector<XmlRpcValue>& arguments,
+             XmlRpcValue* answer) {
+  const auto& manager = ros::XMLRPCManager::instance();
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(manager->getServerURI(), host, port)) return false;
+  std::vector<XmlRpcValue> all{XmlRpcValue("/master")};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  XmlRpc::XmlRpcClient* client = manager->getXMLRPCClient(host, static_cast<int>(port), "/");
+  XmlRpcValue response;
+  const bool answered = client->execute(method.c_str(), list(all), response);
+  manager->releaseXMLRPCClient(client);
+  return answered && manager->validateXmlrpcResponse(method, response, *answer);
+}
+
+}  // namespace
+
+MasterWatch::MasterWatch(std::vector<std::string> services) : services_(std::move(services)) {}
+
+void MasterWatch::start() {
+  thread_ = std::thread([this] { Ending::guard("master", [this] { loop(); }); });
+}
+
+void MasterWatch::stop() {
+  stopping_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void MasterWatch::loop() {
+  XmlRpcValue pid;
+  if (ask("getPid", {}, &pid)) pid_ = static_cast<int>(pid);
+  while (!stopping_) {
+    std::this_thread::sleep_for(kPeriod);
+    if (!stopping_) look();
+  }
+}
+
+void MasterWatch::look() {
+  XmlRpcValue answer;
+  if (!ask("getPid", {}, &answer)) {
+    if (pid_ != 0) {
+      ROS_WARN("the ROS master is gone; who is connected stays so, and the wrench goes on");
+    }
+    pid_ = 0;
+    return;
+  }
+  const int pid = answer;
+  if (pid == pid_) return;
+  registerAgain();
+  pid_ = pid;
+  ROS_INFO("registered again with the ROS master");
+}
+
+void MasterWatch::registerAgain() const {
+  const XmlRpcValue uri(ros::XMLRPCManager::instance()->getServerURI());
+  XmlRpcValue topics, answer;
+  if (!askSelf("getPublications", {}, &topics)) return;
+  for (int i = 0; i < topics.size(); ++i) {
+    ask("registerPublisher", {topics[i][0], topics[i][1], uri}, &answer);
+  }
+  XmlRpcValue subscriptions;
+  if (!askSelf("getSubscriptions", {}, &subscriptions)) return;
+  for (int i = 0; i < subscriptions.size(); ++i) {
+    const XmlRpcValue topic = subscriptions[i][0], type = subscriptions[i][1];
+    XmlRpcValue publishers;
+    if (!ask("registerSubscriber", {topic, type, uri}, &publishers)) continue;
+    askSelf("publisherUpdate", {topic, publishers}, &answer);
+  }
+  const std::string service_uri = "rosrpc://" + ros::network::getHost() + ":" +
+                                  std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+  for (const std::string& service : services_) {
+    ask("registerService", {XmlRpcValue(service), XmlRpcValue(service_uri), uri}, &answer);
+  }
+}
+
+}  // namespace palpate::node

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace palpate::node {
+
+/// Sees when the ROS master is gone, and registers this node again with the next one, which knows
+/// nobody: topics both ways and services. Connections that there are live on without a master.
+class MasterWatch {
+ public:
+  /// `services`: resolved names of those that this node offers.
+  explicit MasterWatch(std::vector<std::string> services);
+  ~MasterWatch() { stop(); }
+
+  void start();
+  void stop();
+
+ private:
+  void loop();
+  void look();
+  void registerAgain() const;
+
+  std::vector<std::string> services_;
+  int pid_ = 0;  // of the master that knows us; 0: there is none
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+}  // namespace palpate::node
