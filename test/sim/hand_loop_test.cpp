@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,32 @@ TEST_F(HandOnSlab, ALimpHandComesToRestWhereEnergyIsTakenBack) {
       EXPECT_GT(high - low, 2e-4);
     }
   }
+}
+
+// A light hand wanders through the tissue and out of it, as it likes, for ten minutes.
+TEST_F(HandOnSlab, LittleEnergyComesOutOfRandomMotions) {
+  Simulator simulator(scene);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+  q[2] = -0.05;
+  HandLoop loop(&simulator, 0, simulator.linkPoses(0, q), light(true));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> pick(-1.0, 1.0);
+  Vec3 from = Vec3::Zero(), to = from;
+  double begin = 0.0, duration = 0.0;
+  for (double t = 0.0; t < 600.0;) {
+    if (t >= begin + duration) {
+      begin += duration;
+      duration = 0.6 + 0.4 * pick(random);
+      from = to;
+      to = Vec3(0.02 * pick(random), 0.02 * pick(random), -0.006 + 0.008 * pick(random));
+    }
+    const double s = (t - begin) / duration;
+    HandIntent intent;
+    intent.position = from + s * s * (3.0 - 2.0 * s) * (to - from);
+    intent.velocity = 6.0 * s * (1.0 - s) / duration * (to - from);
+    t = loop.tick(intent).time;
+  }
+  EXPECT_LT(loop.passivity().largestOut(), 1e-3);
 }
 
 TEST_F(HandOnSlab, GivesTheSameBitsAgain) {
