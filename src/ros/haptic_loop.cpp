@@ -11,14 +11,15 @@
 
 namespace palpate::node {
 
-haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene) {
+haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene,
+                                             const scene::InstrumentConfig& instrument) {
+  const auto limit = [](double own, double of_all) { return own > 0.0 ? own : of_all; };
   haptics::WrenchFilterSettings s;
-  s.max_force = scene.haptics.max_force;
-  s.max_torque = scene.haptics.max_torque;
-  s.max_force_rate = scene.haptics.max_force_rate;
+  s.max_force = limit(instrument.limits.max_force, scene.haptics.max_force);
+  s.max_torque = limit(instrument.limits.max_torque, scene.haptics.max_torque);
+  s.max_force_rate = limit(instrument.limits.max_force_rate, scene.haptics.max_force_rate);
   // Both go from nothing to their limit in the same time.
-  s.max_torque_rate =
-      scene.haptics.max_force_rate * scene.haptics.max_torque / scene.haptics.max_force;
+  s.max_torque_rate = s.max_force_rate * s.max_torque / s.max_force;
   s.ramp = scene.rates.ramp;
   return s;
 }
@@ -40,7 +41,7 @@ HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channe
       return handle.advertise<geometry_msgs::WrenchStamped>(instrumentTopic(instrument.name, topic),
                                                             1);
     };
-    hands_.push_back({haptics::WrenchFilter(filterSettings(scene)),
+    hands_.push_back({haptics::WrenchFilter(filterSettings(scene, instrument)),
                       haptics::PassivityController(scene.haptics), advertise(kSpatialWrench),
                       advertise(kBodyWrench),
                       handle.advertise<palpate::ContactModel>(

@@ -26,8 +26,9 @@ struct HapticStatistics {
   std::atomic<double> taken_back{0};  ///< and what was taken back of all hands'.
 };
 
-/// What stands between the simulation and the hand in this scene.
-haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene);
+/// What stands between the simulation and the hand that holds this instrument of the scene.
+haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene,
+                                             const scene::InstrumentConfig& instrument);
 
 /// The force thread: at rates.haptic, what each instrument feels where it is commanded to now, by
 /// the local model around the newest solve and through its filter, to spatial/measured_cf and

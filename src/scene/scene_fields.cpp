@@ -81,6 +81,16 @@ void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {
            keys::Range::closed(0.0, 1000.0));
 }
 
+void describe(keys::FieldVisitor& v, LimitsConfig& limits) {
+  v.number({"max_force", "N", "A longer force is shortened to this; 0: `haptics.max_force`."},
+           limits.max_force, keys::Range::closed(0.0, 1000.0));
+  v.number({"max_torque", "N m", "A longer torque is shortened to this; 0: `haptics.max_torque`."},
+           limits.max_torque, keys::Range::closed(0.0, 1000.0));
+  v.number({"max_force_rate", "N/s",
+            "The force to the hand changes no faster; 0: `haptics.max_force_rate`."},
+           limits.max_force_rate, keys::Range::closed(0.0, 1.0e6));
+}
+
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
   v.name({"name", "", "Names the instrument in topics and result files.", keys::Need::kRequired},
          instrument.name);
@@ -110,6 +120,8 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
              "How fast the simulated tool may follow: it goes where the input says, but never by a "
              "jump, and comes only where it touches nothing."},
             instrument.proxy);
+  v.section({"limits", "", "What this instrument's device sustains, where it is not that of all."},
+            instrument.limits);
 }
 
 void describe(keys::FieldVisitor& v, ContactConfig& contact) {

@@ -19,7 +19,7 @@ constexpr int kTicks = 10;  // of the force loop in a cycle
 class Hand {
  public:
   explicit Hand(const scene::Scene& scene)
-      : filter_(filterSettings(scene)), tick_(scene.solver.step / kTicks) {}
+      : filter_(filterSettings(scene, scene.instruments[0])), tick_(scene.solver.step / kTicks) {}
 
   Wrench feel(const sim::StepResult& result) {
     target_.take(result.instruments[0], true, Vec3::Zero(), &local_);
@@ -65,6 +65,18 @@ class Fading : public ::testing::Test {
   const std::vector<Eigen::VectorXd> press_ = test::SlabScene::press();
   Wrench live_, replayed_;
 };
+
+TEST(Limits, OfAnInstrumentStandBeforeThoseOfAll) {
+  scene::Scene scene;
+  scene.haptics.max_force = 20.0;
+  scene.haptics.max_torque = 2.0;
+  scene::InstrumentConfig instrument;
+  EXPECT_EQ(filterSettings(scene, instrument).max_force, 20.0);
+  instrument.limits.max_force = 3.3;
+  EXPECT_EQ(filterSettings(scene, instrument).max_force, 3.3);
+  EXPECT_EQ(filterSettings(scene, instrument).max_torque, 2.0);
+  EXPECT_EQ(filterSettings(scene, instrument).max_force_rate, scene.haptics.max_force_rate);
+}
 
 TEST_F(Fading, IsTheSameLiveAndReplayed) {
   const double force = replayed_.force.norm();

@@ -56,6 +56,13 @@ struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {
   bool active = false;  ///< In replays; the live node's always are.
 };
 
+/// What the device of one instrument sustains; 0: as HapticsConfig says for all.
+struct LimitsConfig {
+  double max_force = 0.0;       ///< [N]
+  double max_torque = 0.0;      ///< [N m]
+  double max_force_rate = 0.0;  ///< [N/s]
+};
+
 struct InstrumentConfig {
   std::string name;
   std::string urdf;
@@ -66,6 +73,7 @@ struct InstrumentConfig {
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
   ProxyConfig proxy;
+  LimitsConfig limits;
 };
 
 struct ContactConfig : contact::ResponseSettings {
