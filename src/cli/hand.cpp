@@ -52,16 +52,19 @@ sim::LinkPoses shifted(const sim::LinkPoses& links, double up) {
 
 // How far the tool can go down from `links` until it touches [m].
 double wayToTouch(const sim::Simulator& simulator, const sim::LinkPoses& links) {
+  const scene::Scene& scene = simulator.scene();
+  const std::string key = "instruments." + scene.instruments[0].name + ".base";
   constexpr double kLook = 1e-3, kFarthest = 1.0, kFine = 1e-5;  // [m]
   if (!simulator.isFree(0, links)) {
-    throw InputError("command line", "scene", "", "the tool touches with all joints at zero");
+    throw InputError(scene.file, key, "",
+                     "must have the tool clear of tissue with all joints zero");
   }
   double free = 0.0, touching = kLook;
   while (simulator.isFree(0, shifted(links, -touching))) {
     free = touching;
     touching += kLook;
     if (touching > kFarthest) {
-      throw InputError("command line", "scene", "", "there is nothing to touch below the tool");
+      throw InputError(scene.file, key, "", "must have tissue less than 1 m below the tool");
     }
   }
   while (touching - free > kFine) {
@@ -72,7 +75,7 @@ double wayToTouch(const sim::Simulator& simulator, const sim::LinkPoses& links) 
 }
 
 sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip,
-                                   const scene::HapticsConfig& limits) {
+                                   const scene::HapticsConfig& haptics) {
   sim::HandLoopSettings s;
   s.hand = grip.hand;
   s.hand.mass = o.mass.value_or(s.hand.mass);
@@ -80,21 +83,38 @@ sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip,
   s.hand.grip_stiffness = o.stiffness.value_or(s.hand.grip_stiffness);
   s.hand.grip_damping = o.grip_damping.value_or(s.hand.grip_damping);
   s.hand.resolution = o.resolution.value_or(s.hand.resolution);
-  s.filter.max_force = limits.max_force;
-  s.filter.max_force_rate = limits.max_force_rate;
+  s.filter.max_force = haptics.max_force;
+  s.filter.max_force_rate = haptics.max_force_rate;
   s.filter.smoothing = o.hold ? 0.5 / o.rate : 0.0;
   s.cycle = 1.0 / o.rate;
   s.solve = o.solve;
   s.delay_in = o.delay_in;
   s.delay_out = o.delay_out;
   s.local_model = !o.hold;
-  s.passivity.max_damping = o.passivity.value_or(s.passivity.max_damping);
+  s.passivity = haptics;
+  s.passivity.max_damping = o.passivity.value_or(haptics.max_damping);
   return s;
 }
 
-int hand(const Options& o) {
+void checkNumbers(const Options& o) {
   requirePositive("--rate", o.rate);
   requirePositive("--duration", o.duration);
+  requirePositive("--speed", o.speed);
+  requirePositive("--mass", o.mass.value_or(1.0));
+  requireNotNegative("--depth", o.depth);
+  requireNotNegative("--push", o.push);
+  requireNotNegative("--solve", o.solve);
+  requireNotNegative("--delay-in", o.delay_in);
+  requireNotNegative("--delay-out", o.delay_out);
+  requireNotNegative("--damping", o.damping.value_or(0.0));
+  requireNotNegative("--grip-stiffness", o.stiffness.value_or(0.0));
+  requireNotNegative("--grip-damping", o.grip_damping.value_or(0.0));
+  requireNotNegative("--resolution", o.resolution.value_or(0.0));
+  requireNotNegative("--passivity", o.passivity.value_or(0.0));
+}
+
+int hand(const Options& o) {
+  checkNumbers(o);
   if (!o.out.empty()) requireWritable("--out", o.out, {".csv"});
   const Grip& grip = *std::find_if(std::begin(kGrips), std::end(kGrips),
                                    [&](const Grip& g) { return g.name == o.grip; });

@@ -17,6 +17,11 @@ void requirePositive(const std::string& option, double value) {
   throw InputError("command line", option, formatNumber(value), "must be a number > 0");
 }
 
+void requireNotNegative(const std::string& option, double value) {
+  if (std::isfinite(value) && value >= 0.0) return;
+  throw InputError("command line", option, formatNumber(value), "must be a number >= 0");
+}
+
 void requireWritable(const std::string& option, const std::string& file,
                      const std::vector<std::string>& extensions) {
   const std::filesystem::path path(file);

@@ -9,6 +9,9 @@ namespace palpate::cli {
 /// @throws InputError naming the option unless `value` is a finite number > 0.
 void requirePositive(const std::string& option, double value);
 
+/// The same for a finite number >= 0.
+void requireNotNegative(const std::string& option, double value);
+
 /// So that long work is not done for a file that cannot be written.
 /// @throws InputError naming the option unless `file` ends in one of `extensions` (".vtu") and its
 /// folder exists and can be written to.

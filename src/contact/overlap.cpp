@@ -63,7 +63,8 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
     return false;
   }
   const Pose X_GW = X_WG.inverse();
-  const double enough = 0.1 * inscribedRadius(geometry);
+  // A flat hull has no inside.
+  const double enough = std::max(0.1 * inscribedRadius(geometry), 0.01 * boundingRadius(geometry));
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     Mat3 corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = X_GW * Vec3(x.col(triangles(k, t)));

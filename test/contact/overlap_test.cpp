@@ -70,6 +70,18 @@ TEST(Overlap, SeesAToolThatIsInsideAndABodyThatIsInsideOfTheTool) {
   EXPECT_TRUE(overlaps(instrument::Sphere{1.0}, X_WG, kBlock.points, kSurface));
 }
 
+// Its inscribed radius is zero: no triangle is small enough beside it.
+TEST(Overlap, EndsForAHullWithoutAnInside) {
+  instrument::ConvexHull flat = hullOfBox(Vec3(0.01, 0.01, 1e-9), Vec3::Zero());
+  flat.offsets.setZero();
+  Pose X_WG = Pose::Identity();
+  X_WG.translation() = kMiddle;
+  EXPECT_EQ(inscribedRadius(flat), 0.0);
+  overlaps(flat, X_WG, kBlock.points, kSurface);
+  X_WG.translation().z() = 0.04;  // in the top
+  EXPECT_TRUE(overlaps(flat, X_WG, kBlock.points, kSurface));
+}
+
 TEST(Overlap, KeepsTheMargin) {
   Pose X_WG = Pose::Identity();
   X_WG.translation() = kMiddle + Vec3(0.0, 0.0, 0.02 + 0.005 + 0.002);  // 2 mm above, mid-triangle
