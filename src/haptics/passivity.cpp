@@ -2,26 +2,19 @@
 #include "palpate/haptics/passivity.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "limits.h"
 
 namespace palpate::haptics {
 namespace {
 
 constexpr double kStill = 0.015;  // [s] so long without a motion is rest
 
-void check(const char* name, double value) {
-  if (std::isfinite(value) && value >= 0.0) return;
-  throw std::invalid_argument(std::string("PassivityController: ") + name + " = " +
-                              std::to_string(value) + "; must be finite and >= 0");
-}
-
 }  // namespace
 
 PassivityController::PassivityController(const PassivitySettings& settings) : settings_(settings) {
-  check("max_damping", settings.max_damping);
-  check("velocity_smoothing", settings.velocity_smoothing);
+  requireNotNegative("PassivityController", "max_damping", settings.max_damping);
+  requireNotNegative("PassivityController", "velocity_smoothing", settings.velocity_smoothing);
 }
 
 // A device may report less often than forces are sent: what was sent since its last motion counts

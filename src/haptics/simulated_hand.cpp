@@ -2,30 +2,24 @@
 #include "palpate/haptics/simulated_hand.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+#include <cmath>
+
+#include "limits.h"
 
 namespace palpate::haptics {
 namespace {
 
 constexpr double kSubstep = 1.0e-5;  // [s]
 
-void check(const char* name, double value, bool zero_allowed) {
-  if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return;
-  throw std::invalid_argument(std::string("SimulatedHand: ") + name + " = " +
-                              std::to_string(value) + "; must be finite and " +
-                              (zero_allowed ? ">= 0" : "> 0"));
-}
-
 }  // namespace
 
 SimulatedHand::SimulatedHand(const HandSettings& settings, const Vec3& position)
     : settings_(settings), p_(position) {
-  check("mass", settings.mass, false);
-  check("device_damping", settings.device_damping, true);
-  check("grip_stiffness", settings.grip_stiffness, true);
-  check("grip_damping", settings.grip_damping, true);
-  check("resolution", settings.resolution, true);
+  requirePositive("SimulatedHand", "mass", settings.mass);
+  requireNotNegative("SimulatedHand", "device_damping", settings.device_damping);
+  requireNotNegative("SimulatedHand", "grip_stiffness", settings.grip_stiffness);
+  requireNotNegative("SimulatedHand", "grip_damping", settings.grip_damping);
+  requireNotNegative("SimulatedHand", "resolution", settings.resolution);
 }
 
 // Steps so short that the error of the symplectic Euler method is below that of the encoders.

@@ -4,23 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "limits.h"
 
 namespace palpate::haptics {
 namespace {
-
-void check(const char* name, double value) {
-  if (std::isfinite(value) && value > 0.0) return;
-  throw std::invalid_argument(std::string("ToolProxy: ") + name + " = " + std::to_string(value) +
-                              "; must be finite and > 0");
-}
-
-Vec3 clamped(const Vec3& v, double limit) {
-  const double norm = v.norm();
-  return norm > limit ? Vec3(v * (limit / norm)) : v;
-}
 
 // Changes `velocity` towards what brings the tool over `way` in `dt`, not faster than from where it
 // can still stop there. Returns whether it may go all the way at once.
@@ -55,10 +44,10 @@ Mat3 turned(const Mat3& R, const Vec3& turn) {
 ToolProxy::ToolProxy(const ProxySettings& settings, std::size_t control_link,
                      std::vector<std::size_t> links)
     : settings_(settings), control_(control_link), links_(std::move(links)) {
-  check("max_speed", settings.max_speed);
-  check("max_acceleration", settings.max_acceleration);
-  check("max_angular_speed", settings.max_angular_speed);
-  check("max_angular_acceleration", settings.max_angular_acceleration);
+  requirePositive("ToolProxy", "max_speed", settings.max_speed);
+  requirePositive("ToolProxy", "max_acceleration", settings.max_acceleration);
+  requirePositive("ToolProxy", "max_angular_speed", settings.max_angular_speed);
+  requirePositive("ToolProxy", "max_angular_acceleration", settings.max_angular_acceleration);
 }
 
 bool ToolProxy::follow(const LinkPoses& commanded, double dt, const Free& is_free) {

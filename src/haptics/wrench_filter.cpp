@@ -3,27 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "limits.h"
 
 namespace palpate::haptics {
 namespace {
-
-void check(const char* name, double value, bool zero_allowed) {
-  if (!std::isfinite(value) || value < 0.0 || (value == 0.0 && !zero_allowed)) {
-    throw std::invalid_argument(std::string("WrenchFilter: ") + name + " = " +
-                                std::to_string(value) + "; must be finite and " +
-                                (zero_allowed ? ">= 0" : "> 0"));
-  }
-}
-
-/// `v` shortened to `limit`; stableNorm, because finite components may have an infinite square.
-Vec3 clamped(const Vec3& v, double limit) {
-  const double norm = v.stableNorm();
-  if (!(norm > limit)) return v;
-  if (!std::isfinite(norm)) return clamped(0.125 * v, limit);
-  return v * (limit / norm);
-}
 
 Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
   return from + clamped(to - from, limit);
@@ -33,13 +17,13 @@ Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
 
 WrenchFilter::WrenchFilter(const WrenchFilterSettings& settings)
     : settings_(settings), fade_(settings.ramp, 0.0) {
-  check("max_force", settings.max_force, false);
-  check("max_torque", settings.max_torque, false);
-  check("max_force_rate", settings.max_force_rate, false);
-  check("max_torque_rate", settings.max_torque_rate, false);
-  check("ramp", settings.ramp, true);
-  check("smoothing", settings.smoothing, true);
-  check("max_step", settings.max_step, false);
+  requirePositive("WrenchFilter", "max_force", settings.max_force);
+  requirePositive("WrenchFilter", "max_torque", settings.max_torque);
+  requirePositive("WrenchFilter", "max_force_rate", settings.max_force_rate);
+  requirePositive("WrenchFilter", "max_torque_rate", settings.max_torque_rate);
+  requireNotNegative("WrenchFilter", "ramp", settings.ramp);
+  requireNotNegative("WrenchFilter", "smoothing", settings.smoothing);
+  requirePositive("WrenchFilter", "max_step", settings.max_step);
 }
 
 const Wrench& WrenchFilter::update(const Wrench& target, bool live, double dt) {

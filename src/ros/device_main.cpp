@@ -19,7 +19,6 @@
 #include <sensor_msgs/JointState.h>
 
 #include <cmath>
-#include <exception>
 #include <string>
 #include <thread>
 #include <vector>
@@ -28,13 +27,13 @@
 #include "ending.h"
 #include "palpate/base/error.h"
 #include "palpate/haptics/simulated_hand.h"
+#include "program.h"
 #include "realtime.h"
 #include "throttle.h"
 
 namespace palpate::node {
 namespace {
 
-constexpr int kBadInput = 2;
 constexpr double kTick = 1.0e-3;     // [s]
 constexpr double kTremorRate = 4.0;  // [Hz]
 constexpr double kBefore = 0.5;      // [s] at the start, so that the node has heard of it
@@ -55,14 +54,29 @@ struct DeviceParams {
     handle.getParam("grip_stiffness", hand.grip_stiffness);
     handle.getParam("grip_damping", hand.grip_damping);
     handle.getParam("resolution", hand.resolution);
+    check(handle.getNamespace());
+  }
+  void check(const std::string& space) const {
+    std::vector<Problem> problems;
     if (start.size() != names.size() || names.size() < 3) {
-      throw InputError("parameters of " + handle.getNamespace(), "start", "",
-                       "must have a number for each of ~names, three at least");
+      problems.push_back({"start", std::to_string(start.size()) + " numbers",
+                          "must have one for each of ~names, three at least"});
     }
-    if (!(speed > 0.0) || !(hold >= 0.0) || !(way >= 0.0)) {
-      throw InputError("parameters of " + handle.getNamespace(), "speed", std::to_string(speed),
-                       "must be > 0, hold and way >= 0");
-    }
+    const auto positive = [&](const char* key, double value, bool zero_allowed) {
+      if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return;
+      problems.push_back({key, std::to_string(value),
+                          std::string("must be finite and ") + (zero_allowed ? ">= 0" : "> 0")});
+    };
+    positive("way", way, true);
+    positive("speed", speed, false);
+    positive("hold", hold, true);
+    positive("tremor", tremor, true);
+    positive("mass", hand.mass, false);
+    positive("damping", hand.device_damping, true);
+    positive("grip_stiffness", hand.grip_stiffness, true);
+    positive("grip_damping", hand.grip_damping, true);
+    positive("resolution", hand.resolution, true);
+    if (!problems.empty()) throw InputError("parameters of " + space, problems);
   }
 
   std::string joints = "/probe/measured_js", wrench = "/probe/spatial/measured_cf";
@@ -144,22 +158,12 @@ class Device {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
-  using palpate::node::Ending;
-  Ending::catchSignals();
-  ros::init(argc, argv, "palpate_device", ros::init_options::NoSigintHandler);
-  const ros::NodeHandle handle;
-  Ending::catchShutdownRequests();
-  palpate::node::becomeRealtime();
-  try {
-    palpate::node::Device device(handle, palpate::node::DeviceParams(ros::NodeHandle("~")));
+  return palpate::node::runProgram(argc, argv, "palpate_device", [](bool) {
+    palpate::node::Device device(ros::NodeHandle(),
+                                 palpate::node::DeviceParams(ros::NodeHandle("~")));
+    palpate::node::becomeRealtime();
     device.wait();
     device.run();
-  } catch (const palpate::InputError& error) {
-    ROS_FATAL_STREAM(error.what());
-    return palpate::node::kBadInput;
-  } catch (const std::exception& error) {
-    ROS_FATAL_STREAM(error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

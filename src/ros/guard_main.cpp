@@ -12,7 +12,6 @@
 #include <ros/ros.h>
 
 #include <cmath>
-#include <exception>
 #include <string>
 #include <thread>
 
@@ -20,12 +19,12 @@
 #include "ending.h"
 #include "palpate/base/error.h"
 #include "palpate/haptics/silence_guard.h"
+#include "program.h"
 #include "throttle.h"
 
 namespace palpate::node {
 namespace {
 
-constexpr int kBadInput = 2;
 constexpr double kTick = 0.002;  // [s]
 
 std::string topicParam(const ros::NodeHandle& handle, const char* name) {
@@ -105,19 +104,8 @@ class Guard {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
-  using palpate::node::Ending;
-  Ending::catchSignals();
-  ros::init(argc, argv, "palpate_guard", ros::init_options::NoSigintHandler);
-  const ros::NodeHandle handle;
-  Ending::catchShutdownRequests();
-  try {
-    palpate::node::Guard(handle, ros::NodeHandle("~")).run();
-  } catch (const palpate::InputError& error) {
-    ROS_FATAL_STREAM(error.what());
-    return palpate::node::kBadInput;
-  } catch (const std::exception& error) {
-    ROS_FATAL_STREAM(error.what());
-    return 1;
-  }
-  return 0;
+  return palpate::node::runProgram(argc, argv, "palpate_guard", [](bool) {
+    palpate::node::Guard(ros::NodeHandle(), ros::NodeHandle("~")).run();
+    return 0;
+  });
 }

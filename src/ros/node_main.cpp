@@ -4,8 +4,6 @@
 #include <ros/ros.h>
 
 #include <cmath>
-#include <exception>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,9 +17,9 @@
 #include "input_factory.h"
 #include "master_watch.h"
 #include "palpate/advice/mesh_verdict.h"
-#include "palpate/base/error.h"
 #include "palpate/io/state_file.h"
 #include "params.h"
+#include "program.h"
 #include "publishing_loop.h"
 #include "realtime.h"
 #include "services.h"
@@ -30,8 +28,6 @@
 
 namespace palpate::node {
 namespace {
-
-constexpr int kBadInput = 2;
 
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted while loading") {}
@@ -140,27 +136,5 @@ int run(bool sends_realtime) {
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
   palpate::start::keepFreedMemory();
-  palpate::node::Ending::catchSignals();
-  ros::init(argc, argv, "palpate", ros::init_options::NoSigintHandler);
-  std::optional<ros::NodeHandle> alive;  // so that the last words get out
-  bool sends_realtime = false;
-  {
-    // ROS starts its threads now, that which sends what the force loop publishes among them.
-    const palpate::node::RealtimeScope starting;
-    alive.emplace();
-    sends_realtime = starting.isRealtime();
-  }
-  palpate::node::Ending::catchShutdownRequests();
-  try {
-    return palpate::node::run(sends_realtime);
-  } catch (const palpate::InputError& e) {
-    ROS_FATAL_STREAM(e.what());
-    return palpate::node::kBadInput;
-  } catch (const palpate::node::Interrupted& e) {
-    ROS_WARN_STREAM(e.what());
-    return 1;
-  } catch (const std::exception& e) {
-    ROS_FATAL_STREAM(e.what());
-    return 1;
-  }
+  return palpate::node::runProgram(argc, argv, "palpate", palpate::node::run);
 }

@@ -16,38 +16,27 @@ import rostest
 from geometry_msgs.msg import WrenchStamped
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from helpers import ABOVE, TOUCHING, Ear, Hand, force, wrench_ear  # noqa: E402
+from helpers import ABOVE, TOUCHING, Ear, Hand, Programs, force, wrench_ear  # noqa: E402
 
 SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scenes")
 DEVICE = "master/body/servo_cf"
 
 
-def program(name, *arguments):
-    return subprocess.Popen([roslib.packages.find_node("palpate", name)[0]] + list(arguments))
-
-
 class Ends(unittest.TestCase):
     def setUp(self):
         self.spatial, self.body, self.device = wrench_ear("spatial"), wrench_ear("body"), Ear(DEVICE, WrenchStamped)
-        self.programs = []
+        self.programs = Programs()
 
     def tearDown(self):
-        for p in self.programs:
-            if p.poll() is None:
-                p.kill()
-                p.wait(10)
+        self.programs.end()
         for ear in (self.spatial, self.body, self.device):
             ear.subscriber.unregister()
 
-    def start(self, name, *arguments):
-        self.programs.append(program(name, *arguments))
-        return self.programs[-1]
-
     def node(self):
-        return self.start("palpate_node", "__name:=palpate", "_scene:=" + os.path.join(SCENES, "block.yaml"))
+        return self.programs.node("palpate_node", "__name:=palpate", "_scene:=" + os.path.join(SCENES, "block.yaml"))
 
     def guard(self):
-        return self.start("palpate_guard", "__name:=guard", "_input:=probe/body/measured_cf", "_output:=" + DEVICE)
+        return self.programs.node("palpate_guard", "__name:=guard", "_input:=probe/body/measured_cf", "_output:=" + DEVICE)
 
     def press(self, ear=None):
         hand = Hand()
@@ -95,7 +84,7 @@ class Ends(unittest.TestCase):
             bad = os.path.join(folder, "bad.yaml")
             with open(bad, "w") as f:
                 f.write(text)
-            node = self.start("palpate_node", "__name:=palpate", "_scene:=" + bad)
+            node = self.programs.node("palpate_node", "__name:=palpate", "_scene:=" + bad)
             self.assertEqual(node.wait(20), 2)
         time.sleep(0.3)
         self.assertGreaterEqual(len(self.spatial.all()), 10)

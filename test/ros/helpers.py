@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the node's tests share: a hand that moves the probe, ears for what the node says."""
 import math
+import subprocess
 import threading
 import time
 
+import roslib.packages
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import WrenchStamped
@@ -113,6 +115,26 @@ def report_ear():
 
 def diagnostics_ear():
     return Ear("/diagnostics", DiagnosticArray)
+
+
+class Programs:
+    """Programs that a test starts; whatever happens, none stays behind."""
+
+    def __init__(self, env=None):
+        self.env, self.all = env, []
+
+    def start(self, *command, **options):
+        self.all.append(subprocess.Popen(list(command), env=self.env, start_new_session=True, **options))
+        return self.all[-1]
+
+    def node(self, program, *arguments, **options):
+        return self.start(roslib.packages.find_node("palpate", program)[0], *arguments, **options)
+
+    def end(self):
+        for p in self.all:
+            if p.poll() is None:
+                p.kill()
+            p.wait(10)
 
 
 def status(diagnostics, name):

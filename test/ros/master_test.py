@@ -5,12 +5,15 @@ import os
 import signal
 import socket
 import subprocess
+import sys
 import time
 import unittest
 
-import roslib.packages
 import rospkg
 import rostest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from helpers import Programs  # noqa: E402
 
 SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scenes")
 
@@ -21,21 +24,13 @@ class Master(unittest.TestCase):
             s.bind(("localhost", 0))
             self.port = s.getsockname()[1]
         self.env = dict(os.environ, ROS_MASTER_URI="http://localhost:%d" % self.port)
-        self.programs = []
+        self.programs = Programs(self.env)
 
     def tearDown(self):
-        for p in self.programs:
-            if p.poll() is None:
-                p.kill()
-            p.wait(10)
-
-    def start(self, *command, **options):
-        p = subprocess.Popen(list(command), env=self.env, start_new_session=True, **options)
-        self.programs.append(p)
-        return p
+        self.programs.end()
 
     def master(self):
-        master = self.start("rosmaster", "--core", "-p", str(self.port), stdout=subprocess.DEVNULL)
+        master = self.programs.start("rosmaster", "--core", "-p", str(self.port), stdout=subprocess.DEVNULL)
         self.wait_for(lambda: self.answers("rosnode", "list"), 15.0)
         return master
 
@@ -57,7 +52,7 @@ class Master(unittest.TestCase):
 
     def test_the_node_registers_again(self):
         master = self.master()
-        node = self.start(roslib.packages.find_node("palpate", "palpate_node")[0], "__name:=palpate",
+        node = self.programs.node("palpate_node", "__name:=palpate",
                           "_scene:=" + os.path.join(SCENES, "block.yaml"), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, universal_newlines=True)
         self.wait_for(lambda: self.answers("rosservice", "info", "/palpate/reset"), 20.0)
@@ -71,7 +66,7 @@ class Master(unittest.TestCase):
         # A new one, that knows nobody: a new subscriber hears the wrench, an input and a service work.
         self.master()
         self.assertTrue(self.hears(5.0))
-        hand = self.start("rostopic", "pub", "-r", "100", "/probe/measured_js", "sensor_msgs/JointState",
+        hand = self.programs.start("rostopic", "pub", "-r", "100", "/probe/measured_js", "sensor_msgs/JointState",
                           "{header: {stamp: now}, name: [x, y, z, roll, pitch, yaw],"
                           " position: [0.0, 0.0, -0.05, 0.0, 0.0, 0.0]}", stdout=subprocess.DEVNULL)
         self.wait_for(lambda: "RUNNING" in subprocess.run(

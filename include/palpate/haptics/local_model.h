@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "palpate/base/state_bytes.h"
 #include "palpate/base/types.h"
 
 namespace palpate::haptics {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-
 #include "palpate/base/types.h"
 
 namespace palpate::haptics {
@@ -15,11 +13,6 @@ struct CouplingSettings {
 
 /// Force on the hand at `p_hand` from its proxy at `p_proxy`, both in world [m]: a spring, limited
 /// [N]. Nothing where both are at one place, as in all but the fastest motions.
-inline Vec3 couplingForce(const CouplingSettings& settings, const Vec3& p_hand,
-                          const Vec3& p_proxy) {
-  const Vec3 force = settings.coupling_stiffness * (p_proxy - p_hand);
-  const double norm = force.norm();
-  return norm > settings.coupling_force ? Vec3(force * (settings.coupling_force / norm)) : force;
-}
+Vec3 couplingForce(const CouplingSettings& settings, const Vec3& p_hand, const Vec3& p_proxy);
 
 }  // namespace palpate::haptics

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace palpate::haptics {
+namespace {
+
+[[noreturn]] void refuse(const std::string& owner, const std::string& name, double value,
+                         const std::string& allowed) {
+  throw std::invalid_argument(owner + ": " + name + " = " + std::to_string(value) +
+                              "; must be finite and " + allowed);
+}
+
+}  // namespace
+
+Vec3 clamped(const Vec3& v, double limit) {
+  const double norm = v.stableNorm();
+  if (!(norm > limit)) return v;
+  if (!std::isfinite(norm)) return clamped(0.125 * v, limit);
+  return v * (limit / norm);
+}
+
+void requirePositive(const std::string& owner, const std::string& name, double value) {
+  if (!std::isfinite(value) || !(value > 0.0)) refuse(owner, name, value, "> 0");
+}
+
+void requireNotNegative(const std::string& owner, const std::string& name, double value) {
+  if (!std::isfinite(value) || value < 0.0) refuse(owner, name, value, ">= 0");
+}
+
+}  // namespace palpate::haptics
