@@ -11,7 +11,9 @@
 #include "commands.h"
 #include "options.h"
 #include "palpate/base/error.h"
+#include "palpate/haptics/swing.h"
 #include "palpate/io/csv_writer.h"
+#include "palpate/scene/hand_settings.h"
 #include "palpate/sim/hand_loop.h"
 #include "progress_line.h"
 
@@ -22,8 +24,8 @@ struct Options {
   std::string scene, out, grip = "light";
   std::optional<double> passivity, mass, damping, stiffness, grip_damping, resolution;
   double depth = 0.004, speed = 0.03, push = 0.0, duration = 5.0;
-  double rate = 100.0, solve = 0.005, delay_in = 0.0, delay_out = 0.0;
-  bool hold = false;
+  double rate = 100.0, solve = 0.005, delay_in = 0.0, delay_out = 0.0, device_rate = 1000.0;
+  bool hold = false, untold = false;
 };
 
 struct Grip {
@@ -33,10 +35,10 @@ struct Grip {
 };
 
 // Mass of device and hand [kg], damping of the device, stiffness and damping of the grip.
-constexpr Grip kGrips[] = {{"light", {0.10, 0.2, 100.0, 1.0, 5.5e-5}, 0.0},
-                           {"normal", {0.15, 0.2, 300.0, 3.0, 5.5e-5}, 0.0},
-                           {"firm", {0.30, 0.2, 1000.0, 10.0, 5.5e-5}, 0.0},
-                           {"limp", {0.05, 0.2, 0.0, 0.0, 5.5e-5}, 0.5}};
+constexpr Grip kGrips[] = {{"light", {0.10, 0.2, 100.0, 1.0, 5.5e-5, 0.0, 0.0}, 0.0},
+                           {"normal", {0.15, 0.2, 300.0, 3.0, 5.5e-5, 0.0, 0.0}, 0.0},
+                           {"firm", {0.30, 0.2, 1000.0, 10.0, 5.5e-5, 0.0, 0.0}, 0.0},
+                           {"limp", {0.05, 0.2, 0.0, 0.0, 5.5e-5, 100.0, 1.0}, 0.5}};
 
 std::vector<std::string> gripNames() {
   std::vector<std::string> names;
@@ -74,8 +76,8 @@ double wayToTouch(const sim::Simulator& simulator, const sim::LinkPoses& links) 
   return free;
 }
 
-sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip,
-                                   const scene::HapticsConfig& haptics) {
+sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip, const scene::Scene& scene) {
+  const scene::InstrumentConfig& instrument = scene.instruments[0];
   sim::HandLoopSettings s;
   s.hand = grip.hand;
   s.hand.mass = o.mass.value_or(s.hand.mass);
@@ -83,16 +85,23 @@ sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip,
   s.hand.grip_stiffness = o.stiffness.value_or(s.hand.grip_stiffness);
   s.hand.grip_damping = o.grip_damping.value_or(s.hand.grip_damping);
   s.hand.resolution = o.resolution.value_or(s.hand.resolution);
-  s.filter.max_force = haptics.max_force;
-  s.filter.max_force_rate = haptics.max_force_rate;
+  s.filter = scene::filterSettings(scene, instrument);
   s.filter.smoothing = o.hold ? 0.5 / o.rate : 0.0;
   s.cycle = 1.0 / o.rate;
   s.solve = o.solve;
   s.delay_in = o.delay_in;
   s.delay_out = o.delay_out;
   s.local_model = !o.hold;
-  s.passivity = haptics;
-  s.passivity.max_damping = o.passivity.value_or(haptics.max_damping);
+  s.passivity = scene.haptics;
+  s.passivity.max_damping = o.passivity.value_or(scene.haptics.max_damping);
+  s.coupling = instrument.proxy;
+  s.device_rate = o.device_rate;
+  s.told = instrument.device;
+  if (o.untold) return s;
+  s.told.damping = s.hand.device_damping;
+  s.told.delay = o.delay_in + o.delay_out;
+  s.told.rate = o.device_rate;
+  s.told.mass = std::min(s.told.mass, s.hand.mass);
   return s;
 }
 
@@ -100,6 +109,7 @@ void checkNumbers(const Options& o) {
   requirePositive("--rate", o.rate);
   requirePositive("--duration", o.duration);
   requirePositive("--speed", o.speed);
+  requirePositive("--device-rate", o.device_rate);
   requirePositive("--mass", o.mass.value_or(1.0));
   requireNotNegative("--depth", o.depth);
   requireNotNegative("--push", o.push);
@@ -133,15 +143,15 @@ int hand(const Options& o) {
   const sim::LinkPoses zero = simulator.linkPoses(0, Eigen::VectorXd::Zero(joints));
   const sim::LinkPoses start = shifted(zero, kAbove - wayToTouch(simulator, zero));
 
-  sim::HandLoop loop(&simulator, 0, start, settingsFrom(o, grip, scene.haptics));
+  sim::HandLoop loop(&simulator, 0, start, settingsFrom(o, grip, scene));
   std::optional<io::CsvWriter> csv;
   if (!o.out.empty()) {
     csv.emplace(o.out, std::vector<std::string>{"t", "meant_z", "x", "y", "z", "fx", "fy", "fz",
                                                 "solved_fx", "solved_fy", "solved_fz"});
   }
   const double push = o.push + grip.push, last = std::max(0.5 * o.duration, o.duration - 2.0);
-  Vec3 low = Vec3::Constant(1e9), high = -low;
-  double least = 1e9, most = 0.0, deepest = 0.0, force = 0.0;
+  haptics::Swing swing;
+  double least = 1e9, most = 0.0, deepest = 0.0, force = 0.0, stiffness = 0.0, tissue = 0.0;
   for (double t = 0.0; t < o.duration;) {
     const double way = std::min(o.speed * t, kAbove + o.depth);
     const bool moves = way < kAbove + o.depth;
@@ -154,10 +164,11 @@ int hand(const Options& o) {
     force = tick.force.norm();
     deepest = std::max(deepest, -tick.position.z() - kAbove);
     if (t > last) {
-      low = low.cwiseMin(tick.position);
-      high = high.cwiseMax(tick.position);
+      swing.add(tick.position);
       least = std::min(least, force);
       most = std::max(most, force);
+      stiffness = std::max(stiffness, tick.stiffness);
+      tissue = std::max(tissue, tick.tissue_stiffness);
     }
     if (csv) {
       *csv << t << tick.meant.z();
@@ -170,10 +181,12 @@ int hand(const Options& o) {
   line.finish();
   if (csv) csv->close();
   std::printf(
-      "swing of the last %.3g s: %.4g mm, force %.4g to %.4g N; deepest %.4g mm\n"
+      "swing of the last %.3g s: %.4g mm (with creep %.4g mm), force %.4g to %.4g N; deepest %.4g "
+      "mm\n"
+      "stiffness of the tissue %.4g N/m, as rendered %.4g N/m\n"
       "energy out of the port, at most: %.4g mJ, of which %.4g mJ were taken back\n",
-      o.duration - last, 1e3 * (high - low).norm(), least, most, 1e3 * deepest,
-      1e3 * loop.passivity().largestOut(), 1e3 * loop.passivity().dissipated());
+      o.duration - last, 1e3 * swing.length(), 1e3 * swing.range(), least, most, 1e3 * deepest,
+      tissue, stiffness, 1e3 * loop.passivity().largestOut(), 1e3 * loop.passivity().dissipated());
   return kOk;
 }
 
@@ -199,9 +212,13 @@ void addHand(CLI::App& app, Action& action) {
   command.option("--solve", &options->solve, "From a cycle's input to its wrench [s]");
   command.option("--delay-in", &options->delay_in, "From the device to the program [s]");
   command.option("--delay-out", &options->delay_out, "And back [s]");
+  command.option("--device-rate", &options->device_rate,
+                 "The device reports poses and takes forces so often [Hz]");
   command.option("--passivity", &options->passivity,
                  "Damping that the passivity controller may add [N s/m]; 0: none");
   command.flag("--hold", &options->hold, "Hold the last wrench: no local model");
+  command.flag("--untold", &options->untold,
+               "The program knows of the device what the scene says, not what is given here");
   command.option("--out", &options->out, "CSV of every tick");
   command.onUse([options, &action] { action = [options] { return hand(*options); }; });
 }

@@ -9,6 +9,15 @@ namespace {
 
 constexpr double kShortestTouch = 1.0e-4;  // [m]
 
+// A contact is expected again [m]: as far away as this, along its normal and across; deeper where
+// it did not come, by no less than the first and twice that each time, until the last.
+constexpr double kAway = 0.05, kAcross = 0.005, kDoubt = 1.0e-4, kMostDoubt = 2.0e-3;
+// No less than this of the stiffness along the normal is left by one solve: what ends in a solve or
+// two is a contact, not its stiffness.
+constexpr double kLoosen = 0.5;
+// So deep is the place that stands for it, which must have a force.
+constexpr double kSkin = 1.0e-6;
+
 // The nearest symmetric matrix with eigenvalues in [0, most].
 Mat3 limited(const Mat3& K, double most) {
   const Mat3 symmetric = 0.5 * (K + K.transpose());
@@ -26,7 +35,7 @@ Wrench ContactModel::at(const Vec3& p) const {
   Wrench there;
   const Vec3 way = p - p_W;
   const double length = way.norm();
-  there.force = wrench.force - stiffness_W * (length > kReach ? kReach / length : 1.0) * way;
+  there.force = wrench.force - stiffness_W * (length > reach ? reach / length : 1.0) * way;
   const double along = there.force.dot(wrench.force);
   if (along <= 0.0) return {};  // it let go
   // The torque is that of the force at an arm, and a couple about it.
@@ -39,29 +48,61 @@ Wrench ContactModel::at(const Vec3& p) const {
 // The smallest symmetric change of K after which it explains as much of `push` = K way as a way so
 // long tells.
 Mat3 LocalModel::updated(const Mat3& K, const Vec3& way, const Vec3& push) const {
-  const double weight = way.squaredNorm() + settings_.noise * settings_.noise;
+  const double noise = std::min(settings_.noise, settings_.force_noise / (K.norm() + 1.0));
+  const double weight = way.squaredNorm() + noise * noise;
   const Vec3 missed = push - K * way;
   return K + (missed * way.transpose() + way * missed.transpose()) / weight -
          missed.dot(way) / (weight * weight) * way * way.transpose();
 }
 
+// The tool touches nothing: what it touched last may come again, at the plane where it ended.
+void LocalModel::expect(const Vec3& p_W) {
+  const double force = model_.wrench.force.norm();
+  if (force == 0.0) return;
+  const Vec3 normal = model_.wrench.force / force;
+  const double K = normal.dot(model_.stiffness_W * normal);
+  const Vec3 from = p_W - (model_.p_W + (K > 0.0 ? force / K : 0.0) * normal);
+  const double above = from.dot(normal);
+  const double deeper = above > 0.0 ? 0.0 : std::max(kDoubt, doubt_) - above;
+  doubt_ += deeper;
+  if (K <= 0.0 || doubt_ > kMostDoubt || above > kAway ||
+      (from - above * normal).norm() > kAcross) {
+    model_ = {};
+    return;
+  }
+  const Vec3 arm = model_.wrench.force.cross(model_.wrench.torque) / (force * force);
+  const Vec3 plane = p_W - from - deeper * normal;
+  model_.p_W = plane - kSkin * normal;
+  model_.wrench.force = K * kSkin * normal;
+  model_.wrench.torque = arm.cross(model_.wrench.force);
+  model_.stiffness_W = K * normal * normal.transpose();
+}
+
 const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
-  const Vec3 way = p_W - model_.p_W;
   const double force = wrench.force.norm();
   if (force == 0.0) {
-    model_.stiffness_W.setZero();
-  } else if (model_.wrench.force != Vec3::Zero()) {
-    const Vec3 push = model_.wrench.force - wrench.force;
-    model_.stiffness_W = limited(updated(model_.stiffness_W, way, push), settings_.max_stiffness);
-  } else if (known_) {
-    // It came from nothing on this way, or a part of it.
-    const Vec3 normal = wrench.force / force;
-    const double in = std::max(-way.dot(normal), kShortestTouch);
-    model_.stiffness_W =
-        std::min(force / in, settings_.max_stiffness) * normal * normal.transpose();
+    expect(p_W);
+  } else {
+    if (model_.wrench.force != Vec3::Zero()) {
+      const Vec3 push = model_.wrench.force - wrench.force;
+      Mat3 K = updated(model_.stiffness_W, p_W - model_.p_W, push);
+      const Vec3 normal = wrench.force / force;
+      const double before = normal.dot(model_.stiffness_W * normal);
+      const double lacking = kLoosen * before - normal.dot(K * normal);
+      K += std::max(0.0, lacking) * normal * normal.transpose();
+      model_.stiffness_W = limited(K, settings_.max_stiffness);
+    } else if (known_) {
+      // It came from nothing on this way, or a part of it.
+      const Vec3 normal = wrench.force / force;
+      const double in = std::max(-(p_W - p_last_).dot(normal), kShortestTouch);
+      model_.stiffness_W =
+          std::min(force / in, settings_.max_stiffness) * normal * normal.transpose();
+    }
+    model_.p_W = p_W;
+    model_.wrench = wrench;
+    doubt_ = 0.0;
   }
-  model_.p_W = p_W;
-  model_.wrench = wrench;
+  p_last_ = p_W;
   known_ = true;
   return model_;
 }
@@ -69,6 +110,7 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
 void LocalModel::forget() {
   model_ = {};
   known_ = false;
+  doubt_ = 0.0;
 }
 
 }  // namespace palpate::haptics

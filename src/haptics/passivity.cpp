@@ -6,30 +6,38 @@
 #include "limits.h"
 
 namespace palpate::haptics {
-namespace {
 
-constexpr double kStill = 0.015;  // [s] so long without a motion is rest
-
-}  // namespace
-
-PassivityController::PassivityController(const PassivitySettings& settings) : settings_(settings) {
+PassivityController::PassivityController(const PassivitySettings& settings, double delay)
+    : settings_(settings), delay_(std::min(delay, kLongestDelay)) {
   requireNotNegative("PassivityController", "max_damping", settings.max_damping);
-  requireNotNegative("PassivityController", "velocity_smoothing", settings.velocity_smoothing);
+  requireNotNegative("PassivityController", "delay", delay);
+}
+
+// What was sent a delay ago. Ticks are not all of one length, and the ring has an end.
+const PassivityController::Sent& PassivityController::delayed(const Sent& now) {
+  const std::size_t size = under_way_.size();
+  const auto forgetOldest = [&] {
+    age_ -= under_way_[felt_].dt;
+    felt_ = (felt_ + 1) % size;
+  };
+  newest_ = (newest_ + 1) % size;
+  if (felt_ == newest_) forgetOldest();
+  under_way_[newest_] = now;
+  age_ += now.dt;
+  while (felt_ != newest_ && age_ - under_way_[felt_].dt > delay_ + 0.5 * now.dt) forgetOldest();
+  return under_way_[felt_];
 }
 
 // A device may report less often than forces are sent: what was sent since its last motion counts
 // with its mean.
-void PassivityController::observe(const Vec3& p, const Vec3& sent, double dt) {
-  impulse_ += dt * sent;
-  damping_impulse_ += dt * added_;
-  time_ += dt;
+void PassivityController::observe(const Vec3& p, const Sent& sent) {
+  impulse_ += sent.dt * sent.force;
+  damping_impulse_ += sent.dt * sent.added;
+  time_ += sent.dt;
   const Vec3 way = p - p_;
-  if (way == Vec3::Zero()) {
-    if (time_ > kStill) v_ -= dt / (dt + settings_.velocity_smoothing) * v_;
-    return;
-  }
+  if (way == Vec3::Zero()) return;
   p_ = p;
-  v_ += time_ / (time_ + settings_.velocity_smoothing) * (way / time_ - v_);
+  if (time_ == 0.0) return;  // it has not felt anything yet
   out_ += impulse_.dot(way) / time_;
   dissipated_ -= damping_impulse_.dot(way) / time_;
   largest_ = std::max(largest_, out_);
@@ -38,10 +46,11 @@ void PassivityController::observe(const Vec3& p, const Vec3& sent, double dt) {
   time_ = 0.0;
 }
 
-Vec3 PassivityController::update(const Vec3& p, const Vec3& sent, const Vec3& force, double dt) {
+Vec3 PassivityController::update(const Vec3& p, const Vec3& v, const Vec3& sent, const Vec3& force,
+                                 double dt) {
   if (!begun_) p_ = p;
   begun_ = true;
-  observe(p, sent, dt);
+  observe(p, delayed({sent, added_, dt}));
   damping_ = 0.0;
   added_.setZero();
   if (force == Vec3::Zero()) {
@@ -49,10 +58,10 @@ Vec3 PassivityController::update(const Vec3& p, const Vec3& sent, const Vec3& fo
     if (sent == Vec3::Zero()) out_ = 0.0;
     return added_;
   }
-  const double v2 = v_.squaredNorm();
+  const double v2 = v.squaredNorm();
   if (out_ <= 0.0 || v2 == 0.0) return added_;
   damping_ = std::min(settings_.max_damping, out_ / (v2 * dt));
-  added_ = -damping_ * v_;
+  added_ = -damping_ * v;
   return added_;
 }
 

@@ -20,6 +20,8 @@ SimulatedHand::SimulatedHand(const HandSettings& settings, const Vec3& position)
   requireNotNegative("SimulatedHand", "grip_stiffness", settings.grip_stiffness);
   requireNotNegative("SimulatedHand", "grip_damping", settings.grip_damping);
   requireNotNegative("SimulatedHand", "resolution", settings.resolution);
+  requireNotNegative("SimulatedHand", "guide_stiffness", settings.guide_stiffness);
+  requireNotNegative("SimulatedHand", "guide_damping", settings.guide_damping);
 }
 
 // Steps so short that the error of the symplectic Euler method is below that of the encoders.
@@ -28,9 +30,12 @@ void SimulatedHand::tick(const Vec3& meant, const Vec3& meant_v, const Vec3& for
   const int steps = std::max(1, static_cast<int>(std::ceil(dt / kSubstep - 1e-9)));
   const double h = dt / steps;
   const HandSettings& s = settings_;
+  const double k_side = s.grip_stiffness + s.guide_stiffness;
+  const double b_side = s.grip_damping + s.guide_damping;
+  const Vec3 K(k_side, k_side, s.grip_stiffness), B(b_side, b_side, s.grip_damping);
   for (int k = 0; k < steps; ++k) {
     const Vec3 goal = meant + (h * k) * meant_v;
-    const Vec3 sum = s.grip_stiffness * (goal - p_) + s.grip_damping * (meant_v - v_) -
+    const Vec3 sum = K.cwiseProduct(goal - p_) + B.cwiseProduct(meant_v - v_) -
                      s.device_damping * v_ + force + push;
     v_ += (h / s.mass) * sum;
     p_ += h * v_;

@@ -14,7 +14,7 @@
 #include "node_state.h"
 #include "palpate/advice/scene_verdict.h"
 #include "palpate/base/latest_value.h"
-#include "palpate/haptics/local_model.h"
+#include "palpate/haptics/force_renderer.h"
 #include "palpate/sim/simulator.h"
 #include "throttle.h"
 
@@ -31,30 +31,9 @@ struct HandPose {
 /// What the force loop gets of one instrument. Plain numbers: copied in real time.
 struct HapticTarget {
   bool valid = false;  ///< False: there was no cycle yet.
-  bool live = false;   ///< The wrench is of a solved state and of fresh input.
   ros::Time stamp;     ///< Of the input that was solved.
   Steady::time_point made;
-  haptics::ContactModel model;     ///< Around the last solved state.
-  Vec3 coupling_W = Vec3::Zero();  ///< What draws the hand to a tool that could not follow [N].
-  Vec3 p_hand_W = Vec3::Zero();    ///< Where the hand was then [m].
-
-  /// What is felt where the hand is now: the solved wrench goes on with the hand's motion since.
-  Wrench felt(const HandPose& now) const {
-    Wrench wrench = now.valid ? model.at(model.p_W + (now.p_WC - p_hand_W)) : model.wrench;
-    wrench.force += coupling_W;
-    return wrench;
-  }
-
-  /// What a cycle gave its instrument, whose input is `fresh` or not, and whom the hand has at
-  /// `p_hand`.
-  void take(const sim::InstrumentResult& tool, bool fresh, const Vec3& p_hand,
-            haptics::LocalModel* local) {
-    valid = true;
-    live = fresh && tool.live;
-    if (!live) return local->forget();
-    model = local->observe(tool.X_WC.translation(), tool.solved);
-    p_hand_W = p_hand;
-  }
+  haptics::RenderTarget render;
 };
 
 /// One cycle's report with what the node knows beside it.

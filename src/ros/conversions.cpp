@@ -41,6 +41,7 @@ palpate::ContactModel toMsg(const haptics::ContactModel& model, const ros::Time&
   message.header.frame_id = kWorldFrame;
   message.position = toPoint(model.p_W);
   message.wrench = toMsg(model.wrench, stamp, kWorldFrame).wrench;
+  message.reach = model.reach;
   if (!model.wrench.allFinite() || !model.stiffness_W.allFinite()) return message;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {

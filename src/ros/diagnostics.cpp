@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "diagnostics.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include "palpate/base/error.h"
 #include "palpate/tissue/skips.h"
 
@@ -9,6 +12,8 @@ namespace palpate::node {
 using diagnostic_msgs::DiagnosticStatus;
 
 namespace {
+
+constexpr double kUntoldDelay = 0.004;  // [s]
 
 std::string said(ToolState state) {
   switch (state) {
@@ -150,6 +155,15 @@ void Diagnostics::haptic(Status& status) {
   const Percentiles latency = haptic_->latencies().percentiles();
   status.add("stamp to wrench p50 [ms]", 1e3 * latency.p50);
   status.add("stamp to wrench p99 [ms]", 1e3 * latency.p99);
+  if (latency.p50 > haptic_->delay() + kUntoldDelay) {
+    std::ostringstream text;
+    text << "poses are " << std::setprecision(2) << 1e3 * latency.p50
+         << " ms old when they are answered: instruments[].device.delay must say so, with the way "
+            "back";
+    status.mergeSummary(DiagnosticStatus::WARN, text.str());
+  }
+  status.add("stiffness of the tissue [N/m]", s.tissue.load());
+  status.add("stiffness as rendered [N/m]", s.rendered.load());
   status.add("peak force [N]", s.peak_force.load());
   status.add("energy out of a port, at most [mJ]", 1e3 * s.energy_out.load());
   status.add("energy taken back [mJ]", 1e3 * s.taken_back.load());

@@ -6,23 +6,11 @@
 #include "conversions.h"
 #include "ending.h"
 #include "palpate/haptics/body_wrench.h"
+#include "palpate/scene/hand_settings.h"
 #include "realtime.h"
 #include "topics.h"
 
 namespace palpate::node {
-
-haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene,
-                                             const scene::InstrumentConfig& instrument) {
-  const auto limit = [](double own, double of_all) { return own > 0.0 ? own : of_all; };
-  haptics::WrenchFilterSettings s;
-  s.max_force = limit(instrument.limits.max_force, scene.haptics.max_force);
-  s.max_torque = limit(instrument.limits.max_torque, scene.haptics.max_torque);
-  s.max_force_rate = limit(instrument.limits.max_force_rate, scene.haptics.max_force_rate);
-  // Both go from nothing to their limit in the same time.
-  s.max_torque_rate = s.max_force_rate * s.max_torque / s.max_force;
-  s.ramp = scene.rates.ramp;
-  return s;
-}
 
 namespace {
 
@@ -37,16 +25,18 @@ HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channe
       period_(seconds(1.0 / scene.rates.haptic)),
       silence_(seconds(std::max(scene.rates.stale_after, 5.0 / scene.rates.simulation))) {
   for (const scene::InstrumentConfig& instrument : scene.instruments) {
+    delay_ = std::max(delay_, instrument.device.delay);
     const auto advertise = [&](const char* topic) {
       return handle.advertise<geometry_msgs::WrenchStamped>(instrumentTopic(instrument.name, topic),
                                                             1);
     };
-    hands_.push_back({haptics::WrenchFilter(filterSettings(scene, instrument)),
-                      haptics::PassivityController(scene.haptics), advertise(kSpatialWrench),
-                      advertise(kBodyWrench),
-                      handle.advertise<palpate::ContactModel>(
-                          instrumentTopic(instrument.name, kContactModel), 1),
-                      instrument.tf_prefix + instrument.control_frame});
+    hands_.push_back(
+        {haptics::ForceRenderer(scene::filterSettings(scene, instrument), scene.haptics,
+                                instrument.device, 1.0 / scene.rates.haptic),
+         advertise(kSpatialWrench), advertise(kBodyWrench),
+         handle.advertise<palpate::ContactModel>(instrumentTopic(instrument.name, kContactModel),
+                                                 1),
+         instrument.tf_prefix + instrument.control_frame});
   }
 }
 
@@ -72,7 +62,7 @@ void HapticLoop::finish() {
 
 bool HapticLoop::atRest() const {
   return std::all_of(hands_.begin(), hands_.end(), [](const Hand& hand) {
-    const Wrench& wrench = hand.filter.output();
+    const Wrench& wrench = hand.force.output();
     return wrench.force == Vec3::Zero() && wrench.torque == Vec3::Zero();
   });
 }
@@ -87,12 +77,17 @@ void HapticLoop::loop() {
     for (std::size_t i = 0; i < hands_.size(); ++i) update(i, now, inSeconds(now - last));
     periods_.add(inSeconds(now - last));
     last = now;
-    double taken_back = 0.0;
+    double taken_back = 0.0, tissue = 0.0, rendered = 0.0;
     for (const Hand& hand : hands_) {
-      statistics_.energy_out = std::max(statistics_.energy_out.load(), hand.passivity.largestOut());
-      taken_back += hand.passivity.dissipated();
+      tissue = std::max(tissue, hand.tissue);
+      rendered = std::max(rendered, hand.rendered);
+      statistics_.energy_out =
+          std::max(statistics_.energy_out.load(), hand.force.passivity().largestOut());
+      taken_back += hand.force.passivity().dissipated();
     }
     statistics_.taken_back = taken_back;
+    statistics_.tissue = tissue;
+    statistics_.rendered = rendered;
     channels_.haptics_seconds = inSeconds(Steady::now() - now);
     ++statistics_.cycles;
     next += period_;
@@ -107,17 +102,18 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
   const bool solved = channels_.haptic[i].hasNew();
   const HapticTarget& target = channels_.haptic[i].read();
   Hand& hand = hands_[i];
-  if (solved && target.live && hand.model.getNumSubscribers() > 0) {
-    hand.model.publish(toMsg(target.model, target.stamp));
+  if (solved && target.render.live && hand.model.getNumSubscribers() > 0) {
+    hand.model.publish(toMsg(target.render.contact.model, target.stamp));
   }
-  const bool live = target.live && !finishing_ && now - target.made < silence_;
+  haptics::RenderTarget render = target.render;
+  render.live &= !finishing_ && now - target.made < silence_;
   const bool heard = channels_.hands[i].hasNew();
   const HandPose& pose = channels_.hands[i].read();
   if (heard && !ros::Time::isSimTime()) latencies_.add((ros::Time::now() - pose.stamp).toSec());
-  Wrench felt = target.felt(pose);
-  const Vec3 sent = hand.filter.output().force;
-  if (pose.valid) felt.force += hand.passivity.update(pose.p_WC, sent, felt.force, dt);
-  const Wrench& spatial = hand.filter.update(felt, live, dt);
+  const Wrench& spatial =
+      pose.valid ? hand.force.update(render, pose.p_WC, dt) : hand.force.fade(dt);
+  hand.tissue = render.live ? render.contact.tissue_stiffness : 0.0;
+  hand.rendered = render.live ? render.contact.stiffness : 0.0;
   send(&hand, spatial, target, pose);
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;

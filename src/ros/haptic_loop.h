@@ -10,8 +10,7 @@
 
 #include "channels.h"
 #include "interval_log.h"
-#include "palpate/haptics/passivity.h"
-#include "palpate/haptics/wrench_filter.h"
+#include "palpate/haptics/force_renderer.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::node {
@@ -24,11 +23,9 @@ struct HapticStatistics {
   std::atomic<double> peak_force{0};  ///< Largest |F| sent since the start [N].
   std::atomic<double> energy_out{0};  ///< Most that came out of a hand's port unpaid [J],
   std::atomic<double> taken_back{0};  ///< and what was taken back of all hands'.
+  std::atomic<double> tissue{0};      ///< Largest stiffness that a tool feels now [N/m],
+  std::atomic<double> rendered{0};    ///< and that a hand does.
 };
-
-/// What stands between the simulation and the hand that holds this instrument of the scene.
-haptics::WrenchFilterSettings filterSettings(const scene::Scene& scene,
-                                             const scene::InstrumentConfig& instrument);
 
 /// The force thread: at rates.haptic, what each instrument feels where it is commanded to now, by
 /// the local model around the newest solve and through its filter, to spatial/measured_cf and
@@ -51,13 +48,14 @@ class HapticLoop {
   IntervalLog& periods() { return periods_; }
   IntervalLog& latencies() { return latencies_; }
   double rate() const { return 1.0 / inSeconds(period_); }  ///< Wanted [Hz].
+  double delay() const { return delay_; }  ///< Longest that a device of the scene says it has [s].
 
  private:
   struct Hand {
-    haptics::WrenchFilter filter;
-    haptics::PassivityController passivity;
+    haptics::ForceRenderer force;
     ros::Publisher spatial, body, model;
     std::string body_frame;
+    double tissue = 0.0, rendered = 0.0;  // stiffness of the last tick [N/m]
   };
 
   void loop();
@@ -68,6 +66,7 @@ class HapticLoop {
   Channels& channels_;
   std::vector<Hand> hands_;
   Steady::duration period_;
+  double delay_ = 0.0;
   Steady::duration silence_;  // of the simulation, after which the wrench fades
   HapticStatistics statistics_;
   IntervalLog periods_, latencies_;

@@ -24,10 +24,12 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       live_(inputs->size(), false),
       poses_(inputs->size()),
       targets_(inputs->size()),
-      local_(inputs->size()),
       scene_facts_(advice::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {
+  for (const scene::InstrumentConfig& instrument : simulator_.scene().instruments) {
+    tools_.emplace_back(instrument.proxy, instrument.device, 1.0 / simulator_.scene().rates.haptic);
+  }
   if (simulator_.scene().solver.deadline <= 0.0) return;
   simulator_.setInterrupt([this] { return Steady::now() >= deadline_; });
 }
@@ -107,7 +109,10 @@ void LiveCycle::step(Steady::time_point start) {
   stamp_ = ros::Time();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     poses_[i] = live_[i] ? samples_[i].poses : sim::LinkPoses();
-    if (live_[i]) stamp_ = std::max(stamp_, samples_[i].stamp);
+    if (!live_[i]) continue;
+    stamp_ = std::max(stamp_, samples_[i].stamp);
+    const Vec3 p_hand = controlPosition(i), way = tools_[i].target(p_hand) - p_hand;
+    for (Pose& X : poses_[i]) X.pretranslate(way);
   }
   const scene::Scene& scene = simulator_.scene();
   deadline_ = start + seconds(scene.solver.deadline / scene.rates.simulation);
@@ -132,14 +137,8 @@ void LiveCycle::step(Steady::time_point start) {
   }
 }
 
-// What draws the hand to its tool, where that could not follow.
-Vec3 LiveCycle::coupling(std::size_t i) const {
-  return haptics::couplingForce(simulator_.scene().instruments[i].proxy, handPosition(i),
-                                result_->instruments[i].X_WC.translation());
-}
-
-Vec3 LiveCycle::handPosition(std::size_t i) const {
-  if (poses_[i].empty()) return Vec3::Zero();
+// Where the control frame is to be.
+Vec3 LiveCycle::controlPosition(std::size_t i) const {
   return poses_[i][simulator_.controlLink(static_cast<int>(i))].translation();
 }
 
@@ -148,11 +147,15 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     HapticTarget& target = targets_[i];
     target.made = now;
-    target.live = false;
+    target.render.live = false;
     if (facts_.stepped) {
-      target.take(result_->instruments[i], live_[i], handPosition(i), &local_[i]);
-      if (target.live) target.coupling_W = coupling(i);
+      const sim::InstrumentResult& tool = result_->instruments[i];
+      target.valid = true;
       target.stamp = samples_[i].stamp;
+      target.render = live_[i] && tool.live
+                          ? tools_[i].observe(controlPosition(i), tool.X_WC.translation(),
+                                              tool.solved, simulator_.scene().solver.step)
+                          : tools_[i].lose();
     }
     channels_.haptic[i].write(target);
   }

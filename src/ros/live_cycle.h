@@ -7,6 +7,7 @@
 #include "channels.h"
 #include "input.h"
 #include "node_state.h"
+#include "palpate/haptics/tool_renderer.h"
 #include "palpate/sim/simulator.h"
 #include "surface_copies.h"
 #include "throttle.h"
@@ -40,8 +41,7 @@ class LiveCycle {
   void restart();
   bool live(std::size_t i, Steady::time_point now) const;
   ToolState toolState(std::size_t i, Steady::time_point now) const;
-  Vec3 coupling(std::size_t i) const;
-  Vec3 handPosition(std::size_t i) const;
+  Vec3 controlPosition(std::size_t i) const;
   void step(Steady::time_point start);
   void writeHaptic(Steady::time_point now);
   void writeReport(Steady::time_point now);
@@ -60,7 +60,7 @@ class LiveCycle {
   std::vector<bool> live_;  // whose input was fresh at the start of the cycle
   std::vector<sim::LinkPoses> poses_;
   std::vector<HapticTarget> targets_;
-  std::vector<haptics::LocalModel> local_;  // likewise, one an instrument
+  std::vector<haptics::ToolRenderer> tools_;  // one an instrument
   SurfaceCopies surfaces_;
   const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
   CycleFacts facts_;

@@ -81,6 +81,18 @@ void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {
            keys::Range::closed(0.0, 1000.0));
 }
 
+void describe(keys::FieldVisitor& v, DeviceConfig& device) {
+  v.number({"mass", "kg", "Apparent at the handle, without the hand."}, device.mass,
+           keys::Range::above(0.0, 100.0));
+  v.number({"damping", "N s/m", "Of the device itself, at the handle."}, device.damping,
+           keys::Range::closed(0.0, 1000.0));
+  v.number({"delay", "s",
+            "From a pose measured to the force that answers it, on the wires there and back."},
+           device.delay, keys::Range::closed(0.0, haptics::PassivityController::kLongestDelay));
+  v.number({"rate", "Hz", "It reports poses and takes forces so often."}, device.rate,
+           keys::Range::above(0.0, 1.0e5));
+}
+
 void describe(keys::FieldVisitor& v, LimitsConfig& limits) {
   v.number({"max_force", "N", "A longer force is shortened to this; 0: `haptics.max_force`."},
            limits.max_force, keys::Range::closed(0.0, 1000.0));
@@ -120,6 +132,11 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
              "How fast the simulated tool may follow: it goes where the input says, but never by a "
              "jump, and comes only where it touches nothing."},
             instrument.proxy);
+  v.section(
+      {"device", "",
+       "Through which it is felt. Tissue that is stiffer than such a device can render without "
+       "swinging is felt through a spring."},
+      instrument.device);
   v.section({"limits", "", "What this instrument's device sustains, where it is not that of all."},
             instrument.limits);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/sim/hand_loop.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace palpate::sim {
 namespace {
 
@@ -14,10 +17,12 @@ HandLoop::HandLoop(Simulator* simulator, int instrument, const LinkPoses& start,
       instrument_(instrument),
       start_(start),
       settings_(settings),
+      link_(static_cast<std::size_t>(simulator->controlLink(instrument))),
       hand_(settings.hand, Vec3::Zero()),
-      filter_(settings.filter),
-      passivity_(settings.passivity),
-      poses_(static_cast<std::size_t>(simulator->numInstruments())) {}
+      tool_(settings.coupling, settings.told, settings.tick),
+      force_(settings.filter, settings.passivity, settings.told, settings.tick),
+      poses_(static_cast<std::size_t>(simulator->numInstruments())),
+      every_(std::max(1L, std::lround(1.0 / (settings.device_rate * settings.tick)))) {}
 
 // The newest value that has arrived, or the one before.
 Vec3 HandLoop::newest(std::deque<Sent>* sent, double until, const Vec3& before) {
@@ -33,24 +38,27 @@ Vec3 HandLoop::newest(std::deque<Sent>* sent, double until, const Vec3& before) 
 void HandLoop::beginCycle() {
   LinkPoses& links = poses_[static_cast<std::size_t>(instrument_)];
   links = start_;
-  for (Pose& X : links) X.pretranslate(heard_);
+  const Vec3 p_start = start_[link_].translation();
+  const Vec3 p_target = tool_.target(p_start + heard_);
+  for (Pose& X : links) X.pretranslate(p_target - p_start);
   const StepResult& result = simulator_.step(poses_, settings_.cycle);
   const InstrumentResult& tool = result.instruments[static_cast<std::size_t>(instrument_)];
-  if (tool.there) {
-    solved_ = local_.observe(tool.X_WC.translation(), tool.spatial);
-  } else {
-    local_.forget();
-    solved_ = {};
-  }
+  solved_ = tool.live
+                ? tool_.observe(p_target, tool.X_WC.translation(), tool.solved, settings_.cycle)
+                : tool_.lose();
+  if (settings_.local_model) return;
+  // The wrench alone, and nothing that follows from its stiffness.
+  solved_.contact.model.stiffness_W.setZero();
 }
 
 const HandTick& HandLoop::tick(const HandIntent& intent) {
-  const double t = settings_.tick * static_cast<double>(ticks_++);
-  positions_.push_back({t + settings_.delay_in, hand_.measured()});
+  const double t = settings_.tick * static_cast<double>(ticks_);
+  const bool device_ticks = ticks_++ % every_ == 0;
+  if (device_ticks) positions_.push_back({t + settings_.delay_in, hand_.measured()});
   heard_ = newest(&positions_, t, heard_);
 
   if (under_way_ && t >= ready_ - kRounding) {
-    model_ = solved_;
+    target_ = solved_;
     under_way_ = false;
   }
   if (!under_way_ && t >= next_cycle_ - kRounding) {
@@ -60,16 +68,19 @@ const HandTick& HandLoop::tick(const HandIntent& intent) {
     next_cycle_ += settings_.cycle;
   }
 
-  const int link = simulator_.controlLink(instrument_);
-  const Vec3 p_W = start_[static_cast<std::size_t>(link)].translation() + heard_;
-  Wrench target = settings_.local_model ? model_.at(p_W) : model_.wrench;
-  target.force += passivity_.update(heard_, filter_.output().force, target.force, settings_.tick);
-  const Wrench& wrench = filter_.update(target, true, settings_.tick);
+  const Wrench& wrench =
+      force_.update(target_, start_[link_].translation() + heard_, settings_.tick);
   forces_.push_back({t + settings_.delay_out, wrench.force});
-  rendered_ = newest(&forces_, t, rendered_);
+  if (device_ticks) rendered_ = newest(&forces_, t, rendered_);
 
   hand_.tick(intent.position, intent.velocity, rendered_, intent.push, settings_.tick);
-  done_ = {t + settings_.tick, hand_.position(), intent.position, rendered_, model_.wrench.force};
+  done_ = {t + settings_.tick,
+           hand_.position(),
+           intent.position,
+           rendered_,
+           target_.contact.model.wrench.force,
+           target_.contact.tissue_stiffness,
+           target_.contact.stiffness};
   return done_;
 }
 

@@ -104,13 +104,13 @@ TEST(LocalModel, AToolAtRestTeachesNothing) {
   EXPECT_LT((local.model().stiffness_W - before).norm(), 0.05 * before.norm());
 }
 
-TEST(LocalModel, BeginsAnewAtATouch) {
+TEST(LocalModel, BeginsAnewAtATouchFarAway) {
   LocalModel local;
   for (int k = 0; k < 20; ++k) {
     const Vec3 p = somewhere(1e-3);
     local.observe(p, spring(p));
   }
-  local.observe(Vec3(0, 0, 0.02), {});
+  local.observe(Vec3(0, 0, 0.1), {});
   EXPECT_EQ(local.model().at(Vec3(0, 0, -1)).force, Vec3::Zero());
   // 2 N after 10 mm: no more than 200 N/m, along the force.
   local.observe(Vec3(0, 0, 0.01), {});
@@ -118,6 +118,42 @@ TEST(LocalModel, BeginsAnewAtATouch) {
   const Vec3 normal = kForce.normalized();
   const double stiffness = kForce.norm() / (0.01 * normal.z());
   EXPECT_LT((local.model().stiffness_W - stiffness * normal * normal.transpose()).norm(), 1e-9);
+}
+
+// A tool in and out of a surface at z = 0.
+Wrench surface(const Vec3& p) { return {Vec3(0, 0, std::max(0.0, -500.0 * p.z())), Vec3::Zero()}; }
+LocalModel touched(double up) {
+  LocalModel local;
+  for (const double z : {0.004, 0.002, -0.001, -0.002, -0.003, -0.002, -0.001, 0.001, up}) {
+    local.observe(Vec3(0, 0, z), surface(Vec3(0, 0, z)));
+  }
+  return local;
+}
+
+TEST(LocalModel, ExpectsAContactWhereItEnded) {
+  const LocalModel local = touched(0.01);
+  EXPECT_EQ(local.model().at(Vec3(0, 0, 1e-5)).force, Vec3::Zero());
+  for (const double z : {-0.001, -0.002, -0.004}) {
+    EXPECT_NEAR(local.model().at(Vec3(0, 0, z)).force.z(), -500.0 * z, 0.01 - 10.0 * z) << z;
+  }
+}
+
+TEST(LocalModel, ExpectsNoneAsideOrFarAway) {
+  EXPECT_EQ(touched(0.06).model().wrench.force, Vec3::Zero());
+  LocalModel local = touched(0.002);
+  local.observe(Vec3(0.006, 0, 0.002), {});
+  EXPECT_EQ(local.model().at(Vec3(0.006, 0, -0.01)).force, Vec3::Zero());
+}
+
+// The tissue has gone: the tool goes down where it was, 0.5 mm a solve.
+TEST(LocalModel, GivesUpAContactThatDoesNotCome) {
+  LocalModel local = touched(0.001);
+  for (int k = 0; k < 8; ++k) local.observe(Vec3(0, 0, -5e-4 * k), {});
+  EXPECT_EQ(local.model().at(Vec3(0, 0, -0.02)).force, Vec3::Zero());
+  // Nor does it stay for a tool that rests on it.
+  local = touched(0.001);
+  for (int k = 0; k < 8; ++k) local.observe(local.model().p_W, {});
+  EXPECT_EQ(local.model().at(Vec3(0, 0, -0.02)).force, Vec3::Zero());
 }
 
 }  // namespace

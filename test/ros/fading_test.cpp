@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "channels.h"
-#include "haptic_loop.h"
+#include "palpate/haptics/tool_renderer.h"
+#include "palpate/scene/hand_settings.h"
 #include "palpate/sim/simulator.h"
 #include "sim/slab_scene.h"
 
@@ -19,19 +19,25 @@ constexpr int kTicks = 10;  // of the force loop in a cycle
 class Hand {
  public:
   explicit Hand(const scene::Scene& scene)
-      : filter_(filterSettings(scene, scene.instruments[0])), tick_(scene.solver.step / kTicks) {}
+      : tool_(scene.instruments[0].proxy, scene.instruments[0].device, scene.solver.step / kTicks),
+        force_(scene::filterSettings(scene, scene.instruments[0]), scene.haptics,
+               scene.instruments[0].device, scene.solver.step / kTicks),
+        step_(scene.solver.step) {}
 
   Wrench feel(const sim::StepResult& result) {
-    target_.take(result.instruments[0], true, Vec3::Zero(), &local_);
-    for (int k = 0; k < kTicks; ++k) filter_.update(target_.felt({}), target_.live, tick_);
-    return filter_.output();
+    const sim::InstrumentResult& tool = result.instruments[0];
+    if (tool.live) p_ = tool.X_WC.translation();
+    const haptics::RenderTarget& target =
+        tool.live ? tool_.observe(p_, p_, tool.solved, step_) : tool_.lose();
+    for (int k = 0; k < kTicks; ++k) force_.update(target, p_, step_ / kTicks);
+    return force_.output();
   }
 
  private:
-  HapticTarget target_;
-  haptics::LocalModel local_;
-  haptics::WrenchFilter filter_;
-  double tick_;
+  haptics::ToolRenderer tool_;
+  haptics::ForceRenderer force_;
+  double step_;
+  Vec3 p_ = Vec3::Zero();
 };
 
 class Fading : public ::testing::Test {
@@ -71,11 +77,11 @@ TEST(Limits, OfAnInstrumentStandBeforeThoseOfAll) {
   scene.haptics.max_force = 20.0;
   scene.haptics.max_torque = 2.0;
   scene::InstrumentConfig instrument;
-  EXPECT_EQ(filterSettings(scene, instrument).max_force, 20.0);
+  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force, 20.0);
   instrument.limits.max_force = 3.3;
-  EXPECT_EQ(filterSettings(scene, instrument).max_force, 3.3);
-  EXPECT_EQ(filterSettings(scene, instrument).max_torque, 2.0);
-  EXPECT_EQ(filterSettings(scene, instrument).max_force_rate, scene.haptics.max_force_rate);
+  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force, 3.3);
+  EXPECT_EQ(scene::filterSettings(scene, instrument).max_torque, 2.0);
+  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force_rate, scene.haptics.max_force_rate);
 }
 
 TEST_F(Fading, IsTheSameLiveAndReplayed) {

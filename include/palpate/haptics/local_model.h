@@ -12,7 +12,7 @@ struct ContactModel {
   Wrench wrench;                    ///< There, about that origin, in world.
   Mat3 stiffness_W = Mat3::Zero();  ///< -d force / d p_W [N/m], symmetric, >= 0.
 
-  static constexpr double kReach = 5.0e-3;  ///< [m] motions beyond it change the force no further.
+  double reach = 5.0e-3;  ///< [m] motions beyond it change the force no further.
 
   /// The wrench with the origin at `p` [m], the tool not turned: the force follows the stiffness
   /// and never draws the tool into the tissue, the torque keeps its arm.
@@ -21,7 +21,8 @@ struct ContactModel {
 
 struct LocalModelSettings {
   double max_stiffness = 1.0e5;  ///< Of the tissue [N/m].
-  double noise = 2.0e-5;         ///< A motion of this [m] tells half of what a long one does.
+  double noise = 2.0e-5;         ///< A motion of this [m] tells half of what a long one does,
+  double force_noise = 0.1;      ///< or one that should change the force by this [N].
 };
 
 /// Learns the stiffness that a tool feels from the solves themselves, whatever model of tissue made
@@ -31,8 +32,9 @@ class LocalModel {
  public:
   explicit LocalModel(const LocalModelSettings& settings = {}) : settings_(settings) {}
 
-  /// A solve with the control frame's origin at `p_W` [m] gave this wrench. Without a contact what
-  /// was learnt is forgotten; a new one is at least as stiff as if it had begun where the tool was.
+  /// A solve with the control frame's origin at `p_W` [m] gave this wrench. A contact that was lost
+  /// is expected to begin again where it ended, while the tool is near and nothing speaks against
+  /// it; another is at least as stiff as if it had begun where the tool was.
   const ContactModel& observe(const Vec3& p_W, const Wrench& wrench);
   /// The tool was lost, or the scene is another one.
   void forget();
@@ -40,10 +42,13 @@ class LocalModel {
 
  private:
   Mat3 updated(const Mat3& K, const Vec3& way, const Vec3& push) const;
+  void expect(const Vec3& p_W);
 
   LocalModelSettings settings_;
   ContactModel model_;
-  bool known_ = false;  // there is a last solve to compare with
+  bool known_ = false;          // there is a last solve to compare with
+  double doubt_ = 0.0;          // how much deeper a contact is expected when it did not come [m]
+  Vec3 p_last_ = Vec3::Zero();  // of the last solve [m]
 };
 
 }  // namespace palpate::haptics

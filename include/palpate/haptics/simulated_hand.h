@@ -12,11 +12,13 @@ struct HandSettings {
   double grip_stiffness = 100.0;  ///< Between where the hand means to be and where it is [N/m].
   double grip_damping = 1.0;      ///< [N s/m]
   double resolution = 5.5e-5;     ///< Of the measured position [m]; 0: exact.
+  double guide_stiffness = 0.0;   ///< More of the grip across z: of one that leans down [N/m],
+  double guide_damping = 0.0;     ///< [N s/m]
 };
 
-/// A mass that a spring and a damper draw to where the hand means to be, and the rendered force
-/// away from there: m a = k (p_meant - p) + b (v_meant - v) - c v + F, held over a tick and solved
-/// by short steps. No clock.
+/// A mass that springs and dampers draw to where the hand means to be, and the rendered force
+/// away from there: m a = k (p_meant - p) + b (v_meant - v) - c v + F, F held over a tick and
+/// solved by short steps. No clock.
 class SimulatedHand {
  public:
   /// @throws std::invalid_argument for a mass that is not > 0, or another value < 0.

@@ -7,6 +7,7 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/response_settings.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/haptics/device.h"
 #include "palpate/haptics/passivity.h"
 #include "palpate/haptics/tool_coupling.h"
 #include "palpate/haptics/tool_proxy.h"
@@ -56,6 +57,9 @@ struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {
   bool active = false;  ///< In replays; the live node's always are.
 };
 
+/// The device through which an instrument is felt.
+struct DeviceConfig : haptics::DeviceSettings {};
+
 /// What the device of one instrument sustains; 0: as HapticsConfig says for all.
 struct LimitsConfig {
   double max_force = 0.0;       ///< [N]
@@ -73,6 +77,7 @@ struct InstrumentConfig {
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
   ProxyConfig proxy;
+  DeviceConfig device;
   LimitsConfig limits;
 };
 

@@ -11,6 +11,7 @@ namespace palpate::scene {
 void describe(keys::FieldVisitor& v, Scene& scene);
 void describe(keys::FieldVisitor& v, OrganConfig& organ);
 void describe(keys::FieldVisitor& v, ProxyConfig& proxy);
+void describe(keys::FieldVisitor& v, DeviceConfig& device);
 void describe(keys::FieldVisitor& v, LimitsConfig& limits);
 void describe(keys::FieldVisitor& v, PoseConfig& pose);
 void describe(keys::FieldVisitor& v, SupportConfig& support);

@@ -4,10 +4,9 @@
 #include <deque>
 #include <functional>
 
-#include "palpate/haptics/local_model.h"
-#include "palpate/haptics/passivity.h"
+#include "palpate/haptics/force_renderer.h"
 #include "palpate/haptics/simulated_hand.h"
-#include "palpate/haptics/wrench_filter.h"
+#include "palpate/haptics/tool_renderer.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::sim {
@@ -17,12 +16,15 @@ struct HandLoopSettings {
   haptics::HandSettings hand;
   haptics::WrenchFilterSettings filter;
   haptics::PassivitySettings passivity;
-  double tick = 1.0e-3;     ///< Of the force loop and the device [s].
-  double cycle = 0.01;      ///< Of the simulation [s].
-  double solve = 0.005;     ///< From the input of a cycle to its wrench [s].
-  double delay_in = 0.0;    ///< From the device to the program [s].
-  double delay_out = 0.0;   ///< And back [s].
-  bool local_model = true;  ///< Else the last wrench is held.
+  haptics::CouplingSettings coupling;
+  haptics::DeviceSettings told;  ///< What the program believes of the device.
+  double tick = 1.0e-3;          ///< Of the force loop and the device [s].
+  double cycle = 0.01;           ///< Of the simulation [s].
+  double solve = 0.005;          ///< From the input of a cycle to its wrench [s].
+  double delay_in = 0.0;         ///< From the device to the program [s].
+  double delay_out = 0.0;        ///< And back [s].
+  double device_rate = 1e3;  ///< Of the device: it reports and latches at ticks so far apart [Hz].
+  bool local_model = true;   ///< Else the last wrench is held.
 };
 
 /// Where the hand means to be at a time, away from where it begins [m], and how fast it goes
@@ -37,6 +39,7 @@ struct HandTick {
   Vec3 position, meant;  ///< Of the device, and where the hand means it to be; as intents [m].
   Vec3 force;            ///< Rendered [N].
   Vec3 solved;           ///< Of the newest solve [N].
+  double tissue_stiffness = 0.0, stiffness = 0.0;  ///< Largest, and as rendered [N/m].
 };
 
 /// The loop through the hand, in simulated time: a device on one instrument, whose tool it carries
@@ -50,7 +53,7 @@ class HandLoop {
 
   const HandTick& tick(const HandIntent& intent);
   const haptics::SimulatedHand& hand() const { return hand_; }
-  const haptics::PassivityController& passivity() const { return passivity_; }
+  const haptics::PassivityController& passivity() const { return force_.passivity(); }
 
  private:
   struct Sent {
@@ -64,18 +67,18 @@ class HandLoop {
   int instrument_;
   LinkPoses start_;
   HandLoopSettings settings_;
+  std::size_t link_;  // with the control frame
   haptics::SimulatedHand hand_;
-  haptics::LocalModel local_;
-  haptics::WrenchFilter filter_;
-  haptics::PassivityController passivity_;
+  haptics::ToolRenderer tool_;
+  haptics::ForceRenderer force_;
   std::vector<LinkPoses> poses_;
-  std::deque<Sent> positions_, forces_;  // under way
-  Vec3 heard_ = Vec3::Zero();            // newest position that the program knows
-  Vec3 rendered_ = Vec3::Zero();         // newest force that the device knows
-  long ticks_ = 0;
+  std::deque<Sent> positions_, forces_;    // under way
+  Vec3 heard_ = Vec3::Zero();              // newest position that the program knows
+  Vec3 rendered_ = Vec3::Zero();           // newest force that the device knows
+  long ticks_ = 0, every_;                 // ticks of the device
   double next_cycle_ = 0.0, ready_ = 0.0;  // when the next begins; when the one under way is done
   bool under_way_ = false;
-  haptics::ContactModel solved_, model_;  // of the cycle under way; in use
+  haptics::RenderTarget solved_, target_;  // of the cycle under way; in use
   HandTick done_;
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/haptics/virtual_coupling.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::haptics {
+namespace {
+
+// Softer costs the hand force, stiffer gives it energy: both come slowly, and only where what is
+// rendered has left a band around the limit, for stiffness is learnt with some noise.
+constexpr double kSoften = 0.05, kStiffen = 0.5;  // time constants [s]
+constexpr double kReturn = 0.2;                   // of the tool to the hand
+constexpr double kTooStiff = 1.25, kTooSoft = 0.6;
+
+// Where the spring is much softer than the tissue, a tool that looks for their balance with a
+// stiffness that is too low goes beyond it, more each time: it counts as so much stiffer.
+constexpr double kCaution = 1.5;
+
+// A contact as that of a wall: all of its force is along the stiffest direction.
+Mat3 wall(const ContactModel& tool, double K) {
+  const Vec3 normal = tool.wrench.force.normalized();
+  const Mat3 across = Mat3::Identity() - normal * normal.transpose();
+  return (1.0 + kCaution) * K * normal * normal.transpose() + across * tool.stiffness_W * across;
+}
+
+double largest(const Mat3& K) {
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(K, Eigen::EigenvaluesOnly);
+  return std::max(0.0, eigen.eigenvalues().maxCoeff());
+}
+
+}  // namespace
+
+const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, const Vec3& lag,
+                                                double dt) {
+  const double K = largest(tool.stiffness_W), limit = limits_.maxStiffness();
+  const double wanted = K > limit ? 1.0 / limit - 1.0 / K : 0.0;  // leaves both at the limit
+  const bool touches = tool.wrench.force != Vec3::Zero();
+  const bool touched = rendered_.model.wrench.force != Vec3::Zero();
+  if (!touches) {
+    compliance_ = 0.0;
+    offset_ *= std::exp(-dt / kReturn);
+  } else if (!touched) {
+    compliance_ = wanted;  // there is next to no force to change
+  } else {
+    const double felt = K / (1.0 + compliance_ * K) / limit;
+    const double time = felt > kTooStiff ? kSoften : felt < kTooSoft ? kStiffen : 0.0;
+    if (time > 0.0) compliance_ += (wanted - compliance_) * (1.0 - std::exp(-dt / time));
+  }
+  rendered_.model = tool;
+  rendered_.model.p_W =
+      tool.p_W + (compliance_ > 0.0 ? Vec3(-compliance_ * tool.wrench.force) : lag);
+  rendered_.tissue_stiffness = rendered_.stiffness = K;
+  if (compliance_ > 0.0) {
+    const double rigid = compliance_ * K / (1.0 + compliance_ * K);
+    const Mat3 stiffer = tool.stiffness_W + rigid * (wall(tool, K) - tool.stiffness_W);
+    const Mat3 series = Mat3::Identity() + compliance_ * stiffer;
+    const Mat3 stiffness = series.inverse() * stiffer;
+    rendered_.model.stiffness_W = 0.5 * (stiffness + stiffness.transpose());
+    rendered_.model.reach *= 1.0 + compliance_ * K;
+    rendered_.stiffness = K / (1.0 + compliance_ * K);
+  }
+  rendered_.lead = limits_.lead(rendered_.stiffness);
+  return rendered_;
+}
+
+void VirtualCoupling::forget() {
+  compliance_ = 0.0;
+  offset_.setZero();
+  rendered_ = {};
+}
+
+Vec3 VirtualCoupling::target(const Vec3& p_hand) {
+  if (compliance_ > 0.0) offset_ = compliance_ * rendered_.model.at(p_hand).force;
+  return p_hand + offset_;
+}
+
+}  // namespace palpate::haptics
