@@ -6,6 +6,8 @@
 namespace palpate::haptics {
 namespace {
 
+constexpr double kCatchUp = 0.05;  // [s] a tool that was left behind is given so long
+
 PassivitySettings within(PassivitySettings settings, const DeviceLimits& limits) {
   settings.max_damping = std::min(settings.max_damping, limits.maxDamping());
   return settings;
@@ -20,7 +22,8 @@ ForceRenderer::ForceRenderer(const WrenchFilterSettings& filter, const Passivity
 const Wrench& ForceRenderer::update(const RenderTarget& target, const Vec3& p_hand, double dt) {
   velocity_.update(p_hand, dt);
   const Vec3& v = velocity_.velocity();
-  Wrench felt = target.contact.at(p_hand, v);
+  const bool parted = velocity_.sinceLeap() < kCatchUp;
+  Wrench felt = target.contact.expected && parted ? Wrench() : target.contact.at(p_hand, v);
   felt.force += target.coupling_W;
   felt.force += passivity_.update(p_hand, v, filter_.output().force, felt.force, dt);
   return filter_.update(felt, target.live, dt);

@@ -34,8 +34,8 @@ double largest(const Mat3& K) {
 
 }  // namespace
 
-const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, const Vec3& lag,
-                                                double dt) {
+const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, bool expected,
+                                                const Vec3& lag, double dt) {
   const double K = largest(tool.stiffness_W), limit = limits_.maxStiffness();
   const double wanted = K > limit ? 1.0 / limit - 1.0 / K : 0.0;  // leaves both at the limit
   const bool touches = tool.wrench.force != Vec3::Zero();
@@ -51,6 +51,7 @@ const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, const 
     if (time > 0.0) compliance_ += (wanted - compliance_) * (1.0 - std::exp(-dt / time));
   }
   rendered_.model = tool;
+  rendered_.expected = expected;
   rendered_.model.p_W =
       tool.p_W + (compliance_ > 0.0 ? Vec3(-compliance_ * tool.wrench.force) : lag);
   rendered_.tissue_stiffness = rendered_.stiffness = K;

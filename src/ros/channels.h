@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "arrivals.h"
 #include "node_state.h"
 #include "palpate/advice/scene_verdict.h"
 #include "palpate/base/latest_value.h"
@@ -65,6 +66,7 @@ struct Statistics {
   double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
   double sim_speed = 0.0;                                    ///< Simulated over real time.
+  double input_age = 0.0;        ///< Of an input when its cycle began, median [ms].
   advice::SceneVerdict verdict;  ///< Whether the scene is too heavy; unknown while no cycle solves.
   long cycles = 0, unsolved = 0, resets = 0;
   tissue::SkipCounters skipped;  ///< Work that the cycles could leave out, since the start.
@@ -90,7 +92,8 @@ struct Channels {
   LatestValue<Statistics> statistics;
   std::atomic<bool> picture_wanted{false};   ///< Somebody subscribes to the markers.
   std::atomic<double> haptics_seconds{0.0};  ///< Of the force loop's last cycle.
-  std::condition_variable news;              ///< Wakes the publishing thread; nobody waits for it.
+  Arrivals arrivals;             ///< Of inputs with a thread; wakes the simulation thread.
+  std::condition_variable news;  ///< Wakes the publishing thread; nobody waits for it.
 };
 
 }  // namespace palpate::node

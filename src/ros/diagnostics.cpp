@@ -79,6 +79,7 @@ void Diagnostics::simulation(Status& status) {
   status.add("cycle p50 [ms]", s.cycle_p50);
   status.add("cycle p99 [ms]", s.cycle_p99);
   status.add("cycle max [ms]", s.cycle_max);
+  status.add("input's age at its cycle p50 [ms]", s.input_age);
   status.add("costliest phase", std::string(toString(s.verdict.costliest)));
   status.add("its share of the slowest cycles", s.verdict.share);
   status.add("advice", advice::shortText(s.verdict));

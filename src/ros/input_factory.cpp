@@ -34,7 +34,7 @@ Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulato
       inputs.push_back(std::make_unique<TfInput>(tf_->buffer, simulator, i, hand));
     } else {
       inputs.push_back(std::make_unique<JointInput>(handle, jointTopic(config), config.name,
-                                                    simulator, i, hand));
+                                                    simulator, i, hand, &channels->arrivals));
     }
   }
   return inputs;

@@ -6,12 +6,14 @@
 namespace palpate::node {
 
 JointInput::JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
-                       const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand)
+                       const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand,
+                       Arrivals* arrivals)
     : name_(name),
       simulator_(simulator),
       index_(index),
       reader_(simulator.instrument(index)),
       hand_(*hand),
+      arrivals_(*arrivals),
       latest_(Joints{Eigen::VectorXd::Zero(reader_.numJoints()), ros::Time(), Steady::now()}),
       publisher_(simulator.scene().rates.stale_after) {
   scratch_.q = Eigen::VectorXd::Zero(reader_.numJoints());
@@ -36,6 +38,7 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
   latest_.write(scratch_);
   const Pose X_WC = simulator_.linkPoses(index_, scratch_.q)[simulator_.controlLink(index_)];
   hand_.write({true, scratch_.stamp, X_WC.translation(), X_WC.linear()});
+  arrivals_.tell();
 }
 
 bool JointInput::poll(InputSample* sample) {

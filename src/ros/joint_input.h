@@ -24,7 +24,8 @@ class JointInput : public Input {
   /// this; its forward kinematics is used.
   /// Where the hand is goes to `hand` at once.
   JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
-             const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand);
+             const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand,
+             Arrivals* arrivals);
 
   bool poll(InputSample* sample) override;
   void forget() override;
@@ -46,6 +47,7 @@ class JointInput : public Input {
   int index_;
   JointStateReader reader_;
   LatestValue<HandPose>& hand_;
+  Arrivals& arrivals_;
   Joints scratch_;  // the callback's
   LatestValue<Joints> latest_;
   Throttle warning_{5.0};

@@ -111,6 +111,7 @@ void LiveCycle::step(Steady::time_point start) {
     poses_[i] = live_[i] ? samples_[i].poses : sim::LinkPoses();
     if (!live_[i]) continue;
     stamp_ = std::max(stamp_, samples_[i].stamp);
+    input_ages_.push_back(1e3 * inSeconds(start - samples_[i].received));
     const Vec3 p_hand = controlPosition(i), way = tools_[i].target(p_hand) - p_hand;
     for (Pose& X : poses_[i]) X.pretranslate(way);
   }

@@ -74,6 +74,7 @@ class LiveCycle {
   long ticks_ = 0, steps_ = 0, unsolved_ = 0, resets_ = 0, unwatched_pictures_ = 0;
   tissue::SkipCounters skipped_;
   std::vector<double> cycle_times_;  // of this second [ms]
+  std::vector<double> input_ages_;   // likewise
   advice::CostRecorder costs_;       // likewise
   advice::SceneFacts scene_facts_;
   long window_ticks_ = 0, window_steps_ = 0;

@@ -36,6 +36,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.cycle_p50 = p.p50;
   s.cycle_p99 = p.p99;
   s.cycle_max = p.max;
+  s.input_age = percentiles(input_ages_).p50;
   s.verdict = advice::judgeScene(scene_facts_, costs_.figures());
   s.cycles = steps_;
   s.unsolved = unsolved_;
@@ -53,6 +54,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   window_start_ = now;
   window_ticks_ = window_steps_ = 0;
   cycle_times_.clear();
+  input_ages_.clear();
   costs_.clear();
 }
 

@@ -101,7 +101,7 @@ int run(bool sends_realtime) {
   Inputs inputs = factory.make(handle, *simulator, &channels);
   broadcastBases(*simulator);
   LiveCycle cycle(simulator.get(), &inputs, &channels);
-  SimulationLoop simulation(&cycle, scene.rates.simulation);
+  SimulationLoop simulation(&cycle, scene.rates.simulation, &channels.arrivals);
   diagnostics.running(&inputs, &haptic, names);
   PublishingLoop publishing(handle, *simulator, params.arrow_scale, &channels, &diagnostics);
 

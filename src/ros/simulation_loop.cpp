@@ -8,14 +8,20 @@
 
 namespace palpate::node {
 
+namespace {
+
+constexpr double kPatience = 0.08;  // of a period: the rate stays above what is called too slow
+
+}  // namespace
+
 struct SimulationLoop::Task {
   std::function<void()> run;
   std::atomic<bool> taken{false};  // by the simulation thread, or by the one who gave up
   std::promise<void> done;
 };
 
-SimulationLoop::SimulationLoop(LiveCycle* cycle, double rate)
-    : cycle_(*cycle), period_(seconds(1.0 / rate)) {}
+SimulationLoop::SimulationLoop(LiveCycle* cycle, double rate, Arrivals* arrivals)
+    : cycle_(*cycle), arrivals_(*arrivals), period_(seconds(1.0 / rate)) {}
 
 SimulationLoop::~SimulationLoop() { stop(); }
 
@@ -32,15 +38,25 @@ void SimulationLoop::loop() {
   Steady::time_point next = Steady::now();
   while (!stopping_) {
     runTasks();
+    arrivals_.clear();
     cycle_.run();
     next += period_;
-    const Steady::time_point now = Steady::now();
-    if (next < now) {
-      next = now;  // too late: go on at once, and forget the ticks that were missed
-    } else {
-      std::this_thread::sleep_until(next);
-    }
+    sleep(&next);
   }
+}
+
+// Until the next cycle is due, and a little longer if there is no news then: an input that comes
+// as often as cycles would else wait for most of one, for as long as the node runs.
+void SimulationLoop::sleep(Steady::time_point* next) {
+  const Steady::time_point now = Steady::now();
+  if (*next < now) {
+    *next = now;  // too late: go on at once, and forget the ticks that were missed
+    return;
+  }
+  std::this_thread::sleep_until(*next);
+  if (arrivals_.pending()) return;
+  const Steady::time_point patience = *next + seconds(kPatience * inSeconds(period_));
+  *next = arrivals_.wait(patience) ? Steady::now() : patience;
 }
 
 void SimulationLoop::runTasks() {

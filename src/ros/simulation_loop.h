@@ -13,10 +13,12 @@
 namespace palpate::node {
 
 /// The simulation thread: runs the live cycle at most `rate` times a second by the steady clock.
-/// A cycle that takes too long costs the ticks it covers; they are never made up for.
+/// A cycle that takes too long costs the ticks it covers; they are never made up for. A cycle that
+/// is due waits a little for an input that is not there yet, so that cycles come to begin when
+/// inputs arrive.
 class SimulationLoop {
  public:
-  SimulationLoop(LiveCycle* cycle, double rate);
+  SimulationLoop(LiveCycle* cycle, double rate, Arrivals* arrivals);
   ~SimulationLoop();
 
   void start();
@@ -31,9 +33,11 @@ class SimulationLoop {
   struct Task;
 
   void loop();
+  void sleep(Steady::time_point* next);
   void runTasks();
 
   LiveCycle& cycle_;
+  Arrivals& arrivals_;
   Steady::duration period_;
   std::atomic<bool> stopping_{false};
   std::mutex tasks_mutex_;

@@ -96,7 +96,7 @@ TEST(VirtualCoupling, FeelsAWallAlongItsNormalAlone) {
     const Vec3 to = coupling.target(hand);
     Wrench wrench = surface(1e5, to);
     wrench.force += wrench.force.z() * Vec3(tilt(random), tilt(random), 0.0);
-    coupling.observe(local.observe(to, wrench), Vec3::Zero(), kCycle);
+    coupling.observe(local.observe(to, wrench), false, Vec3::Zero(), kCycle);
     if (k < 20) continue;
     EXPECT_LT((coupling.target(hand) - hand).head<2>().norm(), 3e-3) << k;
     EXPECT_LT(coupling.rendered().at(hand, Vec3::Zero()).force.norm(), 1.5) << k;

@@ -89,6 +89,18 @@ class Joints(unittest.TestCase):
         for i, j in ((1, 3), (2, 6), (5, 7)):
             self.assertAlmostEqual(model.stiffness[i], model.stiffness[j], delta=1e-9 * model.stiffness[8])
 
+    def test_cycles_begin_when_inputs_come(self):
+        # As often as cycles, at no particular time: a median wait of 5 ms if they did not.
+        time.sleep(2.0)
+        ages = []
+        for _ in range(5):
+            self.diagnostics.clear()
+            said = self.diagnostics.wait(lambda d: status(d, "simulation") is not None, 3.0)
+            values = {v.key: v.value for v in status(said, "simulation").values}
+            ages.append(float(values["input's age at its cycle p50 [ms]"]))
+            self.assertGreater(float(values["rate held [Hz]"]), 90.0)
+        self.assertLess(sorted(ages)[2], 2.0, ages)
+
     def test_the_stamp_is_that_of_the_input(self):
         sent = []
 

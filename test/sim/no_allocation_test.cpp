@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "palpate/base/latest_value.h"
+#include "palpate/haptics/tool_renderer.h"
 #include "palpate/sim/simulator.h"
 #include "slab_scene.h"
 #include "support/allocations.h"
@@ -35,6 +39,30 @@ TEST_P(NoAllocation, InACycleOnceItHasSeenOneLikeIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutAProxy, NoAllocation, ::testing::Bool());
+
+// Nor between the solve and the hand, from the first solve on.
+TEST(NoAllocationOfTheForce, BetweenASolveAndTheHand) {
+  haptics::DeviceSettings device;
+  device.delay = 0.006;
+  haptics::ToolRenderer tool({}, device, 1e-3);
+  haptics::ForceRenderer force({}, {}, device, 1e-3);
+  LatestValue<haptics::RenderTarget> handed_over;
+  double most = 0.0;
+  test::countAllocations(true);
+  for (int cycle = 0; cycle < 200; ++cycle) {
+    const Vec3 hand(0.0, 1e-5 * cycle, 0.002 - 1e-4 * (cycle % 100));
+    const Vec3 to = tool.target(hand);
+    Wrench wrench;
+    wrench.force.z() = std::max(0.0, -2000.0 * to.z());
+    handed_over.write(cycle % 50 == 49 ? tool.lose() : tool.observe(to, to, wrench, 0.01));
+    for (int tick = 0; tick < 10; ++tick) {
+      most = std::max(most, force.update(handed_over.read(), hand, 1e-3).force.norm());
+    }
+  }
+  test::countAllocations(false);
+  EXPECT_GT(most, 0.1);
+  EXPECT_EQ(test::allocations(), 0U);
+}
 
 }  // namespace
 }  // namespace palpate::sim

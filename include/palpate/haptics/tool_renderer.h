@@ -24,7 +24,8 @@ class ToolRenderer {
                               double dt) {
     const ContactModel& tool = local_.observe(p_tool, wrench);
     render_.live = true;
-    render_.contact = virtual_coupling_.observe(tool, p_target - p_tool, dt);
+    render_.contact =
+        virtual_coupling_.observe(tool, wrench.force == Vec3::Zero(), p_target - p_tool, dt);
     render_.coupling_W = virtual_coupling_.active()
                              ? Vec3::Zero()
                              : couplingForce(coupling_settings_, p_target, p_tool);

@@ -1,38 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "palpate/base/types.h"
 
 namespace palpate::haptics {
 
 /// How fast a device goes, from positions that its encoders quantise and that may come more seldom
-/// than they are asked for: differences between changes, through a first-order low-pass. No clock.
+/// than they are asked for: differences between changes, through a first-order low-pass. A leap is
+/// no velocity. No clock.
 class VelocityEstimate {
  public:
   static constexpr double kSmoothing = 0.004;  ///< Time constant [s].
+  static constexpr double kFastest = 2.0;      ///< What goes faster leaps [m/s].
 
   /// A tick of `dt` > 0 [s] begins with the device at `p` [m].
   void update(const Vec3& p, double dt) {
     if (!begun_) p_ = p;
     begun_ = true;
     time_ += dt;
+    since_leap_ += dt;
     const Vec3 way = p - p_;
     if (way == Vec3::Zero()) {
       if (time_ > kStill) v_ -= dt / (dt + kSmoothing) * v_;
       return;
     }
-    v_ += time_ / (time_ + kSmoothing) * (way / time_ - v_);
+    const double time = std::min(time_, kStill);  // it may have begun to move just now
+    if (way.norm() > kFastest * time) {
+      v_.setZero();
+      since_leap_ = 0.0;
+    } else {
+      v_ += time / (time + kSmoothing) * (way / time - v_);
+    }
     p_ = p;
     time_ = 0.0;
   }
-  const Vec3& velocity() const { return v_; }  ///< [m/s]
+  const Vec3& velocity() const { return v_; }       ///< [m/s]
+  double sinceLeap() const { return since_leap_; }  ///< [s]
 
  private:
   static constexpr double kStill = 0.015;  // [s] so long without a change is rest
 
   bool begun_ = false;
   Vec3 p_ = Vec3::Zero(), v_ = Vec3::Zero();
-  double time_ = 0.0;  // since the last change [s]
+  double time_ = 0.0;          // since the last change [s]
+  double since_leap_ = 1.0e9;  // [s]
 };
 
 }  // namespace palpate::haptics

@@ -9,6 +9,7 @@ namespace palpate::haptics {
 /// What a hand is to feel of a solve, through its device. Plain numbers.
 struct RenderedContact {
   ContactModel model;             ///< By where the hand is.
+  bool expected = false;          ///< It has not come yet.
   double lead = 0.0;              ///< Ask it for where the hand will be so much later [s].
   double tissue_stiffness = 0.0;  ///< Largest of what the tool feels [N/m],
   double stiffness = 0.0;         ///< and of what the hand does.
@@ -25,8 +26,10 @@ class VirtualCoupling {
  public:
   VirtualCoupling(const DeviceSettings& device, double tick) : limits_(device, tick) {}
 
-  /// A solve `dt` [s] after the last found `tool`, which was `lag` [m] behind its target.
-  const RenderedContact& observe(const ContactModel& tool, const Vec3& lag, double dt);
+  /// A solve `dt` [s] after the last found `tool`, which was `lag` [m] behind its target; or
+  /// nothing, and it is what is expected.
+  const RenderedContact& observe(const ContactModel& tool, bool expected, const Vec3& lag,
+                                 double dt);
   /// The tool was lost, or the scene is another one.
   void forget();
 
