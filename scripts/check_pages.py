@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says how old the measured pages are: docs/accuracy.md and docs/benchmarks.md name the commit that made
+"""Says how old the measured pages are: docs/accuracy.md, docs/benchmarks.md and docs/hands.md name the commit that made
 them. Fails if one names none, or a commit that HEAD does not come from. That a page is of a tree with
 changes that are in no commit, and how many commits have since changed what decides its figures, is
 information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
@@ -22,7 +22,8 @@ PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS an
     "docs/accuracy.md": ("scripts/accuracy.sh", ["include/palpate/analysis", "src/analysis", "benchmarks/accuracy",
                                                  "test/accuracy"]),
     "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
-                                                    "benchmarks"])}
+                                                    "benchmarks"]),
+    "docs/hands.md": ("scripts/hands.sh", ["include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"])}
 MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
 
 

@@ -9,42 +9,17 @@
 
 #include "command.h"
 #include "commands.h"
+#include "hand_options.h"
 #include "options.h"
 #include "palpate/base/error.h"
 #include "palpate/haptics/swing.h"
 #include "palpate/io/csv_writer.h"
-#include "palpate/scene/hand_settings.h"
 #include "palpate/sim/hand_loop.h"
+#include "palpate/sim/hand_motion.h"
 #include "progress_line.h"
 
 namespace palpate::cli {
 namespace {
-
-struct Options {
-  std::string scene, out, grip = "light";
-  std::optional<double> passivity, mass, damping, stiffness, grip_damping, resolution;
-  double depth = 0.004, speed = 0.03, push = 0.0, duration = 5.0;
-  double rate = 100.0, solve = 0.005, delay_in = 0.0, delay_out = 0.0, device_rate = 1000.0;
-  bool hold = false, untold = false;
-};
-
-struct Grip {
-  const char* name;
-  haptics::HandSettings hand;
-  double push;  // instead of a place to be [N]
-};
-
-// Mass of device and hand [kg], damping of the device, stiffness and damping of the grip.
-constexpr Grip kGrips[] = {{"light", {0.10, 0.2, 100.0, 1.0, 5.5e-5, 0.0, 0.0}, 0.0},
-                           {"normal", {0.15, 0.2, 300.0, 3.0, 5.5e-5, 0.0, 0.0}, 0.0},
-                           {"firm", {0.30, 0.2, 1000.0, 10.0, 5.5e-5, 0.0, 0.0}, 0.0},
-                           {"limp", {0.05, 0.2, 0.0, 0.0, 5.5e-5, 100.0, 1.0}, 0.5}};
-
-std::vector<std::string> gripNames() {
-  std::vector<std::string> names;
-  for (const Grip& grip : kGrips) names.emplace_back(grip.name);
-  return names;
-}
 
 sim::LinkPoses shifted(const sim::LinkPoses& links, double up) {
   sim::LinkPoses at = links;
@@ -76,58 +51,9 @@ double wayToTouch(const sim::Simulator& simulator, const sim::LinkPoses& links) 
   return free;
 }
 
-sim::HandLoopSettings settingsFrom(const Options& o, const Grip& grip, const scene::Scene& scene) {
-  const scene::InstrumentConfig& instrument = scene.instruments[0];
-  sim::HandLoopSettings s;
-  s.hand = grip.hand;
-  s.hand.mass = o.mass.value_or(s.hand.mass);
-  s.hand.device_damping = o.damping.value_or(s.hand.device_damping);
-  s.hand.grip_stiffness = o.stiffness.value_or(s.hand.grip_stiffness);
-  s.hand.grip_damping = o.grip_damping.value_or(s.hand.grip_damping);
-  s.hand.resolution = o.resolution.value_or(s.hand.resolution);
-  s.filter = scene::filterSettings(scene, instrument);
-  s.filter.smoothing = o.hold ? 0.5 / o.rate : 0.0;
-  s.cycle = 1.0 / o.rate;
-  s.solve = o.solve;
-  s.delay_in = o.delay_in;
-  s.delay_out = o.delay_out;
-  s.local_model = !o.hold;
-  s.passivity = scene.haptics;
-  s.passivity.max_damping = o.passivity.value_or(scene.haptics.max_damping);
-  s.coupling = instrument.proxy;
-  s.device_rate = o.device_rate;
-  s.told = instrument.device;
-  if (o.untold) return s;
-  s.told.damping = s.hand.device_damping;
-  s.told.delay = o.delay_in + o.delay_out;
-  s.told.rate = o.device_rate;
-  s.told.mass = std::min(s.told.mass, s.hand.mass);
-  return s;
-}
-
-void checkNumbers(const Options& o) {
-  requirePositive("--rate", o.rate);
-  requirePositive("--duration", o.duration);
-  requirePositive("--speed", o.speed);
-  requirePositive("--device-rate", o.device_rate);
-  requirePositive("--mass", o.mass.value_or(1.0));
-  requireNotNegative("--depth", o.depth);
-  requireNotNegative("--push", o.push);
-  requireNotNegative("--solve", o.solve);
-  requireNotNegative("--delay-in", o.delay_in);
-  requireNotNegative("--delay-out", o.delay_out);
-  requireNotNegative("--damping", o.damping.value_or(0.0));
-  requireNotNegative("--grip-stiffness", o.stiffness.value_or(0.0));
-  requireNotNegative("--grip-damping", o.grip_damping.value_or(0.0));
-  requireNotNegative("--resolution", o.resolution.value_or(0.0));
-  requireNotNegative("--passivity", o.passivity.value_or(0.0));
-}
-
-int hand(const Options& o) {
+int hand(const HandOptions& o) {
   checkNumbers(o);
   if (!o.out.empty()) requireWritable("--out", o.out, {".csv"});
-  const Grip& grip = *std::find_if(std::begin(kGrips), std::end(kGrips),
-                                   [&](const Grip& g) { return g.name == o.grip; });
   scene::Scene scene = scene::readScene(o.scene);
   if (scene.instruments.size() != 1) {
     throw InputError(o.scene, "instruments", std::to_string(scene.instruments.size()),
@@ -143,21 +69,18 @@ int hand(const Options& o) {
   const sim::LinkPoses zero = simulator.linkPoses(0, Eigen::VectorXd::Zero(joints));
   const sim::LinkPoses start = shifted(zero, kAbove - wayToTouch(simulator, zero));
 
-  sim::HandLoop loop(&simulator, 0, start, settingsFrom(o, grip, scene));
+  sim::HandLoop loop(&simulator, 0, start, settingsFrom(o, scene));
   std::optional<io::CsvWriter> csv;
   if (!o.out.empty()) {
     csv.emplace(o.out, std::vector<std::string>{"t", "meant_z", "x", "y", "z", "fx", "fy", "fz",
                                                 "solved_fx", "solved_fy", "solved_fz"});
   }
-  const double push = o.push + grip.push, last = std::max(0.5 * o.duration, o.duration - 2.0);
+  sim::HandMotion motion({o.motion, kAbove, o.depth, o.speed});
+  const double push = o.push + gripPush(o), last = std::max(0.5 * o.duration, o.duration - 2.0);
   haptics::Swing swing;
   double least = 1e9, most = 0.0, deepest = 0.0, force = 0.0, stiffness = 0.0, tissue = 0.0;
   for (double t = 0.0; t < o.duration;) {
-    const double way = std::min(o.speed * t, kAbove + o.depth);
-    const bool moves = way < kAbove + o.depth;
-    sim::HandIntent intent;
-    intent.position.z() = -way;
-    intent.velocity.z() = moves ? -o.speed : 0.0;
+    sim::HandIntent intent = motion.at(t);
     intent.push.z() = -push;
     const sim::HandTick& tick = loop.tick(intent);
     t = tick.time;
@@ -196,7 +119,7 @@ void addHand(CLI::App& app, Action& action) {
   Command command(app, "hand",
                   "Have a simulated hand hold the tool of a scene by a simulated device, press it "
                   "down and keep it there");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HandOptions>();
   command.option("scene", &options->scene, "Scene file with one instrument").required();
   command.option("--grip", &options->grip, "Of the hand").oneOf(gripNames());
   command.option("--mass", &options->mass, "Of device and hand [kg], instead of the grip's");
@@ -204,6 +127,8 @@ void addHand(CLI::App& app, Action& action) {
   command.option("--grip-stiffness", &options->stiffness, "[N/m]");
   command.option("--grip-damping", &options->grip_damping, "[N s/m]");
   command.option("--resolution", &options->resolution, "Of the device's encoders [m]");
+  command.option("--motion", &options->motion, "What the hand means to do")
+      .oneOf(sim::HandMotion::names());
   command.option("--depth", &options->depth, "Where the hand means to be, below the surface [m]");
   command.option("--speed", &options->speed, "On the way there [m/s]");
   command.option("--push", &options->push, "Weight of a hand that means to be nowhere [N]");
@@ -216,7 +141,11 @@ void addHand(CLI::App& app, Action& action) {
                  "The device reports poses and takes forces so often [Hz]");
   command.option("--passivity", &options->passivity,
                  "Damping that the passivity controller may add [N s/m]; 0: none");
-  command.flag("--hold", &options->hold, "Hold the last wrench: no local model");
+  command.flag("--prescribed", &options->prescribed,
+               "The hand goes where it means to, whatever it feels");
+  command.flag("--late", &options->late,
+               "Force for where the hand was heard to be, however stiff: no lead, no spring");
+  command.flag("--hold", &options->hold, "Hold the last wrench: no local model, and --late");
   command.flag("--untold", &options->untold,
                "The program knows of the device what the scene says, not what is given here");
   command.option("--out", &options->out, "CSV of every tick");

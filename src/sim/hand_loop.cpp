@@ -46,6 +46,7 @@ void HandLoop::beginCycle() {
   solved_ = tool.live
                 ? tool_.observe(p_target, tool.X_WC.translation(), tool.solved, settings_.cycle)
                 : tool_.lose();
+  if (!settings_.ahead) solved_.contact.lead = 0.0;
   if (settings_.local_model) return;
   // The wrench alone, and nothing that follows from its stiffness.
   solved_.contact.model.stiffness_W.setZero();
@@ -73,7 +74,11 @@ const HandTick& HandLoop::tick(const HandIntent& intent) {
   forces_.push_back({t + settings_.delay_out, wrench.force});
   if (device_ticks) rendered_ = newest(&forces_, t, rendered_);
 
-  hand_.tick(intent.position, intent.velocity, rendered_, intent.push, settings_.tick);
+  if (settings_.prescribed) {
+    hand_.place(intent.position + settings_.tick * intent.velocity, intent.velocity);
+  } else {
+    hand_.tick(intent.position, intent.velocity, rendered_, intent.push, settings_.tick);
+  }
   done_ = {t + settings_.tick,
            hand_.position(),
            intent.position,

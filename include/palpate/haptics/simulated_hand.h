@@ -28,6 +28,12 @@ class SimulatedHand {
   /// [m/s], while the device renders `force` and something else pushes with `push` [N].
   void tick(const Vec3& meant, const Vec3& meant_v, const Vec3& force, const Vec3& push, double dt);
 
+  /// It is at `p` [m], whatever it feels, with `v` [m/s].
+  void place(const Vec3& p, const Vec3& v) {
+    p_ = p;
+    v_ = v;
+  }
+
   const Vec3& position() const { return p_; }  ///< [m]
   const Vec3& velocity() const { return v_; }  ///< [m/s]
   /// As the device's encoders say it.

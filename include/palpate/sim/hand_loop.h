@@ -7,6 +7,7 @@
 #include "palpate/haptics/force_renderer.h"
 #include "palpate/haptics/simulated_hand.h"
 #include "palpate/haptics/tool_renderer.h"
+#include "palpate/sim/hand_motion.h"
 #include "palpate/sim/simulator.h"
 
 namespace palpate::sim {
@@ -24,13 +25,9 @@ struct HandLoopSettings {
   double delay_in = 0.0;         ///< From the device to the program [s].
   double delay_out = 0.0;        ///< And back [s].
   double device_rate = 1e3;  ///< Of the device: it reports and latches at ticks so far apart [Hz].
+  bool prescribed = false;   ///< The hand is where it means to be, whatever it feels.
   bool local_model = true;   ///< Else the last wrench is held.
-};
-
-/// Where the hand means to be at a time, away from where it begins [m], and how fast it goes
-/// there [m/s], and what pushes it beside [N].
-struct HandIntent {
-  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), push = Vec3::Zero();
+  bool ahead = true;  ///< The force is for where the hand will be; else for where it was heard.
 };
 
 /// What a tick of the loop did.
