@@ -10,6 +10,7 @@
 #include "palpate/analysis/case.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
+#include "palpate/haptics/device_models.h"
 #include "palpate/scene/scene.h"
 #include "palpate/scene/tissue_file.h"
 
@@ -19,6 +20,7 @@ namespace {
 std::string textOf(const std::string& page) {
   if (page == "scene_format") return scene::sceneFormatMarkdown();
   if (page == "case_format") return analysis::caseFormatMarkdown();
+  if (page == "devices") return haptics::devicesMarkdown();
   const std::string folder = "package://palpate/config/materials";
   try {
     return scene::tissuesMarkdown(
@@ -36,9 +38,9 @@ void addDocs(CLI::App& app, Action& action) {
   command
       .option("page", page.get(),
               "scene_format: keys of scene files; case_format: keys of case files; tissues: the "
-              "materials in config/materials")
+              "materials in config/materials; devices: haptic devices and their limits")
       .required()
-      .oneOf({"scene_format", "case_format", "tissues"});
+      .oneOf({"scene_format", "case_format", "tissues", "devices"});
   command.onUse([page, &action] {
     action = [page] {
       std::cout << textOf(*page);

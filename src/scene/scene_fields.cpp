@@ -3,6 +3,7 @@
 
 #include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/haptics/device_models.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/model_list.h"
@@ -82,6 +83,8 @@ void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {
 }
 
 void describe(keys::FieldVisitor& v, DeviceConfig& device) {
+  v.choice({"model", "", "Has limits of force and torque, see [devices.md](devices.md)."},
+           device.model, haptics::deviceModelNames());
   v.number({"mass", "kg", "Apparent at the handle, without the hand."}, device.mass,
            keys::Range::above(0.0, 100.0));
   v.number({"damping", "N s/m", "Of the device itself, at the handle."}, device.damping,
@@ -94,9 +97,13 @@ void describe(keys::FieldVisitor& v, DeviceConfig& device) {
 }
 
 void describe(keys::FieldVisitor& v, LimitsConfig& limits) {
-  v.number({"max_force", "N", "A longer force is shortened to this; 0: `haptics.max_force`."},
-           limits.max_force, keys::Range::closed(0.0, 1000.0));
-  v.number({"max_torque", "N m", "A longer torque is shortened to this; 0: `haptics.max_torque`."},
+  v.number(
+      {"max_force", "N",
+       "A longer force is shortened to this; 0: that of `device.model`, else `haptics.max_force`."},
+      limits.max_force, keys::Range::closed(0.0, 1000.0));
+  v.number({"max_torque", "N m",
+            "A longer torque is shortened to this; 0: that of `device.model`, else "
+            "`haptics.max_torque`."},
            limits.max_torque, keys::Range::closed(0.0, 1000.0));
   v.number({"max_force_rate", "N/s",
             "The force to the hand changes no faster; 0: `haptics.max_force_rate`."},

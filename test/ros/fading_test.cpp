@@ -72,18 +72,6 @@ class Fading : public ::testing::Test {
   Wrench live_, replayed_;
 };
 
-TEST(Limits, OfAnInstrumentStandBeforeThoseOfAll) {
-  scene::Scene scene;
-  scene.haptics.max_force = 20.0;
-  scene.haptics.max_torque = 2.0;
-  scene::InstrumentConfig instrument;
-  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force, 20.0);
-  instrument.limits.max_force = 3.3;
-  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force, 3.3);
-  EXPECT_EQ(scene::filterSettings(scene, instrument).max_torque, 2.0);
-  EXPECT_EQ(scene::filterSettings(scene, instrument).max_force_rate, scene.haptics.max_force_rate);
-}
-
 TEST_F(Fading, IsTheSameLiveAndReplayed) {
   const double force = replayed_.force.norm();
   ASSERT_GT(force, 0.1);

@@ -58,7 +58,9 @@ struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {
 };
 
 /// The device through which an instrument is felt.
-struct DeviceConfig : haptics::DeviceSettings {};
+struct DeviceConfig : haptics::DeviceSettings {
+  std::string model = "other";  ///< One of haptics::deviceModelNames().
+};
 
 /// What the device of one instrument sustains; 0: as HapticsConfig says for all.
 struct LimitsConfig {
