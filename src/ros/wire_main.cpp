@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// palpate_wire: how regularly a wrench comes, to one who hears it at real-time priority as a
+// device's driver does. Prints the percentiles of the period after a second.
+//
+//   ~wrench    geometry_msgs/WrenchStamped, /probe/spatial/measured_cf; "": no wrench, but ticks of
+//              1 ms of its own, which is the best that the machine can
+//   ~seconds   for how long, 20
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "ending.h"
+#include "palpate/base/error.h"
+#include "palpate/base/percentiles.h"
+#include "program.h"
+#include "realtime.h"
+#include "throttle.h"
+
+namespace palpate::node {
+namespace {
+
+constexpr double kSettles = 1.0;  // [s] left out at the start
+
+class Wire {
+ public:
+  explicit Wire(const ros::NodeHandle& handle) {
+    handle.getParam("wrench", topic_);
+    handle.getParam("seconds", seconds_);
+    if (!(seconds_ > 0.0 && seconds_ < 1.0e5)) {
+      throw InputError("parameters of " + handle.getNamespace(), "seconds",
+                       std::to_string(seconds_), "must be in (0, 100000)");
+    }
+    came_.reserve(static_cast<std::size_t>(2000.0 * (seconds_ + kSettles)));
+  }
+
+  int run(bool realtime) {
+    ros::NodeHandle handle;
+    ros::Subscriber subscriber;
+    if (!topic_.empty()) {
+      subscriber =
+          handle.subscribe(topic_, 1000, &Wire::hear, this, ros::TransportHints().tcpNoDelay());
+    }
+    const Steady::time_point end = Steady::now() + seconds(kSettles + seconds_);
+    Steady::time_point tick = Steady::now();
+    while (Steady::now() < end && !Ending::asked()) {
+      if (topic_.empty()) {
+        tick += seconds(1.0e-3);
+        std::this_thread::sleep_until(tick);
+        came_.push_back(Steady::now());
+      } else {
+        ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+      }
+    }
+    std::vector<double> periods;  // [ms]
+    for (std::size_t k = 1; k < came_.size(); ++k) {
+      if (came_[k] - came_.front() < seconds(kSettles)) continue;
+      periods.push_back(1e3 * inSeconds(came_[k] - came_[k - 1]));
+    }
+    if (periods.empty()) {
+      std::fprintf(stderr, "palpate_wire: nothing came on %s\n", topic_.c_str());
+      return 1;
+    }
+    const Percentiles p = percentiles(periods);
+    std::printf("%zu %s%s: period p50 %.3f p99 %.3f p99.9 %.3f max %.3f ms\n", periods.size(),
+                topic_.empty() ? "ticks" : "wrenches",
+                realtime ? "" : ", heard at ordinary priority", p.p50, p.p99,
+                quantile(periods, 0.999), p.max);
+    return 0;
+  }
+
+ private:
+  void hear(const geometry_msgs::WrenchStamped&) { came_.push_back(Steady::now()); }
+
+  std::string topic_ = "/probe/spatial/measured_cf";
+  double seconds_ = 20.0;
+  std::vector<Steady::time_point> came_;
+};
+
+}  // namespace
+}  // namespace palpate::node
+
+int main(int argc, char** argv) {
+  return palpate::node::runProgram(argc, argv, "palpate_wire", [](bool) {
+    const bool realtime = palpate::node::becomeRealtime();
+    return palpate::node::Wire(ros::NodeHandle("~")).run(realtime);
+  });
+}
