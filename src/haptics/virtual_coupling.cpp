@@ -42,7 +42,6 @@ const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, bool e
   const bool touched = rendered_.model.wrench.force != Vec3::Zero();
   if (!touches) {
     compliance_ = 0.0;
-    offset_ *= std::exp(-dt / kReturn);
   } else if (!touched) {
     compliance_ = wanted;  // there is next to no force to change
   } else {
@@ -52,8 +51,12 @@ const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, bool e
   }
   rendered_.model = tool;
   rendered_.expected = expected;
-  rendered_.model.p_W =
-      tool.p_W + (compliance_ > 0.0 ? Vec3(-compliance_ * tool.wrench.force) : lag);
+  if (compliance_ > 0.0) {
+    rendered_.model.p_W = tool.p_W - compliance_ * tool.wrench.force;
+  } else {
+    rendered_.model.p_W = tool.p_W + lag - offset_;
+    offset_ *= std::exp(-dt / kReturn);
+  }
   rendered_.tissue_stiffness = rendered_.stiffness = K;
   if (compliance_ > 0.0) {
     const double rigid = compliance_ * K / (1.0 + compliance_ * K);

@@ -61,6 +61,7 @@ void LiveCycle::run() {
 
 void LiveCycle::reset() {
   simulator_.reset();
+  for (haptics::ToolRenderer& tool : tools_) tool.lose();
   result_ = nullptr;
   ++resets_;
 }

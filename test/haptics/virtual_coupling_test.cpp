@@ -103,6 +103,24 @@ TEST(VirtualCoupling, FeelsAWallAlongItsNormalAlone) {
   }
 }
 
+// From bone onto soft tissue, while the tool was still on its way back to the hand: it arrives, and
+// the hand feels the tissue where the tool is.
+TEST(VirtualCoupling, ComesBackToTheHandOnSoftTissueToo) {
+  ToolRenderer renderer({}, late(), 1e-3);
+  press(&renderer, 1e5, 0.008, 1.0);
+  const Vec3 hand(0.02, 0, -0.008);
+  RenderTarget target;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 to = renderer.target(hand);
+    // At 20 mm aside there is nothing for two cycles, and then 30 N/m.
+    target = renderer.observe(to, to, k < 2 ? Wrench() : surface(30.0, to), kCycle);
+    EXPECT_NEAR(target.contact.at(hand, Vec3::Zero()).force.z(),
+                k < 2 ? 0.0 : surface(30.0, to).force.z(), 1e-2)
+        << k;
+  }
+  EXPECT_LT((renderer.target(hand) - hand).norm(), 1e-4);
+}
+
 TEST(VirtualCoupling, ForgetsAToolThatIsLost) {
   ToolRenderer renderer({}, late(), 1e-3);
   press(&renderer, 1e5, 0.008, 1.0);
