@@ -107,7 +107,7 @@ int hand(const HandOptions& o) {
       "swing of the last %.3g s: %.4g mm (with creep %.4g mm), force %.4g to %.4g N; deepest %.4g "
       "mm\n"
       "stiffness of the tissue %.4g N/m, as rendered %.4g N/m\n"
-      "energy out of the port, at most: %.4g mJ, of which %.4g mJ were taken back\n",
+      "energy out of the port, at most: %.4g mJ; taken back by damping: %.4g mJ\n",
       o.duration - last, 1e3 * swing.length(), 1e3 * swing.range(), least, most, 1e3 * deepest,
       tissue, stiffness, 1e3 * loop.passivity().largestOut(), 1e3 * loop.passivity().dissipated());
   return kOk;

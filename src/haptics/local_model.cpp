@@ -8,6 +8,7 @@ namespace palpate::haptics {
 namespace {
 
 constexpr double kShortestTouch = 1.0e-4;  // [m]
+constexpr double kLeastIn = 0.3;           // of a way: a tool that comes in from aside
 
 // A contact is expected again [m]: as far away as this, along its normal and across; deeper where
 // it did not come, by no less than the first and twice that each time, until the last.
@@ -68,6 +69,7 @@ void LocalModel::expect(const Vec3& p_W) {
   if (K <= 0.0 || doubt_ > kMostDoubt || above > kAway ||
       (from - above * normal).norm() > kAcross) {
     model_ = {};
+    expected_ = false;
     return;
   }
   const Vec3 arm = model_.wrench.force.cross(model_.wrench.torque) / (force * force);
@@ -76,6 +78,7 @@ void LocalModel::expect(const Vec3& p_W) {
   model_.wrench.force = K * kSkin * normal;
   model_.wrench.torque = arm.cross(model_.wrench.force);
   model_.stiffness_W = K * normal * normal.transpose();
+  expected_ = true;
 }
 
 const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
@@ -83,7 +86,11 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
   if (force == 0.0) {
     expect(p_W);
   } else {
-    if (model_.wrench.force != Vec3::Zero()) {
+    if (expected_) {
+      // Where it began is not known to the tenth of a millimetre: its stiffness is that before.
+      const Vec3 normal = wrench.force / force;
+      model_.stiffness_W = model_.stiffness_W.trace() * normal * normal.transpose();
+    } else if (model_.wrench.force != Vec3::Zero()) {
       const Vec3 push = model_.wrench.force - wrench.force;
       Mat3 K = updated(model_.stiffness_W, p_W - model_.p_W, push);
       const Vec3 normal = wrench.force / force;
@@ -94,13 +101,15 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
     } else if (known_) {
       // It came from nothing on this way, or a part of it.
       const Vec3 normal = wrench.force / force;
-      const double in = std::max(-(p_W - p_last_).dot(normal), kShortestTouch);
+      const Vec3 way = p_W - p_last_;
+      const double in = std::max({-way.dot(normal), kLeastIn * way.norm(), kShortestTouch});
       model_.stiffness_W =
           std::min(force / in, settings_.max_stiffness) * normal * normal.transpose();
     }
     model_.p_W = p_W;
     model_.wrench = wrench;
     doubt_ = 0.0;
+    expected_ = false;
   }
   p_last_ = p_W;
   known_ = true;
@@ -109,7 +118,7 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
 
 void LocalModel::forget() {
   model_ = {};
-  known_ = false;
+  known_ = expected_ = false;
   doubt_ = 0.0;
 }
 

@@ -13,6 +13,7 @@ namespace {
 // rendered has left a band around the limit, for stiffness is learnt with some noise.
 constexpr double kSoften = 0.05, kStiffen = 0.5;  // time constants [s]
 constexpr double kReturn = 0.2;                   // of the tool to the hand
+constexpr double kFar = 1.0;                      // [m]
 constexpr double kTooStiff = 1.25, kTooSoft = 0.6;
 
 // Where the spring is much softer than the tissue, a tool that looks for their balance with a
@@ -64,8 +65,8 @@ const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, bool e
     const Mat3 series = Mat3::Identity() + compliance_ * stiffer;
     const Mat3 stiffness = series.inverse() * stiffer;
     rendered_.model.stiffness_W = 0.5 * (stiffness + stiffness.transpose());
-    rendered_.model.reach *= 1.0 + compliance_ * K;
     rendered_.stiffness = K / (1.0 + compliance_ * K);
+    rendered_.model.reach *= 1.0 + compliance_ * K;
   }
   rendered_.lead = limits_.lead(rendered_.stiffness);
   return rendered_;
@@ -78,7 +79,11 @@ void VirtualCoupling::forget() {
 }
 
 Vec3 VirtualCoupling::target(const Vec3& p_hand) {
-  if (compliance_ > 0.0) offset_ = compliance_ * rendered_.model.at(p_hand).force;
+  if (compliance_ > 0.0) {
+    ContactModel model = rendered_.model;
+    model.reach = kFar;  // a hand that is far in must not take its tool along
+    offset_ = compliance_ * model.at(p_hand).force;
+  }
   return p_hand + offset_;
 }
 

@@ -19,10 +19,17 @@ class Arrivals {
   Arrivals(const Arrivals&) = delete;
   Arrivals& operator=(const Arrivals&) = delete;
 
-  /// There is one.
+  /// There is one. One thread may tell.
   void tell() {
+    const Steady::rep now = Steady::now().time_since_epoch().count();
+    const Steady::rep since = last_ == 0 ? 0 : now - last_;
+    interval_ = interval_ == 0 ? since : interval_ + (since - interval_) / 8;
+    last_ = now;
     if (!pending_.exchange(true)) sem_post(&told_);
   }
+  /// When the newest came, and how often they do; 0: none did.
+  Steady::time_point last() const { return Steady::time_point(Steady::duration(last_)); }
+  Steady::duration interval() const { return Steady::duration(interval_); }
   /// The waiting thread: those so far are known.
   void clear() {
     if (pending_.exchange(false)) sem_wait(&told_);
@@ -44,6 +51,7 @@ class Arrivals {
  private:
   sem_t told_;
   std::atomic<bool> pending_{false};
+  std::atomic<Steady::rep> last_{0}, interval_{0};
 };
 
 }  // namespace palpate::node

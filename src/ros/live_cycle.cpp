@@ -157,7 +157,8 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
       target.render = live_[i] && tool.live
                           ? tools_[i].observe(controlPosition(i), tool.X_WC.translation(),
                                               tool.solved, simulator_.scene().solver.step)
-                          : tools_[i].lose();
+                      : live_[i] && tool.there ? tools_[i].fade()
+                                               : tools_[i].lose();
     }
     channels_.haptic[i].write(target);
   }

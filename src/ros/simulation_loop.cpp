@@ -5,14 +5,9 @@
 #include <memory>
 
 #include "ending.h"
+#include "pace.h"
 
 namespace palpate::node {
-
-namespace {
-
-constexpr double kPatience = 0.08;  // of a period: the rate stays above what is called too slow
-
-}  // namespace
 
 struct SimulationLoop::Task {
   std::function<void()> run;
@@ -35,28 +30,17 @@ void SimulationLoop::stop() {
 }
 
 void SimulationLoop::loop() {
-  Steady::time_point next = Steady::now();
+  Pace pace(period_, Steady::now());
   while (!stopping_) {
     runTasks();
     arrivals_.clear();
     cycle_.run();
-    next += period_;
-    sleep(&next);
+    pace.ended(Steady::now());
+    const Pace::Plan plan = pace.next(arrivals_.last(), arrivals_.interval());
+    std::this_thread::sleep_until(plan.from);
+    if (!arrivals_.pending()) arrivals_.wait(plan.until);
+    pace.began(Steady::now());
   }
-}
-
-// Until the next cycle is due, and a little longer if there is no news then: an input that comes
-// as often as cycles would else wait for most of one, for as long as the node runs.
-void SimulationLoop::sleep(Steady::time_point* next) {
-  const Steady::time_point now = Steady::now();
-  if (*next < now) {
-    *next = now;  // too late: go on at once, and forget the ticks that were missed
-    return;
-  }
-  std::this_thread::sleep_until(*next);
-  if (arrivals_.pending()) return;
-  const Steady::time_point patience = *next + seconds(kPatience * inSeconds(period_));
-  *next = arrivals_.wait(patience) ? Steady::now() : patience;
 }
 
 void SimulationLoop::runTasks() {

@@ -13,9 +13,8 @@
 namespace palpate::node {
 
 /// The simulation thread: runs the live cycle at most `rate` times a second by the steady clock.
-/// A cycle that takes too long costs the ticks it covers; they are never made up for. A cycle that
-/// is due waits a little for an input that is not there yet, so that cycles come to begin when
-/// inputs arrive.
+/// A cycle that takes too long costs the ticks it covers; they are never made up for. Where inputs
+/// come about as often, cycles come to begin with them (Pace).
 class SimulationLoop {
  public:
   SimulationLoop(LiveCycle* cycle, double rate, Arrivals* arrivals);
@@ -33,7 +32,6 @@ class SimulationLoop {
   struct Task;
 
   void loop();
-  void sleep(Steady::time_point* next);
   void runTasks();
 
   LiveCycle& cycle_;

@@ -45,7 +45,9 @@ void HandLoop::beginCycle() {
   const InstrumentResult& tool = result.instruments[static_cast<std::size_t>(instrument_)];
   solved_ = tool.live
                 ? tool_.observe(p_target, tool.X_WC.translation(), tool.solved, settings_.cycle)
-                : tool_.lose();
+            : tool.there ? tool_.fade()
+            : tool.there ? tool_.fade()
+                         : tool_.lose();
   if (!settings_.ahead) solved_.contact.lead = 0.0;
   if (settings_.local_model) return;
   // The wrench alone, and nothing that follows from its stiffness.

@@ -138,6 +138,19 @@ TEST(LocalModel, ExpectsAContactWhereItEnded) {
   }
 }
 
+// Tissue that came back after the tool left is met a little before it is expected: a short way
+// since says nothing of its stiffness.
+TEST(LocalModel, KeepsTheStiffnessOfAContactThatComesBackElsewhere) {
+  for (const double earlier : {-2e-5, 2e-5, 1e-4, 3e-4}) {
+    LocalModel local = touched(0.01);
+    const double K = local.model().stiffness_W(2, 2);
+    Wrench wrench;
+    wrench.force.z() = 0.05;
+    local.observe(Vec3(0, 0, earlier), wrench);
+    EXPECT_NEAR(local.model().stiffness_W(2, 2), K, 1e-9 * K) << earlier;
+  }
+}
+
 TEST(LocalModel, ExpectsNoneAsideOrFarAway) {
   EXPECT_EQ(touched(0.06).model().wrench.force, Vec3::Zero());
   LocalModel local = touched(0.002);

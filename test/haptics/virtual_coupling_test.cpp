@@ -121,6 +121,15 @@ TEST(VirtualCoupling, ComesBackToTheHandOnSoftTissueToo) {
   EXPECT_LT((renderer.target(hand) - hand).norm(), 1e-4);
 }
 
+// One solve of a tool that is there says nothing: the next goes on from where it was.
+TEST(VirtualCoupling, GoesOnAfterASolveThatSaysNothing) {
+  ToolRenderer renderer({}, late(), 1e-3);
+  press(&renderer, 1e5, 0.008, 2.0);
+  const Vec3 hand(0, 0, -0.008), before = renderer.target(hand);
+  EXPECT_FALSE(renderer.fade().live);
+  EXPECT_EQ(renderer.target(hand), before);
+}
+
 TEST(VirtualCoupling, ForgetsAToolThatIsLost) {
   ToolRenderer renderer({}, late(), 1e-3);
   press(&renderer, 1e5, 0.008, 1.0);

@@ -47,6 +47,7 @@ class LocalModel {
   LocalModelSettings settings_;
   ContactModel model_;
   bool known_ = false;          // there is a last solve to compare with
+  bool expected_ = false;       // the model is of a contact that may come again
   double doubt_ = 0.0;          // how much deeper a contact is expected when it did not come [m]
   Vec3 p_last_ = Vec3::Zero();  // of the last solve [m]
 };

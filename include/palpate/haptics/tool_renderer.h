@@ -32,12 +32,17 @@ class ToolRenderer {
     return render_;
   }
 
-  /// There is no tool, or nobody knows what it feels. What it felt fades.
+  /// Nobody knows what the tool feels, which is there: what it felt fades.
+  const RenderTarget& fade() {
+    render_.live = false;
+    return render_;
+  }
+
+  /// There is no tool. What it felt fades, and is forgotten.
   const RenderTarget& lose() {
     local_.forget();
     virtual_coupling_.forget();
-    render_.live = false;
-    return render_;
+    return fade();
   }
 
  private:

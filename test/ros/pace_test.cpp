@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pace.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace palpate::node {
+namespace {
+
+struct Ran {
+  double rate, age;  // cycles a second, median age of the newest input when they begin [ms]
+};
+
+// Cycles of 3 ms at 100 Hz with inputs each `interval` from `phase` on [s], 30 s of them; the first
+// ten do not count.
+Ran run(double interval, double phase, double jitter = 0.0) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shake(-jitter, jitter);
+  std::vector<double> inputs;
+  for (double t = phase; interval > 0.0 && t < 40.0; t += interval) {
+    inputs.push_back(t + shake(random));
+  }
+  const auto at = [](double t) { return Steady::time_point(seconds(t)); };
+  const auto in = [](Steady::time_point t) { return inSeconds(t.time_since_epoch()); };
+  Pace pace(seconds(0.01), at(0.0));
+  std::size_t heard = 0;  // inputs so far
+  std::vector<double> ages;
+  int cycles = 0;
+  double now = 0.0;
+  const auto hear = [&](double until) {
+    while (heard < inputs.size() && inputs[heard] <= until) ++heard;
+  };
+  while (now < 30.0) {
+    const std::size_t known = heard;
+    hear(now);
+    const double last = heard > 0 ? inputs[heard - 1] : 0.0;
+    const Pace::Plan plan = pace.next(at(last), seconds(heard > 2 ? interval : 0.0));
+    now = in(plan.from);
+    hear(now);
+    if (heard == known) {  // nothing yet
+      now = in(plan.until);
+      if (heard < inputs.size() && inputs[heard] <= now) now = inputs[heard];
+      hear(now);
+    }
+    pace.began(at(now));
+    if (now > 10.0) {
+      ++cycles;
+      if (heard > 0) ages.push_back(1e3 * (now - inputs[heard - 1]));
+    }
+    now += 0.003;
+    pace.ended(at(now));
+  }
+  std::sort(ages.begin(), ages.end());
+  return {cycles / 20.0, ages.empty() ? 0.0 : ages[ages.size() / 2]};
+}
+
+TEST(Pace, FallsIntoStepWithInputsThatComeAsOften) {
+  for (const double phase : {0.001, 0.003, 0.005, 0.008}) {
+    for (const double interval : {0.00999, 0.01, 0.01001, 0.0101}) {
+      const Ran ran = run(interval, phase, 2e-4);
+      EXPECT_LT(ran.age, 1.0) << phase << " " << interval;
+      EXPECT_NEAR(ran.rate, std::min(1.0 / interval, 100.2), 0.5);
+    }
+  }
+}
+
+TEST(Pace, IsWhatWasAskedWithInputsThatComeMoreOftenOrMoreSeldomOrNever) {
+  for (const double interval : {0.001, 0.004, 0.007, 0.008, 0.013, 0.0333, 0.1, 0.0}) {
+    const Ran ran = run(interval, 0.002, 1e-4);
+    EXPECT_GT(ran.rate, 96.0) << interval;
+    EXPECT_LT(ran.rate, 100.3) << interval;
+  }
+}
+
+TEST(Pace, DoesNotMakeUpForCyclesThatTookTooLong) {
+  Pace pace(seconds(0.01), Steady::time_point());
+  pace.began(Steady::time_point(seconds(0.01)));
+  pace.ended(Steady::time_point(seconds(0.055)));
+  const Pace::Plan plan = pace.next(Steady::time_point(), seconds(0.0));
+  EXPECT_EQ(plan.from, Steady::time_point(seconds(0.055)));
+  EXPECT_EQ(plan.until, plan.from);
+}
+
+}  // namespace
+}  // namespace palpate::node
