@@ -15,7 +15,8 @@ INTRODUCTION = """## Between two solves
 Hands whose motion is prescribed: down by 6 mm at 30 mm/s ("press"), and then a tremor of 2 mm at 4 Hz, or 20 mm aside in
 half a second ("slide"); or taps, in and out twice a second. The simulation at 50, 100 and 200 Hz, each solve for half of
 its cycle; against the same scene solved every millisecond, its wrench there at once. RMS of the difference over the peak,
-and the delay that fits best. *Held* is the newest wrench alone.
+and the delay that fits best. *Held* is the newest wrench alone. *Jitter* is what the force of the solves each
+millisecond itself goes up and down from one to the next, by its second differences: no model of it can be nearer.
 """
 
 
@@ -28,6 +29,12 @@ def difference(a, b, late):
     n = len(a) - abs(late)
     x, y = (a[late:], b[:n]) if late >= 0 else (a[:n], b[-late:])
     return np.sqrt(np.mean(np.sum((x - y) ** 2, axis=1)))
+
+
+def jitter(a):
+    """RMS of the part of a that is white noise."""
+    second = a[2:] - 2.0 * a[1:-1] + a[:-2]
+    return np.sqrt(np.mean(np.sum(second ** 2, axis=1)) / 6.0)
 
 
 def run(context):
@@ -50,11 +57,12 @@ def run(context):
         return force(file)
 
     found = runs.each(play, cases)
-    lines = ["| scene | motion | " + " | ".join(f"{r} Hz: local | held" for r in rates) + " |",
-             "|" + "---|" * (2 + 2 * len(rates))]
+    lines = ["| scene | motion | jitter | " + " | ".join(f"{r} Hz: local | held" for r in rates) + " |",
+             "|" + "---|" * (3 + 2 * len(rates))]
     worst = 0.0
     for scene, motion in itertools.product(scenes, motions):
-        truth, row = found[scene, motion, 1000, "exact"], []
+        truth = found[scene, motion, 1000, "exact"]
+        row = [f"{100 * jitter(truth) / np.linalg.norm(truth, axis=1).max():.1f} %"]
         for rate, kind in itertools.product(rates, ("local", "held")):
             got = found[scene, motion, rate, kind]
             peak = np.linalg.norm(truth, axis=1).max()
