@@ -19,7 +19,7 @@ constexpr char kMtm[] =
 }  // namespace
 
 const std::vector<DeviceModel>& deviceModels() {
-  static const std::vector<DeviceModel> models = {
+  static const std::vector<DeviceModel> kModels = {
       {"other", "any other", 0.0, 0.0, ""},
       {"touch", "3D Systems Touch", 3.3, 0.0, kPhantoms},
       {"omni", "SensAble PHANTOM Omni", 3.3, 0.0, kPhantoms},
@@ -31,7 +31,7 @@ const std::vector<DeviceModel>& deviceModels() {
       {"sigma_7", "Force Dimension sigma.7", 12.0, 0.2, kDeltas},
       {"delta_3", "Force Dimension delta.3", 20.0, 0.0, kDeltas},
       {"dvrk_mtm", "da Vinci Research Kit, master tool manipulator", 5.0, 0.0229, kMtm}};
-  return models;
+  return kModels;
 }
 
 std::vector<std::string> deviceModelNames() {

@@ -17,8 +17,8 @@ constexpr double kAside = 0.02;                       // [m]
 }  // namespace
 
 const std::vector<std::string>& HandMotion::names() {
-  static const std::vector<std::string> names = {"press", "tremor", "slide", "taps", "wander"};
-  return names;
+  static const std::vector<std::string> kNames = {"press", "tremor", "slide", "taps", "wander"};
+  return kNames;
 }
 
 HandMotion::HandMotion(const HandMotionSettings& settings) : settings_(settings) {
