@@ -14,7 +14,7 @@ INTRODUCTION = f"""## At rest in every hand
 
 The hand means to be {1e3 * DEPTH:g} mm below the surface and gets there at 30 mm/s; encoders of 0.055 mm, simulation at
 100 Hz with 5 ms a solve, and the device's mass (45 g), damping and delay told. Below: how far it still swings between 3
-and 5 s after it came, in mm, creep left out; a dot is at most {REST} mm. In each cell hands with springs of 0 (limp,
+and 5 s after it came, in mm, creep left out; a dot is at most {REST} mm, "off" one that touches nothing any more. In each cell hands with springs of 0 (limp,
 leaning on the tool with 0.5 N), 100, 300, 1000 and 2000 N/m, and a damping of a hundredth of that. *Rendered* is the
 largest stiffness that a hand of 100 N/m on 100 g felt. *Ideal* swings are those of a limp hand on a spring as stiff as
 what is rendered, without delay, ticks or encoders: what no controller without damping of its own betters.
@@ -46,7 +46,9 @@ def cells(found, delay, damping):
     line = []
     for mass in MASSES:
         swings = [found[delay, damping, mass, grip]["swing"] for grip in GRIPS]
-        line.append("`" + " ".join("." if s <= REST else f"{s:.1g}" for s in swings) + "`")
+        felt = [found[delay, damping, mass, grip]["rendered"] for grip in GRIPS]
+        line.append("`" + " ".join("off" if f == 0.0 else "." if s <= REST else f"{s:.1g}"
+                                   for s, f in zip(swings, felt)) + "`")
     return line
 
 
@@ -74,7 +76,7 @@ def run(context):
         cases = list(itertools.product(delays, dampings, MASSES, GRIPS))
         context.progress(f"{len(cases)} hands on {title}")
         found = runs.each(one(scene), cases)
-        swinging = {c: r for c, r in found.items() if r["swing"] > REST}
+        swinging = {c: r for c, r in found.items() if r["swing"] > REST or r["rendered"] == 0.0}
         passive = [c for c, r in swinging.items() if c[3] > 0 or ideal(r["rendered"], c[2], c[1]) <= REST]
         text.append(f"### {title[0].upper() + title[1:]}\n\n{len(found) - len(swinging)} of {len(found)} rest; of those "
                     f"that do not, {len(swinging) - len(passive)} swing on an ideal spring, too. Largest stiffness that "
