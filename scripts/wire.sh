@@ -33,7 +33,10 @@ run() {  # words for the eye, cores to keep busy, what the programs are started 
   "$@" "$programs/palpate_node" __name:=palpate _scene:="$PWD/config/scenes/liver_palpation.yaml" \
     >build/wire_node.log 2>&1 & children+=($!)
   "$@" "$programs/palpate_device" >build/wire_device.log 2>&1 & children+=($!)
-  until rosservice list 2>/dev/null | grep -q palpate/reset; do sleep 0.2; done
+  until rosservice list 2>/dev/null | grep -q palpate/reset; do
+    kill -0 "${children[1]}" 2>/dev/null || { echo "wire.sh: the node ended:" >&2; tail -5 build/wire_node.log >&2; exit 1; }
+    sleep 0.2
+  done
   sleep 4
   for ((k = 0; k < busy; ++k)); do yes >/dev/null & children+=($!); done
   printf '%-40s' "$words"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace palpate::sim {
@@ -27,12 +26,6 @@ HandMotion::HandMotion(const HandMotionSettings& settings) : settings_(settings)
   }
   if (!(settings.speed > 0.0)) throw std::invalid_argument("HandMotion: speed must be > 0");
   down_ = (settings.above + settings.depth) / settings.speed;
-}
-
-double HandMotion::end() const {
-  if (settings_.motion == "press") return down_;
-  if (settings_.motion == "slide") return down_ + kSlideTime;
-  return std::numeric_limits<double>::infinity();
 }
 
 HandIntent HandMotion::at(double t) {

@@ -142,6 +142,6 @@ class Pages(unittest.TestCase):
 
 if __name__ == "__main__":
     if shutil.which("git") is None:
-        print("git is not installed")
+        print("git is not installed, and the test makes a repository; run scripts/install_dependencies.sh build")
         sys.exit(77)
     unittest.main()

@@ -145,6 +145,7 @@ class Tidy(unittest.TestCase):
 
 if __name__ == "__main__":
     if not shutil.which("git"):
+        print("git is not installed, and the test makes a repository; run scripts/install_dependencies.sh build")
         sys.exit(77)
     os.environ.update(GIT_CONFIG_GLOBAL="/dev/null", GIT_CONFIG_NOSYSTEM="1")
     unittest.main()

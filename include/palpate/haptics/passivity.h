@@ -28,8 +28,6 @@ class PassivityController {
   /// [N].
   Vec3 update(const Vec3& p, const Vec3& v, const Vec3& sent, const Vec3& force, double dt);
 
-  /// What came out since the tool last touched nothing, less what went in [J].
-  double energyOut() const { return out_; }
   /// The most that came out unpaid, and what the controller took back, since construction [J].
   double largestOut() const { return largest_; }
   double dissipated() const { return dissipated_; }

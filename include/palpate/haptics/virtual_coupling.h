@@ -40,7 +40,6 @@ class VirtualCoupling {
   /// It is there: the tissue is too stiff.
   bool active() const { return compliance_ > 0.0; }
   const RenderedContact& rendered() const { return rendered_; }
-  const DeviceLimits& limits() const { return limits_; }
 
  private:
   DeviceLimits limits_;

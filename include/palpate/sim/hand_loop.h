@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 
 #include "palpate/haptics/force_renderer.h"
 #include "palpate/haptics/simulated_hand.h"
@@ -24,9 +23,9 @@ struct HandLoopSettings {
   double solve = 0.005;          ///< From the input of a cycle to its wrench [s].
   double delay_in = 0.0;         ///< From the device to the program [s].
   double delay_out = 0.0;        ///< And back [s].
-  double device_rate = 1e3;  ///< Of the device: it reports and latches at ticks so far apart [Hz].
-  bool prescribed = false;   ///< The hand is where it means to be, whatever it feels.
-  bool local_model = true;   ///< Else the last wrench is held.
+  double device_rate = 1e3;      ///< Of the device: it reports and latches so often [Hz].
+  bool prescribed = false;       ///< The hand is where it means to be, whatever it feels.
+  bool local_model = true;       ///< Else the last wrench is held.
   bool ahead = true;  ///< The force is for where the hand will be; else for where it was heard.
 };
 

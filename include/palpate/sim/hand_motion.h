@@ -38,8 +38,6 @@ class HandMotion {
   /// Times may not go back.
   HandIntent at(double t);
 
-  /// When the last command was given [s]; infinite where they go on.
-  double end() const;
   static const std::vector<std::string>& names();
 
  private:
