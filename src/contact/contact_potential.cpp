@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/contact/contact_potential.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "palpate/contact/signed_distance.h"
 
@@ -99,6 +101,8 @@ void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_fr
     if (skip_inactive && !(touch.gap < reach)) continue;
     touch.sample = c.sample;
     touch.obstacle = c.obstacle;
+    touch.nodes = s.nodes;
+    touch.weights = s.weights;
     touch.area = s.area;
     if (skip_inactive && !response_->active(touch)) continue;
     if (with_frame || motion) obstacle.measureFrame(&touch);
@@ -203,6 +207,8 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   Touch touch;
   touch.sample = sample;
   touch.obstacle = obstacle;
+  touch.nodes = samples_[sample].nodes;
+  touch.weights = samples_[sample].weights;
   touch.area = samples_[sample].area;
   placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
   placed_[obstacle].measureFrame(&touch);
@@ -217,6 +223,41 @@ void ContactPotential::beginStep(const Points& x) {
   touches_.clear();
   forEach(x, true, true, [&](const Touch& touch) { touches_.push_back(touch); });
   response_->beginStep(touches_);
+}
+
+void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses) {
+  mobility_.setZero(static_cast<Eigen::Index>(samples_.size()));
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = samples_[s].nodes[k];
+      const double w = samples_[s].weights[k];
+      if (!free.col(i).isZero()) mobility_[static_cast<Eigen::Index>(s)] += w * w / masses[i];
+    }
+  }
+}
+
+void ContactPotential::gatherLearnable(const Points& x, double h) {
+  touches_.clear();
+  forEach(x, true, true, [&](Touch& touch) {
+    touch.inertia = 0.0;
+    if (mobility_.size() > 0) {
+      if (mobility_[touch.sample] == 0.0) return;
+      touch.inertia = 1.0 / (mobility_[touch.sample] * h * h);
+    }
+    touches_.push_back(touch);
+  });
+}
+
+bool ContactPotential::settled(const Points& x) {
+  if (!response_->remembers()) return true;
+  gatherLearnable(x, 1.0);
+  return response_->settled(touches_);
+}
+
+void ContactPotential::settle(const Points& x, double h) {
+  if (!response_->remembers()) return;
+  gatherLearnable(x, h);
+  response_->settle(touches_);
 }
 
 void ContactPotential::endStep(const Points& x) {
@@ -237,17 +278,34 @@ void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* conta
 
 void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X) {
   if (!response_->remembers()) return;
-  const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
-  const auto now = [&](int sample) {
-    const Vec3 p = old.samples_[static_cast<std::size_t>(sample)].position(old_X);
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
-      if ((samples_[s].position(X) - p).squaredNorm() < 1e-18 * size * size) {
-        return static_cast<int>(s);
-      }
+  const double same = 1e-9 * (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+  // What is remembered is of samples that touched: of the new ones only those near to them count.
+  Eigen::AlignedBox3d box;
+  for (const Contact& c : old.at_end_) {
+    for (int k = 0; k < 3; ++k) box.extend(Vec3(old_X.col(c.touch.nodes[k])));
+  }
+  const auto near = [&](const Vec3& p) { return box.squaredExteriorDistance(p) <= same * same; };
+  std::vector<std::pair<int, Vec3>> samples, nodes;
+  for (std::size_t s = 0; s < samples_.size() && !box.isEmpty(); ++s) {
+    const Vec3 p = samples_[s].position(X);
+    if (!near(p)) continue;
+    samples.emplace_back(static_cast<int>(s), p);
+    for (int k = 0; k < 3; ++k) {
+      if (samples_[s].weights[k] == 1.0) nodes.emplace_back(samples_[s].nodes[k], p);
+    }
+  }
+  const auto find = [same](const std::vector<std::pair<int, Vec3>>& among, const Vec3& p) {
+    for (const auto& [i, q] : among) {
+      if ((q - p).squaredNorm() < same * same) return i;
     }
     return -1;
   };
-  response_->goOnFrom(*old.response_, now);
+  response_->goOnFrom(
+      *old.response_,
+      {[&](int sample) {
+         return find(samples, old.samples_[static_cast<std::size_t>(sample)].position(old_X));
+       },
+       [&](int node) { return find(nodes, old_X.col(node)); }});
 }
 
 void ContactPotential::forget() {

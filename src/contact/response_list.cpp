@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
 
+#include "augmented_response.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/response.h"
 #include "penalty_response.h"
@@ -21,6 +22,7 @@ std::vector<std::string> namesOf(const std::vector<ResponseEntry>& table) {
 const std::vector<ResponseEntry>& responses() {
   static const std::vector<ResponseEntry> kResponses = {
       {"penalty", makePenaltyResponse},
+      {"augmented_lagrangian", makeAugmentedResponse},
   };
   return kResponses;
 }

@@ -157,6 +157,10 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
             "Width of the blend between no contact and pressure that grows "
             "linearly."},
            contact.smoothing, keys::Range::above(0.0, 0.1));
+  v.number({"allowed_penetration", "m",
+            "Of `augmented_lagrangian`: a cycle is solved on, a few times, while the surface is "
+            "deeper in a tool."},
+           contact.allowed_penetration, keys::Range::above(0.0, 0.1));
   v.number({"sample_spacing", "m",
             "Largest distance between the points of the tissue surface that can touch; 0: half the "
             "inscribed radius of the thinnest tool shape."},

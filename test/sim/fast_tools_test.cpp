@@ -53,7 +53,8 @@ TEST_F(FastTools, AStabEndsWhereASlowPressDoes) {
       Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
       q[2] = -std::min(kDeep, 0.02 * std::min(t, 0.15) + speed * std::max(t - 0.15, 0.0));
       const StepResult& result = simulator.step({simulator.linkPoses(0, q)}, kStep);
-      ASSERT_TRUE(result.report.ok()) << speed << " m/s, cycle " << k;
+      ASSERT_TRUE(result.report.ok())
+          << speed << " m/s, cycle " << k << " " << solver::toString(result.report.status);
       ASSERT_GT(result.report.min_jacobian, 0.1) << speed << " m/s, cycle " << k;
       force = result.instruments[0].spatial.force.z();
       largest = std::max(largest, force);

@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethodThatTakesResponses, ::testing::Valu
                          [](const auto& name) { return name.param; });
 
 TEST_P(EveryMethodThatTakesResponses, HoldsTheTissueAndBalancesForces) {
-  for (const std::string response : {"penalty", "hold"}) {
+  for (const std::string response : {"penalty", "augmented_lagrangian", "hold"}) {
     const auto tissue = slabWith(GetParam(), response).make();
     const Points rest = tissue->positions();
     const Ball ball;

@@ -38,6 +38,8 @@ class StateWriter {
   }
 
   const std::string& bytes() const { return bytes_; }
+  /// As new, but with its memory.
+  void clear() { bytes_.clear(); }
 
  private:
   void append(const void* data, std::size_t size) {

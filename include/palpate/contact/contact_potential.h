@@ -43,6 +43,11 @@ class ContactPotential final : public fem::EnergyTerm {
     return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
   }
 
+  /// What the surface is borne by: `free`, 3 x n, see fem::FreeMask, and `masses` of the nodes, n
+  /// [kg]. Samples that cannot move are answered, but the response learns nothing from them: what
+  /// presses there has nothing to give way.
+  void setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses);
+
   /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
   /// default; the sums are the same without.
   void setSkips(bool distant, bool inactive) {
@@ -87,6 +92,11 @@ class ContactPotential final : public fem::EnergyTerm {
 
   /// A step begins at x, where the placed obstacles' ways begin.
   void beginStep(const Points& x);
+  /// Whether the response is content with x, a solution within the step; if not, settle() and solve
+  /// again.
+  bool settled(const Points& x);
+  /// `h`: of the step [s].
+  void settle(const Points& x, double h);
   /// It has ended at x.
   void endStep(const Points& x);
   /// The contacts at x, where the last step ended, as they were before that became memory.
@@ -108,12 +118,14 @@ class ContactPotential final : public fem::EnergyTerm {
     Eigen::Vector3i nodes;
     int begin, end;
   };
+  void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
 
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
   std::unique_ptr<Response> response_;
+  Eigen::VectorXd mobility_;  // of the samples [1/kg]; empty: they weigh nothing
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "palpate/contact/response_settings.h"
 
 namespace palpate::contact {
 
 /// Pressure against penetration p [m] into a body whose inscribed radius is r [m]; zero for p <= 0:
 ///
-///   k p^2 / (2 e)  up to the smoothing width e, then  k (p - e/2),   plus   k p (8 p / r)^3
+///   k p^2 / (2 e)  up to the smoothing width e, then  k (p - e/2):  the soft part,
+///   plus   k p (8 p / r)^3:  the hard part,
 ///
-/// once continuously differentiable. The last part is 1 % at a fortieth of the radius and
+/// once continuously differentiable. The hard part is 1 % at a fortieth of the radius and
 /// stops the tissue before it gets to the body's middle, where it would be pushed out on the wrong
 /// side, however thin the body is.
 struct Penalty {
@@ -17,22 +20,39 @@ struct Penalty {
   double smoothing = ResponseSettings().smoothing;  ///< e [m], > 0
 
   /// Energy per area [J/m^2], the integral of the pressure.
-  double energy(double p, double r) const {
+  double energy(double p, double r) const { return softEnergy(p) + hardEnergy(p, r); }
+  /// [Pa]
+  double pressure(double p, double r) const { return softPressure(p) + hardPressure(p, r); }
+  /// d pressure / d p [Pa/m]
+  double slope(double p, double r) const { return softSlope(p) + hardSlope(p, r); }
+
+  // Of both parts.
+  double softEnergy(double p) const {
     if (p <= 0.0) return 0.0;
     const double e = smoothing;
-    const double soft = p < e ? p * p * p / (6.0 * e) : 0.5 * p * (p - e) + e * e / 6.0;
-    return stiffness * (soft + p * p / 5.0 * hardening(p, r));
+    return stiffness * (p < e ? p * p * p / (6.0 * e) : 0.5 * p * (p - e) + e * e / 6.0);
   }
-  /// [Pa]
-  double pressure(double p, double r) const {
+  double softPressure(double p) const {
     if (p <= 0.0) return 0.0;
-    const double soft = p < smoothing ? p * p / (2.0 * smoothing) : p - 0.5 * smoothing;
-    return stiffness * (soft + p * hardening(p, r));
+    return stiffness * (p < smoothing ? p * p / (2.0 * smoothing) : p - 0.5 * smoothing);
   }
-  /// d pressure / d p [Pa/m]
-  double slope(double p, double r) const {
+  double softSlope(double p) const {
     if (p <= 0.0) return 0.0;
-    return stiffness * ((p < smoothing ? p / smoothing : 1.0) + 4.0 * hardening(p, r));
+    return stiffness * (p < smoothing ? p / smoothing : 1.0);
+  }
+  /// The penetration at which the soft part alone is that pressure [Pa], >= 0.
+  double softPenetration(double pressure) const {
+    const double p = pressure / stiffness;
+    return p < 0.5 * smoothing ? std::sqrt(2.0 * smoothing * p) : p + 0.5 * smoothing;
+  }
+  double hardEnergy(double p, double r) const {
+    return p <= 0.0 ? 0.0 : stiffness * p * p / 5.0 * hardening(p, r);
+  }
+  double hardPressure(double p, double r) const {
+    return p <= 0.0 ? 0.0 : stiffness * p * hardening(p, r);
+  }
+  double hardSlope(double p, double r) const {
+    return p <= 0.0 ? 0.0 : 4.0 * stiffness * hardening(p, r);
   }
 
  private:

@@ -50,9 +50,16 @@ class Response {
   /// A step begins or has ended with these touches, those that answer, in a fixed order.
   virtual void beginStep(const std::vector<Touch>& /*touches*/) {}
   virtual void endStep(const std::vector<Touch>& /*touches*/) {}
-  /// Takes over what `old`, of the same name, remembers of samples of another surface of the same
-  /// body, as of the samples `now(s)` of this one's; -1: there is none at that place.
-  virtual void goOnFrom(const Response& /*old*/, const std::function<int(int)>& /*now*/) {}
+  /// Whether these touches, at a solution within the step, are what they are to be in the end.
+  virtual bool settled(const std::vector<Touch>& /*touches*/) { return true; }
+  /// Learns from them; the solution is then another one, nearer to that.
+  virtual void settle(const std::vector<Touch>& /*touches*/) {}
+  /// What samples and nodes of another surface are on this one; -1: there is none at that place.
+  struct Places {
+    std::function<int(int)> sample, node;
+  };
+  /// Takes over what `old`, of the same name, remembers of another surface of the same body.
+  virtual void goOnFrom(const Response& /*old*/, const Places& /*now*/) {}
   /// As new: nothing has touched yet.
   virtual void forget() {}
   /// All that is needed to go on, between steps.

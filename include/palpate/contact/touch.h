@@ -18,8 +18,12 @@ struct Touch {
   int sample;     ///< Of the tissue's surface.
   int obstacle;   ///< Among those that are placed,
   int number;     ///< and among all of the cycle: Obstacle::number.
-  double area;    ///< Rest area that the sample stands for [m^2].
+  Eigen::Vector3i nodes;  ///< The sample lies between them,
+  Vec3 weights;           ///< with these barycentric coordinates.
+  double area;            ///< Rest area that it stands for [m^2].
   double radius;  ///< Inscribed, of the obstacle [m].
+  /// Mass that the sample moves, over the square of the step [N/m]; known where a response learns.
+  double inertia = 0.0;
 
   double gap;  ///< Signed distance [m], negative inside the obstacle.
   Vec3 p_W;    ///< The sample [m].

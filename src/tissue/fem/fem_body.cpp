@@ -73,6 +73,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())) {
+  contact.setBearing(free, elasticity->masses());
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm() + drive.load_norm;
   support_forces.setZero(3, mesh.numPoints());

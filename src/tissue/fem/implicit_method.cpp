@@ -14,6 +14,8 @@ constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
+// Solutions in a step that contact asks for after the first.
+constexpr int kMaxSettlings = 3;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
 // step or two.
 constexpr double kWorthFollowing = 100.0;
@@ -73,8 +75,8 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
   out_->factor_waits = minimizer_->waits() - waits;
   begin_ = integrator_;
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
-  StateWriter touched;
-  body_.contact.save(&touched);
+  touched_.clear();
+  body_.contact.save(&touched_);
   for (int steps = 1; steps <= body_.settings.max_time_steps; steps *= 2) {
     out_->time_steps = steps;
     out_->sweep_stages = 0;
@@ -89,7 +91,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
     body_.elastic_energy.reset();
     body_.v = begin_.velocities();
     body_.elasticity->restoreViscousState(viscous.get());
-    StateReader before(touched.bytes());
+    StateReader before(touched_.bytes());
     body_.contact.restore(&before);
   }
   return false;
@@ -97,6 +99,7 @@ bool ImplicitMethod::advance(double dt, TissueStep* out) {
 
 // One step of `h`, in which the tools go from `begin` to `end` of their way.
 bool ImplicitMethod::timeStep(double begin, double end, double h) {
+  step_ = h;
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
   if (!prepared_) minimizer_->prepare(potential_, body_.x);
@@ -109,6 +112,7 @@ bool ImplicitMethod::timeStep(double begin, double end, double h) {
   integrator_.endStep(body_.x, elastic_gradient_);
   body_.elasticity->endStep(body_.x);
   body_.contact.endStep(body_.x);
+  if (out_->status == solver::SolveStatus::kConverged) body_.contact.settle(body_.x, h);
   return true;
 }
 
@@ -151,6 +155,11 @@ void ImplicitMethod::solveStages(double begin, double end) {
     solved.status = moveHeld(s);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
+    if (s < end) continue;
+    for (int k = 0; k < kMaxSettlings && solved.status == solver::SolveStatus::kConverged; ++k) {
+      if (settled()) break;
+      solved = solveStage(false);
+    }
   }
   out_->status = solved.status;
   out_->residual = solved.residual;
@@ -195,6 +204,14 @@ solver::SolveStatus ImplicitMethod::moveHeld(double s) {
   if (!body_.heldWay(s, &way_)) return solver::SolveStatus::kConverged;
   const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
   return minimizer_->predict(potential_, way_, &body_.x);
+}
+
+// Whether contact is content with the solution; else it learns from it, for the next one.
+bool ImplicitMethod::settled() {
+  const PhaseTimer timer(&out_->phases, Phase::kContact);
+  if (body_.contact.settled(body_.x)) return true;
+  body_.contact.settle(body_.x, step_);
+  return false;
 }
 
 solver::NewtonReport ImplicitMethod::solveStage(bool on_the_way) {

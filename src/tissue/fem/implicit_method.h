@@ -35,6 +35,7 @@ class ImplicitMethod final : public StepMethod {
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s);
   solver::NewtonReport solveStage(bool on_the_way);
+  bool settled();
   bool acceptable() const;
 
   FemBody& body_;
@@ -42,7 +43,9 @@ class ImplicitMethod final : public StepMethod {
   solver::Potential potential_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
+  double step_ = 0.0;      // under way [s]
 
+  StateWriter touched_;  // by contact, when the cycle began
   Points begin_x_, elastic_gradient_, inertia_forces_, predicted_, gradient_there_, push_, way_;
   TissueStep* out_ = nullptr;  // of the cycle under way
 };

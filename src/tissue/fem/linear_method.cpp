@@ -7,6 +7,7 @@ namespace {
 // As in the implicit methods.
 constexpr double kStageTolerance = 100.0;
 constexpr int kMaxSearches = 4;
+constexpr int kMaxSettlings = 3;
 
 }  // namespace
 
@@ -70,6 +71,11 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
+    for (int k = 0; s == 1.0 && k < kMaxSettlings; ++k) {
+      if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
+      body_.contact.settle(body_.x, dt);
+      solved = solveStage(false, out);
+    }
   }
   out->status = solved.status;
   if (!body_.x.allFinite() || (!out->ok() && out->status != solver::SolveStatus::kIterationLimit)) {
@@ -84,6 +90,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   body_.v = (body_.x - x_begin_) / dt;
   balance();
   body_.contact.endStep(body_.x);
+  if (out->ok()) body_.contact.settle(body_.x, dt);
   out->residual = residual_;
   return true;
 }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "augmented_response.h"
+
+#include <algorithm>
+
+#include "nodal_shift.h"
+#include "palpate/contact/penalty.h"
+
+namespace palpate::contact {
+namespace {
+
+// Where rigid things meet, the multiplier grows no further [Pa].
+constexpr double kHighestPressure = 1e7;
+
+class AugmentedResponse final : public Response {
+ public:
+  explicit AugmentedResponse(const ResponseSettings& settings)
+      : law_{settings.stiffness, settings.smoothing}, allowed_(settings.allowed_penetration) {}
+
+  double reach() const override { return shift_.largest(); }
+  bool active(const Touch& touch) const override { return touch.gap < shift_.at(touch); }
+
+  double energy(const Touch& touch) const override {
+    const double p = touch.penetration();
+    return touch.area * (law_.softEnergy(p + shift_.at(touch)) + law_.hardEnergy(p, touch.radius));
+  }
+  TouchForce force(const Touch& touch) const override {
+    return {-touch.area * pressure(touch), Vec3::Zero()};
+  }
+  Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
+    Mat3 H_G = slope(touch) * touch.normal_G * touch.normal_G.transpose();
+    if (tangent == fem::Tangent::kExact) H_G -= pressure(touch) * touch.curvature_G;
+    return touch.area * touch.R_WG * H_G * touch.R_WG.transpose();
+  }
+  Mat3 convexStiffness(const Touch& /*touch*/, const Mat3& exact,
+                       const Vec3& force_W) const override {
+    const Vec3 n = force_W.stableNormalized();
+    return n.dot(exact * n) * n * n.transpose();
+  }
+
+  bool remembers() const override { return true; }
+  bool settled(const std::vector<Touch>& touches) override {
+    return shift_.largestChange(touches, wish_) <= allowed_;
+  }
+  void settle(const std::vector<Touch>& touches) override { shift_.change(touches, wish_); }
+  void goOnFrom(const Response& old, const Places& now) override {
+    shift_.goOnFrom(dynamic_cast<const AugmentedResponse&>(old).shift_, now.node);
+  }
+  void forget() override { shift_.clear(); }
+  void save(StateWriter* to) const override { shift_.save(to); }
+  void restore(StateReader* from) override { shift_.restore(from); }
+
+ private:
+  double pressure(const Touch& touch) const {
+    const double p = touch.penetration();
+    return law_.softPressure(p + shift_.at(touch)) + law_.hardPressure(p, touch.radius);
+  }
+  double slope(const Touch& touch) const {
+    const double p = touch.penetration();
+    return law_.softSlope(p + shift_.at(touch)) + law_.hardSlope(p, touch.radius);
+  }
+
+  Penalty law_;
+  double allowed_;
+  NodalShift shift_;
+  const NodalShift::WishOf wish_ = [this](const Touch& touch) -> NodalShift::Wish {
+    const double needed = law_.softPenetration(std::min(pressure(touch), kHighestPressure));
+    return {needed - shift_.at(touch), touch.area * slope(touch), touch.inertia};
+  };
+};
+
+}  // namespace
+
+std::unique_ptr<Response> makeAugmentedResponse(const ResponseSettings& settings) {
+  return std::make_unique<AugmentedResponse>(settings);
+}
+
+}  // namespace palpate::contact
