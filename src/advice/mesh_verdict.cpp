@@ -34,6 +34,9 @@ struct LikeABall {
   double operator()(const instrument::Capsule& c) const {
     return std::cbrt(c.radius * c.radius * (c.radius + c.half_length));
   }
+  double operator()(const instrument::Cylinder& c) const {
+    return std::cbrt(c.radius * c.radius * c.half_length);
+  }
   double operator()(const instrument::Box& box) const { return std::cbrt(box.half_extents.prod()); }
   double operator()(const instrument::ConvexHull& hull) const {
     const Points& points = hull.surface.points;

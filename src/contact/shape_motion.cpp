@@ -10,10 +10,12 @@ namespace {
 using instrument::Box;
 using instrument::Capsule;
 using instrument::ConvexHull;
+using instrument::Cylinder;
 using instrument::Sphere;
 
 double outer(const Sphere& sphere) { return sphere.radius; }
 double outer(const Capsule& capsule) { return capsule.radius + capsule.half_length; }
+double outer(const Cylinder& cylinder) { return std::hypot(cylinder.radius, cylinder.half_length); }
 double outer(const Box& box) { return box.half_extents.norm(); }
 double outer(const ConvexHull& hull) {
   return std::sqrt(hull.surface.points.colwise().squaredNorm().maxCoeff());
@@ -21,6 +23,7 @@ double outer(const ConvexHull& hull) {
 
 double inner(const Sphere& sphere) { return sphere.radius; }
 double inner(const Capsule& capsule) { return capsule.radius; }
+double inner(const Cylinder& cylinder) { return std::min(cylinder.radius, cylinder.half_length); }
 double inner(const Box& box) { return box.half_extents.minCoeff(); }
 double inner(const ConvexHull& hull) {
   const Vec3 center = hull.surface.points.rowwise().mean();

@@ -13,6 +13,7 @@ namespace {
 using instrument::Box;
 using instrument::Capsule;
 using instrument::ConvexHull;
+using instrument::Cylinder;
 using instrument::Sphere;
 
 /// Nearer than this to a centre, an axis or an edge, the direction from it is rounding [m].
@@ -44,6 +45,27 @@ Distance distance(const Capsule& capsule, const Vec3& p) {
   const bool cap = std::abs(p.z()) >= capsule.half_length;
   return {r - capsule.radius, n,
           cap ? curvatureAboutPoint(n, r) : curvatureAboutLine(n, Vec3::UnitZ(), r)};
+}
+
+// In the plane through the axis and p: a box. Its corner is the rim, which goes around the axis.
+Distance distance(const Cylinder& cylinder, const Vec3& p) {
+  const double r = std::hypot(p.x(), p.y());
+  const bool on_axis = !(r > kNoDirection);
+  const Vec3 radial = on_axis ? Vec3::UnitX() : Vec3(p.x() / r, p.y() / r, 0.0);
+  const Vec3 axial = (p.z() < 0.0 ? -1.0 : 1.0) * Vec3::UnitZ();
+  const double wall = r - cylinder.radius, end = std::abs(p.z()) - cylinder.half_length;
+  const Vec3 around = Vec3::UnitZ().cross(radial);
+  const Mat3 about_axis = on_axis ? Mat3(Mat3::Zero()) : Mat3(around * around.transpose() / r);
+  if (wall > 0.0 && end > 0.0) {
+    const double d = std::hypot(wall, end);
+    if (d > kNoDirection) {
+      const Vec3 n = (wall * radial + end * axial) / d;
+      const Vec3 along = (end * radial - wall * axial) / d;
+      return {d, n, Mat3(along * along.transpose() / d + wall / d * about_axis)};
+    }
+  }
+  if (end > wall) return {end, axial, Mat3::Zero()};
+  return {wall, radial, about_axis};
 }
 
 Distance distance(const Box& box, const Vec3& p) {
@@ -85,6 +107,13 @@ double value(const Sphere& sphere, const Vec3& p) { return p.norm() - sphere.rad
 double value(const Capsule& capsule, const Vec3& p) {
   const double z = std::clamp(p.z(), -capsule.half_length, capsule.half_length);
   return Vec3(p.x(), p.y(), p.z() - z).norm() - capsule.radius;
+}
+
+double value(const Cylinder& cylinder, const Vec3& p) {
+  const double wall = std::hypot(p.x(), p.y()) - cylinder.radius;
+  const double end = std::abs(p.z()) - cylinder.half_length;
+  const double d = std::hypot(wall, end);
+  return wall > 0.0 && end > 0.0 && d > kNoDirection ? d : std::max(wall, end);
 }
 
 double value(const Box& box, const Vec3& p) {

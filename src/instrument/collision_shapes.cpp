@@ -2,7 +2,6 @@
 #include "collision_shapes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <filesystem>
 
@@ -14,10 +13,6 @@
 namespace palpate::instrument {
 namespace {
 
-/// Corners on the cylinder; its hull is thinner by at most 1 - cos(pi / 24) = 0.9 % of the radius.
-constexpr int kPrismSides = 24;
-constexpr double kPi = 3.14159265358979323846;
-
 Pose toPose(const urdf::Pose& urdf) {
   Pose X = Pose::Identity();
   X.linear() =
@@ -26,17 +21,6 @@ Pose toPose(const urdf::Pose& urdf) {
           .toRotationMatrix();
   X.translation() = Vec3(urdf.position.x, urdf.position.y, urdf.position.z);
   return X;
-}
-
-Geometry prism(double radius, double length) {
-  Points corners(3, 2 * kPrismSides);
-  for (int i = 0; i < kPrismSides; ++i) {
-    const double angle = 2.0 * kPi * i / kPrismSides;
-    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
-    corners.col(2 * i) = Vec3(x, y, -0.5 * length);
-    corners.col(2 * i + 1) = Vec3(x, y, 0.5 * length);
-  }
-  return makeConvexHull(mesh::convexHull(corners));
 }
 
 Geometry hullOfMesh(const urdf::Mesh& urdf, const std::string& folder) {
@@ -58,7 +42,7 @@ Geometry toGeometry(const urdf::Geometry& urdf, const std::string& folder,
     }
     case urdf::Geometry::CYLINDER: {
       const auto& cylinder = static_cast<const urdf::Cylinder&>(urdf);
-      if (!options.cylinder_as_capsule) return prism(cylinder.radius, cylinder.length);
+      if (!options.cylinder_as_capsule) return Cylinder{cylinder.radius, 0.5 * cylinder.length};
       return Capsule{cylinder.radius, std::max(0.0, 0.5 * cylinder.length - cylinder.radius)};
     }
     case urdf::Geometry::MESH:

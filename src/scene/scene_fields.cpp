@@ -133,7 +133,7 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
          instrument.control_frame);
   v.flag({"cylinder_as_capsule", "",
           "Give cylinders round ends for contact, which is smooth; the ends stay inside the "
-          "cylinder's length."},
+          "cylinder's length. Else their ends are flat."},
          instrument.cylinder_as_capsule);
   v.section({"proxy", "",
              "How fast the simulated tool may follow: it goes where the input says, but never by a "

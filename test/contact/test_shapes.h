@@ -47,6 +47,8 @@ inline std::vector<std::pair<std::string, instrument::Geometry>> testShapes() {
   return {{"sphere", instrument::Sphere{0.005}},
           {"capsule", instrument::Capsule{0.004, 0.02}},
           {"ball capsule", instrument::Capsule{0.004, 0.0}},
+          {"cylinder", instrument::Cylinder{0.004, 0.008}},
+          {"disc", instrument::Cylinder{0.008, 0.002}},
           {"box", instrument::Box{Vec3(0.002, 0.005, 0.009)}},
           {"cube", instrument::Box{Vec3(0.004, 0.004, 0.004)}},
           {"hull of a box", hullOfBox(Vec3(0.002, 0.005, 0.009), Vec3(0.003, 0.0, -0.004))},

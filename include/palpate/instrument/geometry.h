@@ -18,6 +18,11 @@ struct Capsule {
   double radius;       ///< [m]
   double half_length;  ///< [m]; the caps reach radius farther.
 };
+/// About the z axis, with flat ends at z = -half_length and +half_length.
+struct Cylinder {
+  double radius;       ///< [m]
+  double half_length;  ///< [m]
+};
 struct Box {
   Vec3 half_extents;  ///< [m]
 };
@@ -28,7 +33,7 @@ struct ConvexHull {
   Eigen::VectorXd offsets;   ///< d [m], m.
 };
 
-using Geometry = std::variant<Sphere, Capsule, Box, ConvexHull>;
+using Geometry = std::variant<Sphere, Capsule, Cylinder, Box, ConvexHull>;
 
 /// A collision shape on a link. `X_LG` maps the shape's frame to the link's.
 struct CollisionBody {

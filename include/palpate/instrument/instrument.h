@@ -13,7 +13,7 @@ namespace palpate::instrument {
 
 /// How URDF shapes become collision bodies.
 struct InstrumentOptions {
-  bool cylinder_as_capsule = true;  ///< A capsule of the same total length; else its convex hull.
+  bool cylinder_as_capsule = true;  ///< A capsule of the same total length; else exact.
 };
 
 /// A joint that the input drives (revolute, prismatic, continuous; not fixed, not mimic).
