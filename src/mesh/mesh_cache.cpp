@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/mesh/mesh_cache.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -13,8 +11,7 @@
 #include <system_error>
 #include <variant>
 
-#include "palpate/base/atomic_file.h"
-#include "palpate/base/error.h"
+#include "cache_file.h"
 
 namespace palpate::mesh {
 namespace {
@@ -25,35 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kVersion = 1;
 constexpr char kMagic[8] = {'p', 'a', 'l', 'p', 't', 'e', 't', '\n'};
 
-/// FNV-1a over 64-bit words, with a stronger mix [Steele et al. 2014, SplitMix64's finaliser].
-/// Not against malice.
-class Hash {
- public:
-  explicit Hash(std::uint64_t seed) : state_(seed) {}
-
-  void add(std::uint64_t word) {
-    state_ = (state_ ^ word) * 0x100000001b3ULL;
-    state_ ^= state_ >> 30;
-    state_ *= 0xbf58476d1ce4e5b9ULL;
-    state_ ^= state_ >> 27;
-  }
-  void add(const void* data, std::size_t bytes) {
-    const char* from = static_cast<const char*>(data);
-    add(static_cast<std::uint64_t>(bytes));
-    for (std::size_t i = 0; i < bytes; i += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, from + i, std::min<std::size_t>(8, bytes - i));
-      add(word);
-    }
-  }
-  std::uint64_t value() const { return state_; }
-
- private:
-  std::uint64_t state_;
-};
-
 struct AddWhere {
-  Hash* hash;
+  ContentHash* hash;
 
   void add(double x) const { hash->add(&x, sizeof(x)); }
   void add(const Vec3& p) const { hash->add(p.data(), 3 * sizeof(double)); }
@@ -81,7 +51,7 @@ struct AddWhere {
   }
 };
 
-void addTo(Hash* hash, const FinePlace& place) {
+void addTo(ContentHash* hash, const FinePlace& place) {
   const AddWhere to{hash};
   to.add(place.finest);
   to.add(place.growth);
@@ -91,7 +61,7 @@ void addTo(Hash* hash, const FinePlace& place) {
 }
 
 std::uint64_t keyOf(const SurfaceMesh& surface, const MeshingOptions& options, std::uint64_t seed) {
-  Hash hash(seed);
+  ContentHash hash(seed);
   hash.add(kVersion);
   hash.add(&options.edge_length.coarsest, sizeof(double));
   hash.add(static_cast<std::uint64_t>(options.sharp_edges));
@@ -107,7 +77,7 @@ struct Header {
 };
 
 std::uint64_t checksumOf(const TetMesh& mesh) {
-  Hash hash(kVersion);
+  ContentHash hash(kVersion);
   hash.add(mesh.points.data(), sizeof(double) * mesh.points.size());
   hash.add(mesh.tets.data(), sizeof(int) * mesh.tets.size());
   return hash.value();
@@ -140,7 +110,6 @@ std::optional<TetMesh> readMesh(const fs::path& path) {
   return mesh;
 }
 
-/// Failure is silent: the next start meshes again.
 void writeMesh(const fs::path& path, const TetMesh& mesh) {
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof(kMagic));
@@ -154,13 +123,7 @@ void writeMesh(const fs::path& path, const TetMesh& mesh) {
                sizeof(double) * static_cast<std::size_t>(mesh.points.size()));
   bytes.append(reinterpret_cast<const char*>(mesh.tets.data()),
                sizeof(int) * static_cast<std::size_t>(mesh.tets.size()));
-  std::error_code ignored;
-  fs::create_directories(path.parent_path(), ignored);
-  try {
-    writeFileAtomically(path.string(), bytes);
-  } catch (const InputError&) {
-    return;
-  }
+  writeCacheFile(path, bytes);
 }
 
 }  // namespace
@@ -178,11 +141,7 @@ std::string defaultCacheDirectory() {
 
 std::string cacheFile(const SurfaceMesh& surface, const MeshingOptions& options,
                       const std::string& cache_directory) {
-  char name[40];
-  std::snprintf(name, sizeof(name), "%016llx%016llx.tet",
-                static_cast<unsigned long long>(keyOf(surface, options, 0)),
-                static_cast<unsigned long long>(keyOf(surface, options, 1)));
-  return (fs::path(cache_directory) / name).string();
+  return cachePath(cache_directory, keyOf(surface, options, 0), keyOf(surface, options, 1), ".tet");
 }
 
 TetMesh meshVolumeCached(const SurfaceMesh& surface, const MeshingOptions& options,
