@@ -38,8 +38,12 @@ struct LikeABall {
     return std::cbrt(c.radius * c.radius * c.half_length);
   }
   double operator()(const instrument::Box& box) const { return std::cbrt(box.half_extents.prod()); }
-  double operator()(const instrument::ConvexHull& hull) const {
-    const Points& points = hull.surface.points;
+  double operator()(const instrument::ConvexHull& hull) const { return ofPoints(hull.surface); }
+  double operator()(const instrument::SampledSurface& surface) const {
+    return ofPoints(surface.grid->surface);
+  }
+  static double ofPoints(const mesh::SurfaceMesh& surface) {
+    const Points& points = surface.points;
     return std::cbrt(
         (0.5 * (points.rowwise().maxCoeff() - points.rowwise().minCoeff())).eval().prod());
   }

@@ -12,6 +12,9 @@ namespace {
 
 // A point in the shape's interior, in its frame.
 Vec3 middle(const instrument::Geometry& geometry) {
+  if (const auto* surface = std::get_if<instrument::SampledSurface>(&geometry)) {
+    return surface->grid->deepest;
+  }
   const auto* hull = std::get_if<instrument::ConvexHull>(&geometry);
   return hull ? Vec3(hull->surface.points.rowwise().mean()) : Vec3(Vec3::Zero());
 }
@@ -55,6 +58,7 @@ double windingNumber(const Points& x, const Eigen::Matrix3Xi& triangles, const V
 bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
               const Eigen::Matrix3Xi& triangles, double margin) {
   if (triangles.cols() == 0) return false;
+  margin += distanceError(geometry);
   const double reach = boundingRadius(geometry) + margin;
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
   const Vec3 origin = X_WG.translation();

@@ -11,6 +11,7 @@ using instrument::Box;
 using instrument::Capsule;
 using instrument::ConvexHull;
 using instrument::Cylinder;
+using instrument::SampledSurface;
 using instrument::Sphere;
 
 double outer(const Sphere& sphere) { return sphere.radius; }
@@ -21,6 +22,10 @@ double outer(const ConvexHull& hull) {
   return std::sqrt(hull.surface.points.colwise().squaredNorm().maxCoeff());
 }
 
+double outer(const SampledSurface& surface) {
+  return std::sqrt(surface.grid->surface.points.colwise().squaredNorm().maxCoeff());
+}
+
 double inner(const Sphere& sphere) { return sphere.radius; }
 double inner(const Capsule& capsule) { return capsule.radius; }
 double inner(const Cylinder& cylinder) { return std::min(cylinder.radius, cylinder.half_length); }
@@ -29,6 +34,7 @@ double inner(const ConvexHull& hull) {
   const Vec3 center = hull.surface.points.rowwise().mean();
   return std::max(0.0, (hull.offsets - hull.normals.transpose() * center).minCoeff());
 }
+double inner(const SampledSurface& surface) { return surface.grid->inscribed_radius; }
 
 }  // namespace
 
@@ -38,6 +44,11 @@ double boundingRadius(const instrument::Geometry& geometry) {
 
 double inscribedRadius(const instrument::Geometry& geometry) {
   return std::visit([](const auto& shape) { return inner(shape); }, geometry);
+}
+
+double distanceError(const instrument::Geometry& geometry) {
+  const auto* surface = std::get_if<SampledSurface>(&geometry);
+  return surface ? surface->grid->largest_error : 0.0;
 }
 
 double sweepLength(const instrument::Geometry& geometry, const Pose& X_WG_begin,

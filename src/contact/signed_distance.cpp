@@ -14,6 +14,7 @@ using instrument::Box;
 using instrument::Capsule;
 using instrument::ConvexHull;
 using instrument::Cylinder;
+using instrument::SampledSurface;
 using instrument::Sphere;
 
 /// Nearer than this to a centre, an axis or an edge, the direction from it is rounding [m].
@@ -100,6 +101,14 @@ Distance distance(const ConvexHull& hull, const Vec3& p) {
   return result;
 }
 
+Distance distance(const SampledSurface& surface, const Vec3& p) {
+  const mesh::FieldPoint at = surface.grid->at(p);
+  const double steepness = at.gradient.norm();
+  constexpr double kFlat = 1e-9;  // without a direction
+  const Vec3 normal = steepness > kFlat ? Vec3(at.gradient / steepness) : Vec3(Vec3::UnitZ());
+  return {at.value, normal, at.hessian, steepness};
+}
+
 // The same values without normals and curvatures, for the many points that are only looked at.
 
 double value(const Sphere& sphere, const Vec3& p) { return p.norm() - sphere.radius; }
@@ -124,6 +133,8 @@ double value(const Box& box, const Vec3& p) {
 }
 
 double value(const ConvexHull& hull, const Vec3& p) { return nearestOnHull(hull, p).value; }
+
+double value(const SampledSurface& surface, const Vec3& p) { return surface.grid->value(p); }
 
 }  // namespace
 

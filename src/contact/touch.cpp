@@ -36,6 +36,7 @@ void PlacedObstacle::measureFrame(Touch* touch) const {
   touch->R_WG = obstacle_.X_WG_end.linear();
   touch->normal_G = distance.normal_G;
   touch->curvature_G = distance.hessian_G;
+  touch->steepness = distance.steepness;
   touch->normal_W = obstacle_.X_WG_end.linear() * distance.normal_G;
 }
 

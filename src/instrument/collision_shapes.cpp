@@ -7,8 +7,7 @@
 
 #include "palpate/base/resource.h"
 #include "palpate/formats/surface_io.h"
-#include "palpate/instrument/convex_hull.h"
-#include "palpate/mesh/convex_hull.h"
+#include "palpate/instrument/mesh_shape.h"
 
 namespace palpate::instrument {
 namespace {
@@ -23,16 +22,25 @@ Pose toPose(const urdf::Pose& urdf) {
   return X;
 }
 
-Geometry hullOfMesh(const urdf::Mesh& urdf, const std::string& folder) {
+Geometry shapeOf(const urdf::Mesh& urdf, const std::string& name, const std::string& folder,
+                 const InstrumentOptions& options, Shapes* shapes) {
   const std::string file = resolveResource(urdf.filename, folder);
   mesh::SurfaceMesh surface = formats::readSurface(file);
   const Vec3 scale(urdf.scale.x, urdf.scale.y, urdf.scale.z);
   surface.points = scale.asDiagonal() * surface.points;
-  return makeConvexHull(mesh::convexHull(surface.points));
+  // A scale that mirrors turns the triangles inside out.
+  if (scale.prod() < 0.0) surface.triangles.row(1).swap(surface.triangles.row(2));
+  MeshShape shape =
+      shapeOfMesh(surface, file, options.collision_meshes, [&](const auto& stage, double part) {
+        if (options.progress) options.progress("collision mesh of " + name + ": " + stage, part);
+      });
+  for (const std::string& repair : shape.repairs) shapes->warnings.push_back(file + ": " + repair);
+  if (!shape.note.empty()) shapes->notes.push_back("collision mesh of " + name + ": " + shape.note);
+  return std::move(shape.geometry);
 }
 
-Geometry toGeometry(const urdf::Geometry& urdf, const std::string& folder,
-                    const InstrumentOptions& options) {
+Geometry toGeometry(const urdf::Geometry& urdf, const std::string& name, const std::string& folder,
+                    const InstrumentOptions& options, Shapes* shapes) {
   switch (urdf.type) {
     case urdf::Geometry::SPHERE:
       return Sphere{static_cast<const urdf::Sphere&>(urdf).radius};
@@ -46,7 +54,7 @@ Geometry toGeometry(const urdf::Geometry& urdf, const std::string& folder,
       return Capsule{cylinder.radius, std::max(0.0, 0.5 * cylinder.length - cylinder.radius)};
     }
     case urdf::Geometry::MESH:
-      return hullOfMesh(static_cast<const urdf::Mesh&>(urdf), folder);
+      return shapeOf(static_cast<const urdf::Mesh&>(urdf), name, folder, options, shapes);
   }
   throw std::invalid_argument("the shape is of no known kind");
 }
@@ -71,8 +79,8 @@ void readCollisions(const urdf::Link& link, int index, const std::string& folder
       }
     }
     try {
-      shapes->bodies.push_back(
-          {index, name, toPose(collision->origin), toGeometry(geometry, folder, options)});
+      shapes->bodies.push_back({index, name, toPose(collision->origin),
+                                toGeometry(geometry, name, folder, options, shapes)});
     } catch (const std::exception& error) {
       shapes->problems.push_back({"link " + link.name + "/collision",
                                   "'" + meshName(geometry) + "'",

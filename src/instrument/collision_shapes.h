@@ -15,6 +15,7 @@ namespace palpate::instrument {
 struct Shapes {
   std::vector<CollisionBody> bodies;  ///< In the order of `links`.
   std::vector<std::string> warnings;
+  std::vector<std::string> notes;
   std::vector<Problem> problems;
 };
 

@@ -24,7 +24,7 @@ struct Instrument::Impl {
   std::string name;
   Kinematics kinematics;
   std::vector<CollisionBody> bodies;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
 };
 
 Instrument::Instrument(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -37,6 +37,7 @@ const std::vector<Joint>& Instrument::joints() const { return impl_->kinematics.
 const std::vector<std::string>& Instrument::linkNames() const { return impl_->kinematics.links; }
 const std::vector<CollisionBody>& Instrument::bodies() const { return impl_->bodies; }
 const std::vector<std::string>& Instrument::warnings() const { return impl_->warnings; }
+const std::vector<std::string>& Instrument::notes() const { return impl_->notes; }
 
 std::vector<std::string> Instrument::jointNames() const {
   std::vector<std::string> names;
@@ -79,6 +80,7 @@ Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions&
   if (!shapes.problems.empty()) throw InputError(urdf_file, shapes.problems);
   impl->bodies = std::move(shapes.bodies);
   impl->warnings = std::move(shapes.warnings);
+  impl->notes = std::move(shapes.notes);
   if (!parsed.complaints.empty()) impl->warnings.push_back("urdfdom: " + parsed.complaints);
   return Instrument(std::move(impl));
 }

@@ -24,6 +24,7 @@ std::uint64_t keyOf(const SurfaceMesh& surface, const DistanceGridSettings& sett
   hash.add(static_cast<std::uint64_t>(settings.cells));
   hash.add(&settings.error, sizeof(double));
   hash.add(&settings.memory, sizeof(double));
+  hash.add(&settings.margin, sizeof(double));
   hash.add(surface.points.data(), sizeof(double) * surface.points.size());
   hash.add(surface.triangles.data(), sizeof(int) * surface.triangles.size());
   return hash.value();

@@ -34,9 +34,10 @@ class ExactDistance {
   cgal::Inside inside_;
 };
 
-GridBox boxAround(const SurfaceMesh& surface, double spacing) {
+GridBox boxAround(const SurfaceMesh& surface, double least_margin, double spacing) {
   const Vec3 low = surface.points.rowwise().minCoeff(), high = surface.points.rowwise().maxCoeff();
-  const double margin = std::max(kMarginCells * spacing, kMarginOfDiagonal * (high - low).norm());
+  const double margin =
+      std::max(kMarginCells * spacing, kMarginOfDiagonal * (high - low).norm()) + least_margin;
   GridBox box;
   box.spacing = spacing;
   const Vec3 wanted = ((high - low).array() + 2.0 * margin) / spacing;
@@ -45,18 +46,23 @@ GridBox boxAround(const SurfaceMesh& surface, double spacing) {
   return box;
 }
 
-double bytesOf(const SurfaceMesh& surface, double spacing) {
-  return sizeof(double) * (boxAround(surface, spacing).cells.array() + 3).cast<double>().prod();
+double megabytesOf(const SurfaceMesh& surface, double margin, double spacing) {
+  return 1e-6 * sizeof(double) *
+         (boxAround(surface, margin, spacing).cells.array() + 3).cast<double>().prod();
 }
 
-// The finest spacing whose grid has at most so many bytes.
-double finestSpacing(const SurfaceMesh& surface, double coarsest, double memory) {
+// The finest spacing whose grid has at most so many megabytes.
+double finestSpacing(const SurfaceMesh& surface, double coarsest,
+                     const DistanceGridSettings& settings) {
+  const auto fits = [&](double spacing) {
+    return megabytesOf(surface, settings.margin, spacing) <= settings.memory;
+  };
   double fine = coarsest, coarse = coarsest;
-  while (bytesOf(surface, coarse) > memory) coarse *= 2.0;
-  while (bytesOf(surface, fine) <= memory) fine *= 0.5;
+  while (!fits(coarse)) coarse *= 2.0;
+  while (fits(fine)) fine *= 0.5;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (fine + coarse);
-    (bytesOf(surface, middle) > memory ? fine : coarse) = middle;
+    (fits(middle) ? coarse : fine) = middle;
   }
   return coarse;
 }
@@ -158,14 +164,14 @@ DistanceGrid makeDistanceGrid(const SurfaceMesh& surface, const DistanceGridSett
   const double diagonal =
       (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).norm();
   double spacing = diagonal / settings.cells;
-  const double finest = finestSpacing(surface, spacing, settings.memory);
+  const double finest = finestSpacing(surface, spacing, settings);
   spacing = std::max(spacing, finest);
   const ExactDistance exact(surface);
   DistanceGrid grid;
   grid.surface = surface;
   for (int round = 1;; ++round) {
     const std::string stage = "sampling the distance, round " + std::to_string(round);
-    const GridBox box = boxAround(surface, spacing);
+    const GridBox box = boxAround(surface, settings.margin, spacing);
     const Eigen::VectorXd values = sample(exact, box, [&](double part) {
       if (progress) progress(stage, part);
     });

@@ -135,6 +135,10 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
           "Give cylinders round ends for contact, which is smooth; the ends stay inside the "
           "cylinder's length. Else their ends are flat."},
          instrument.cylinder_as_capsule);
+  v.section({"collision_meshes", "",
+             "Collision meshes that are not convex. One that is, within a thousandth of its "
+             "diagonal, is its convex hull, exactly."},
+            instrument.collision_meshes);
   v.section({"proxy", "",
              "How fast the simulated tool may follow: it goes where the input says, but never by a "
              "jump, and comes only where it touches nothing."},

@@ -14,7 +14,7 @@
 namespace palpate::scene {
 namespace {
 
-void readInstruments(const Scene& scene, SceneParts* parts) {
+void readInstruments(const Scene& scene, const Progress& progress, SceneParts* parts) {
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     const InstrumentConfig& config = scene.instruments[i];
     const std::string key = "instruments[" + std::to_string(i) + "]";
@@ -26,9 +26,14 @@ void readInstruments(const Scene& scene, SceneParts* parts) {
     }
     instrument::InstrumentOptions options;
     options.cylinder_as_capsule = config.cylinder_as_capsule;
+    options.collision_meshes = config.collision_meshes;
+    options.progress = progress;
     parts->instruments.push_back(instrument::readInstrument(file, options));
     const instrument::Instrument& tool = parts->instruments.back();
     for (const std::string& warning : tool.warnings()) parts->warnings.push_back(warning);
+    for (const std::string& note : tool.notes()) {
+      parts->notes.push_back("instrument " + config.name + ": " + note);
+    }
     const int link = tool.linkIndex(config.control_frame);
     if (link < 0) {
       const std::string nearest = nearestName(config.control_frame, tool.linkNames());
@@ -95,7 +100,7 @@ void assembleModels(const Scene& scene, const Progress& progress, SceneParts* pa
 SceneParts assembleScene(const Scene& scene, const Progress& progress) {
   SceneParts parts;
   if (scene.solver.threads > 1) parts.pool = std::make_unique<ThreadPool>(scene.solver.threads);
-  readInstruments(scene, &parts);
+  readInstruments(scene, progress, &parts);
   assembleModels(scene, progress, &parts);
   return parts;
 }

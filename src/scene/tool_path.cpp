@@ -76,8 +76,10 @@ mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_
   const std::string key =
       "organ " + organ.name + ".edge_length.near[" + std::to_string(index) + "]";
   const InstrumentConfig& config = findInstrument(scene, place.instrument, key);
+  instrument::InstrumentOptions options;
+  options.collision_meshes.convex_hull = true;  // its shapes do not matter here
   const instrument::Instrument tool = instrument::readInstrument(
-      resolve(scene, config.urdf, "instrument " + config.name + ".urdf"));
+      resolve(scene, config.urdf, "instrument " + config.name + ".urdf"), options);
   const int link = tool.linkIndex(config.control_frame);
   if (link < 0) {
     throw InputError(scene.file, "instrument " + config.name + ".control_frame",

@@ -8,6 +8,7 @@
 #include "palpate/contact/contact_potential.h"
 #include "palpate/contact/signed_distance.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "sampled_surfaces.h"
 #include "support/contains.h"
 #include "support/hold_response.h"
 #include "support/random.h"
@@ -16,7 +17,7 @@ namespace palpate::contact {
 namespace {
 
 const instrument::Geometry kShapes[] = {instrument::Sphere{0.03}, instrument::Capsule{0.02, 0.01},
-                                        instrument::Box{Vec3(0.02, 0.03, 0.025)}};
+                                        instrument::Box{Vec3(0.02, 0.03, 0.025)}, sampledLargeU()};
 
 std::vector<ResponseEntry> allEntries() {
   std::vector<ResponseEntry> all = responses();
@@ -76,7 +77,7 @@ std::vector<std::string> allNames() {
 }
 INSTANTIATE_TEST_SUITE_P(TableAndShapes, EveryResponse,
                          ::testing::Combine(::testing::ValuesIn(allNames()),
-                                            ::testing::Range(0, 3)));
+                                            ::testing::Range(0, 4)));
 
 TEST_P(EveryResponse, ForcesAreTheGradientOfTheEnergy) {
   const Points g = gradient(potential, x);

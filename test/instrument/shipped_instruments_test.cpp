@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 
 #include "palpate/contact/signed_distance.h"
+#include "palpate/formats/surface_io.h"
 #include "palpate/instrument/instrument.h"
+#include "palpate/instrument/mesh_shape.h"
 #include "support/source_folder.h"
 
 namespace palpate::instrument {
@@ -180,7 +183,9 @@ TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
   if (extraData().empty())
     GTEST_SKIP()
         << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
-  const Instrument psm = readInstrument(extraData() + "/instruments/psm/psm.urdf");
+  InstrumentOptions options;
+  options.collision_meshes.convex_hull = true;  // one of its meshes cuts itself
+  const Instrument psm = readInstrument(extraData() + "/instruments/psm/psm.urdf", options);
   EXPECT_GT(psm.warnings().size(), 5u);
   EXPECT_GE(psm.bodies().size(), 4u);
   int hulls = 0;
@@ -211,6 +216,34 @@ TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
   q[at("psm_pitch_back_joint")] = 0.3;
   psm.linkPoses(q, &rest);
   EXPECT_GT((moved[i].translation() - rest[i].translation()).norm(), 0.01);
+}
+
+TEST(ExtraInstruments, CollisionMeshesOfThePsmsToolHaveAShapeOrAreRefusedWithAReason) {
+  if (extraData().empty())
+    GTEST_SKIP()
+        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+  int sampled = 0, refused = 0;
+  const std::string folder = extraData() + "/instruments/psm/meshes/collision";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = entry.path().string();
+    if (entry.path().filename().string().rfind("tool_", 0) != 0) continue;  // others are large
+    std::cout << entry.path().filename().string() << ": ";
+    try {
+      const MeshShape shape = shapeOfMesh(formats::readSurface(file), file, {});
+      const auto* surface = std::get_if<SampledSurface>(&shape.geometry);
+      std::cout << (surface ? shape.note : "convex") << "\n";
+      if (!surface) continue;
+      ++sampled;
+      EXPECT_TRUE(surface->grid->limited || surface->grid->largest_error <= 1e-4) << file;
+      EXPECT_GT(surface->grid->inscribed_radius, 1e-4) << file;
+    } catch (const std::invalid_argument& error) {
+      ++refused;
+      std::cout << error.what() << "\n";
+      EXPECT_NE(std::string(error.what()).find("convex_hull: true"), std::string::npos) << file;
+    }
+  }
+  EXPECT_GT(sampled, 0);
+  EXPECT_GT(refused, 0);
 }
 
 TEST(ExtraInstruments, OmniIsAnArmWithoutCollisionShapes) {

@@ -63,6 +63,9 @@ TEST_F(DistanceGridCache, MissesForAnotherSurfaceOrOtherSettings) {
   other = settings;
   other.memory *= 2.0;
   EXPECT_NE(cacheFile(surface, other, directory()), file());
+  other = settings;
+  other.margin = 0.001;
+  EXPECT_NE(cacheFile(surface, other, directory()), file());
   SurfaceMesh moved = surface;
   moved.points(0, 0) += 1e-15;
   EXPECT_NE(cacheFile(moved, settings, directory()), file());

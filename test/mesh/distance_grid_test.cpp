@@ -105,11 +105,11 @@ TEST(DistanceGrid, IsRefinedUntilTheErrorIsAllowedOrMemoryIsFull) {
   EXPECT_FALSE(fine.limited);
   EXPECT_LE(fine.largest_error, settings.error);
   EXPECT_LT(fine.field.box.spacing, 0.6 * coarse.field.box.spacing);
-  settings.memory = 4.0 * sizeof(double) * static_cast<double>(coarse.field.coefficients.size());
+  settings.memory = 4e-6 * sizeof(double) * static_cast<double>(coarse.field.coefficients.size());
   settings.error = 1e-9;
   const DistanceGrid full = makeDistanceGrid(test::hookSurface(), settings);
   EXPECT_TRUE(full.limited);
-  const double bytes = sizeof(double) * static_cast<double>(full.field.coefficients.size());
+  const double bytes = 1e-6 * sizeof(double) * static_cast<double>(full.field.coefficients.size());
   EXPECT_LE(bytes, settings.memory);
   EXPECT_GT(bytes, 0.7 * settings.memory);
 }
@@ -196,7 +196,7 @@ TEST(DistanceGrid, IsTheSameBitsEachTimeAndRefusesAFoil) {
   EXPECT_EQ(a.largest_error, b.largest_error);
   SurfaceMesh foil = test::uSurface();
   foil.points.row(1) *= 1e-6;
-  EXPECT_THROW(makeDistanceGrid(foil, {64, 1e-4, 1e6}), std::invalid_argument);
+  EXPECT_THROW(makeDistanceGrid(foil, {64, 1e-4, 1.0}), std::invalid_argument);
 }
 
 }  // namespace

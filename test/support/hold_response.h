@@ -26,13 +26,15 @@ class HoldResponse final : public contact::Response {
     return 0.5 * touch.area * stiffness_ * stretch(touch).squaredNorm();
   }
   contact::TouchForce force(const contact::Touch& touch) const override {
-    return {0.0, touch.area * stiffness_ * stretch(touch)};
+    // What is pushed out feels the gradient of gap^2 / 2, whose length may be less than the gap.
+    const double steepness = held(touch) == held_.end() ? touch.steepness : 1.0;
+    return {0.0, steepness * touch.area * stiffness_ * stretch(touch)};
   }
   Mat3 stiffness(const contact::Touch& touch, fem::Tangent tangent) const override {
     const double k = touch.area * stiffness_;
     if (held(touch) != held_.end()) return k * Mat3::Identity();
     if (!(touch.gap < 0.0)) return Mat3::Zero();
-    Mat3 H_G = touch.normal_G * touch.normal_G.transpose();
+    Mat3 H_G = touch.steepness * touch.steepness * touch.normal_G * touch.normal_G.transpose();
     if (tangent == fem::Tangent::kExact) H_G += touch.gap * touch.curvature_G;
     return k * touch.R_WG * H_G * touch.R_WG.transpose();
   }

@@ -16,7 +16,7 @@ double windingNumber(const Points& x, const Eigen::Matrix3Xi& triangles, const V
 /// Whether a rigid shape at X_WG touches the body with this closed surface, or comes nearer to it
 /// than `margin` [m], or is inside of it, or it inside of the shape. Between the points of a
 /// triangle as well; where the distance is within a tenth of the shape's inscribed radius, or a
-/// hundredth of its bounding one, of the margin, it may be a yes too early.
+/// hundredth of its bounding one, or its distanceError(), of the margin, it may be a yes too early.
 bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
               const Eigen::Matrix3Xi& triangles, double margin = 0.0);
 

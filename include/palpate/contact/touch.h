@@ -31,8 +31,9 @@ struct Touch {
 
   // The frame.
   Mat3 R_WG;
-  Vec3 normal_W;     ///< Gradient of the gap: unit, from the obstacle into the tissue.
+  Vec3 normal_W;     ///< Direction of the gap's gradient: unit, from the obstacle into the tissue.
   Vec3 normal_G;     ///< The same in G.
+  double steepness;  ///< Length of the gap's gradient: 1 but for sampled surfaces.
   Mat3 curvature_G;  ///< Second derivative of the gap by p_G [1/m].
 
   /// How the sample has gone past the point of the obstacle where it was when the step began, the

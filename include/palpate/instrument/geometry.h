@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 
 #include "palpate/base/types.h"
+#include "palpate/mesh/distance_grid.h"
 #include "palpate/mesh/surface_mesh.h"
 
 namespace palpate::instrument {
@@ -33,7 +35,12 @@ struct ConvexHull {
   Eigen::VectorXd offsets;   ///< d [m], m.
 };
 
-using Geometry = std::variant<Sphere, Capsule, Cylinder, Box, ConvexHull>;
+/// A closed surface of any shape, by its sampled distance. Copies share it.
+struct SampledSurface {
+  std::shared_ptr<const mesh::DistanceGrid> grid;
+};
+
+using Geometry = std::variant<Sphere, Capsule, Cylinder, Box, ConvexHull, SampledSurface>;
 
 /// A collision shape on a link. `X_LG` maps the shape's frame to the link's.
 struct CollisionBody {

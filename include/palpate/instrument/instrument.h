@@ -8,12 +8,15 @@
 
 #include "palpate/base/types.h"
 #include "palpate/instrument/geometry.h"
+#include "palpate/instrument/mesh_shape.h"
 
 namespace palpate::instrument {
 
 /// How URDF shapes become collision bodies.
 struct InstrumentOptions {
   bool cylinder_as_capsule = true;  ///< A capsule of the same total length; else exact.
+  MeshShapeSettings collision_meshes;
+  ShapeProgress progress;  ///< Of sampling meshes that are not convex; may be empty.
 };
 
 /// A joint that the input drives (revolute, prismatic, continuous; not fixed, not mimic).
@@ -41,6 +44,8 @@ class Instrument {
   const std::vector<CollisionBody>& bodies() const;
   /// What was odd but not wrong while loading (a missing visual mesh, ...).
   const std::vector<std::string>& warnings() const;
+  /// What was decided while loading: how meshes are sampled.
+  const std::vector<std::string>& notes() const;
 
   /// Forward kinematics: `X_BL->at(i)` maps link i to the root link B, for positions `q` of
   /// joints() [m or rad]. Mimic joints follow. Does not allocate if `X_BL` has the right size.
@@ -55,7 +60,8 @@ class Instrument {
 
 /// Reads a URDF file. Mesh URIs may be package://, file:// or relative to the file.
 /// @throws InputError: file missing, not XML, a joint loop, a mimic of an unknown joint, a joint
-/// type that is not supported, a collision mesh that is missing or empty.
+/// type that is not supported, a collision mesh that is missing or empty, or neither convex nor
+/// closed.
 Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions& options = {});
 
 }  // namespace palpate::instrument

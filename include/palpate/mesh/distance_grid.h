@@ -9,9 +9,11 @@ namespace palpate::mesh {
 
 /// How finely the distance of a surface is sampled.
 struct DistanceGridSettings {
-  int cells = 64;          ///< Over the surface's diagonal, to begin with, >= 8;
-  double error = 1.0e-4;   ///< more until no error that is found is larger [m], > 0,
-  double memory = 64.0e6;  ///< or the grid has so many bytes.
+  int cells = 64;         ///< Over the surface's diagonal, to begin with, >= 8;
+  double error = 1.0e-4;  ///< more until no error that is found is larger [m], > 0,
+  double memory = 64.0;   ///< or the grid has so many megabytes [1e6 bytes].
+  /// So far beyond the surface it reaches at least [m]: for who asks with balls of that radius.
+  double margin = 0.0;
 };
 
 /// Signed distance of a closed surface of any shape [m], negative inside: sampled on a grid, and

@@ -69,6 +69,9 @@ struct LimitsConfig {
   double max_force_rate = 0.0;  ///< [N/s]
 };
 
+/// How a mesh becomes a rigid shape.
+struct MeshShapeConfig : instrument::MeshShapeSettings {};
+
 struct InstrumentConfig {
   std::string name;
   std::string urdf;
@@ -78,6 +81,7 @@ struct InstrumentConfig {
   std::string tf_prefix;         ///< Put before link names when looking up tf frames.
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
+  MeshShapeConfig collision_meshes;
   ProxyConfig proxy;
   DeviceConfig device;
   LimitsConfig limits;

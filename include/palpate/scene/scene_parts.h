@@ -35,7 +35,7 @@ struct SceneParts {
   std::vector<ModelPart> models;   ///< In the order of their first organs.
   std::vector<OrganPlace> organs;  ///< In the scene's order.
   std::vector<std::string> warnings;
-  std::vector<std::string> notes;  ///< What the models decided, with the organ's name.
+  std::vector<std::string> notes;  ///< What was decided while loading, with the name of whom.
 };
 
 /// @throws InputError

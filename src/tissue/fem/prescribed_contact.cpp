@@ -7,6 +7,8 @@ namespace palpate::tissue {
 namespace {
 
 constexpr double kPenetration = 1e-6;  // that counts, of the body's size
+// Of the gap's gradient: where it vanishes nothing says how far the surface is.
+constexpr double kLeastSteepness = 0.5;
 
 bool isVertex(const contact::SurfaceSample& s) { return s.weights.maxCoeff() == 1.0; }
 
@@ -70,7 +72,8 @@ void PrescribedContact::moves(const Points& x, Points* move) const {
   move->setZero(3, x.cols());
   for (const Hold& h : holds_) {
     const contact::Touch touch = body_.contact.touch(h.sample, h.obstacle, x);
-    const Vec3 way = -touch.gap * touch.normal_W;  // to the surface
+    const double steepness = std::max(touch.steepness, kLeastSteepness);
+    const Vec3 way = -touch.gap / steepness * touch.normal_W;  // to the surface
     forNodes(body_.contact.samples()[h.sample],
              [&](int node) { move->col(node) = way.cwiseProduct(body_.free.col(node)); });
   }
