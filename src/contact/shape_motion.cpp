@@ -32,7 +32,7 @@ double inner(const Cylinder& cylinder) { return std::min(cylinder.radius, cylind
 double inner(const Box& box) { return box.half_extents.minCoeff(); }
 double inner(const ConvexHull& hull) {
   const Vec3 center = hull.surface.points.rowwise().mean();
-  return std::max(0.0, (hull.offsets - hull.normals.transpose() * center).minCoeff());
+  return std::max(0.0, (hull.offsets - hull.normals.transpose().lazyProduct(center)).minCoeff());
 }
 double inner(const SampledSurface& surface) { return surface.grid->inscribed_radius; }
 
