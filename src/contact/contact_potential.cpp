@@ -73,6 +73,11 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   }
 }
 
+bool ContactPotential::hasCandidates(int obstacle) const {
+  return std::any_of(candidates_.begin(), candidates_.end(),
+                     [&](const Candidate& c) { return c.obstacle == obstacle; });
+}
+
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->clear();
   for (const Candidate& c : candidates_) {

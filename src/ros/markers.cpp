@@ -47,6 +47,7 @@ Marker marker(const char* ns, std::size_t id, int type) {
 
 SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
     : num_organs_(static_cast<std::size_t>(simulator.numOrgans())),
+      num_contacts_(num_organs_ + (simulator.numAnatomy() > 0 ? 1 : 0)),
       num_instruments_(static_cast<std::size_t>(simulator.numInstruments())),
       arrow_scale_(arrow_scale) {
   for (std::size_t i = 0; i < num_organs_; ++i) {
@@ -55,7 +56,7 @@ SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
     m.color = organColour(simulator.organName(static_cast<int>(i)), i);
     message_.markers.push_back(m);
   }
-  for (std::size_t i = 0; i < num_organs_; ++i) {
+  for (std::size_t i = 0; i < num_contacts_; ++i) {
     Marker m = marker(kContactMarkers, i, Marker::SPHERE_LIST);
     m.scale.x = m.scale.y = m.scale.z = 0.0035;
     m.color = colour(1.0F, 0.85F, 0.2F);
@@ -95,20 +96,21 @@ void SceneMarkers::updateOrgan(const SurfacePicture& picture, std::size_t organ)
 // An empty list and an arrow of no length are errors to rviz: they are deleted instead.
 void SceneMarkers::updateContacts(const Picture& picture) {
   const std::size_t first = num_organs_;
-  for (std::size_t i = 0; i < num_organs_; ++i) message_.markers[first + i].points.clear();
+  for (std::size_t i = 0; i < num_contacts_; ++i) message_.markers[first + i].points.clear();
   for (const sim::ContactPoint& contact : picture.contacts) {
     if (!contact.p_W.allFinite()) continue;
-    message_.markers[first + static_cast<std::size_t>(contact.organ)].points.push_back(
-        toPoint(contact.p_W));
+    const bool of_organ = contact.organ != sim::ContactPoint::kNone;
+    const std::size_t list = of_organ ? static_cast<std::size_t>(contact.organ) : num_organs_;
+    message_.markers[first + list].points.push_back(toPoint(contact.p_W));
   }
-  for (std::size_t i = 0; i < num_organs_; ++i) {
+  for (std::size_t i = 0; i < num_contacts_; ++i) {
     Marker& m = message_.markers[first + i];
     m.action = m.points.empty() ? Marker::DELETE : Marker::ADD;
   }
 }
 
 void SceneMarkers::updateArrow(const Picture& picture, std::size_t instrument) {
-  Marker& m = message_.markers[2 * num_organs_ + instrument];
+  Marker& m = message_.markers[num_organs_ + num_contacts_ + instrument];
   m.action = Marker::DELETE;
   if (instrument >= picture.spatial.size()) return;
   const Vec3 tail = picture.X_WC[instrument].translation();

@@ -14,7 +14,9 @@ namespace palpate::node {
 /// Builds the MarkerArray of a picture, in world:
 ///  - namespace "organs", id = organ: lit TRIANGLE_LIST of one colour; as many triangles as before
 ///    unless the surface has become another one, so that rviz reuses its buffers;
-///  - namespace "contacts", id = organ: the touching points (SPHERE_LIST);
+///  - namespace "contacts", id = organ: the touching points (SPHERE_LIST); after the last organ
+///  those
+///    of tools on the anatomy, where there is any;
 ///  - namespace "wrench", id = instrument: the force as an arrow from the control frame.
 /// Keeps the message between calls, so that nothing is allocated twice.
 class SceneMarkers {
@@ -29,7 +31,7 @@ class SceneMarkers {
   void updateContacts(const Picture& picture);
   void updateArrow(const Picture& picture, std::size_t instrument);
 
-  std::size_t num_organs_, num_instruments_;
+  std::size_t num_organs_, num_contacts_, num_instruments_;
   double arrow_scale_;
   visualization_msgs::MarkerArray message_;  // organs, contacts, arrows
 };

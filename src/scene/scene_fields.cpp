@@ -167,7 +167,7 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
            contact.allowed_penetration, keys::Range::above(0.0, 0.1));
   v.number({"sample_spacing", "m",
             "Largest distance between the points of the tissue surface that can touch; 0: half the "
-            "inscribed radius of the thinnest tool shape."},
+            "inscribed radius of the thinnest tool shape or part of the anatomy."},
            contact.sample_spacing, keys::Range::closed(0.0, 1.0));
 }
 
@@ -250,6 +250,8 @@ void describe(keys::FieldVisitor& v, Scene& scene) {
   v.uniqueNames("organs", scene.organs);
   v.list({"instruments", "", "Rigid tools."}, scene.instruments, 0);
   v.uniqueNames("instruments", scene.instruments);
+  v.list({"anatomy", "", "Rigid bodies that never move: bone and the like."}, scene.anatomy, 0);
+  v.uniqueNames("anatomy", scene.anatomy);
   v.section({"contact", "", "Contact between instruments and organs."}, scene.contact);
   v.section({"solver", "", "Time steps and accuracy."}, scene.solver);
   v.section({"rates", "", "How often the node does what, and when input is too old."}, scene.rates);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "anatomy_assembly.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/contact/signed_distance.h"
@@ -46,7 +47,7 @@ void readInstruments(const Scene& scene, const Progress& progress, SceneParts* p
   }
 }
 
-// Samples so close that the thinnest tool cannot push its way between them.
+// Samples so close that neither the thinnest tool nor a thinner bone can push its way between them.
 double sampleSpacing(const Scene& scene, const SceneParts& parts) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
   double spacing = std::numeric_limits<double>::infinity();
@@ -54,6 +55,9 @@ double sampleSpacing(const Scene& scene, const SceneParts& parts) {
     for (const instrument::CollisionBody& body : tool.bodies()) {
       spacing = std::min(spacing, 0.5 * contact::inscribedRadius(body.geometry));
     }
+  }
+  for (const AnatomyPart& part : parts.anatomy) {
+    spacing = std::min(spacing, 0.5 * contact::inscribedRadius(part.geometry));
   }
   return std::isfinite(spacing) ? spacing : 0.0;
 }
@@ -101,7 +105,9 @@ SceneParts assembleScene(const Scene& scene, const Progress& progress) {
   SceneParts parts;
   if (scene.solver.threads > 1) parts.pool = std::make_unique<ThreadPool>(scene.solver.threads);
   readInstruments(scene, progress, &parts);
+  assembleAnatomy(scene, progress, &parts);
   assembleModels(scene, progress, &parts);
+  warnOfOrgansInAnatomy(scene, &parts);
   return parts;
 }
 

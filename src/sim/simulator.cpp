@@ -32,7 +32,7 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   Impl& s = *impl_;
   if (!s.accepts(poses, dt)) {
     s.result.report.status = solver::SolveStatus::kNonFinite;
-    if (dt > 0.0 && std::isfinite(dt)) s.fade(dt);
+    if (dt > 0.0 && std::isfinite(dt)) s.fade(dt, false);
     return s.result;
   }
   s.result.clear(poses.size());
@@ -46,8 +46,10 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
     s.countMeshes(*model.tissue, before);
     s.sumWrenches(cycle, model.organs);
   }
+  const bool told = s.isTold();
+  s.anatomy.press(s.poses, &s.result);
   s.time += dt;
-  s.finish(dt);
+  s.finish(dt, told);
   PhaseTimes& phases = s.result.report.phases;
   phases[Phase::kOther] = steadySeconds() - begin - phases.cycle();
   return s.result;
@@ -102,6 +104,11 @@ int Simulator::controlLink(int i) const {
 int Simulator::numOrgans() const { return static_cast<int>(impl_->parts.organs.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
 tissue::Shape Simulator::shape(int i) const { return impl_->parts.organs[i].shape(); }
+int Simulator::numAnatomy() const { return static_cast<int>(impl_->parts.anatomy.size()); }
+mesh::SurfaceMesh Simulator::anatomySurface(int i) const {
+  const scene::AnatomyPart& part = impl_->parts.anatomy[static_cast<std::size_t>(i)];
+  return {part.X_WG * part.surface.points, part.surface.triangles};
+}
 const Points& Simulator::positions(int i) const { return shape(i).positions; }
 mesh::CellMesh Simulator::cells(int i) const {
   const scene::OrganPlace& place = impl_->parts.organs[i];

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "anatomy_contact.h"
 #include "palpate/base/state_bytes.h"
 #include "palpate/contact/obstacle.h"
 #include "palpate/haptics/wrench_fade.h"
@@ -23,18 +24,19 @@ constexpr double kToldWithin = 0.5;
 struct Simulator::Impl {
   scene::Scene scene;
   scene::SceneParts parts;
-  std::vector<contact::Obstacle> bodies;
+  std::vector<contact::Obstacle> bodies;         // of the instruments, then of the anatomy
   std::vector<std::pair<int, int>> body_source;  // instrument, index into its bodies()
   std::vector<LinkPoses> poses;                  // where the tools are
   std::vector<LinkPoses> next_poses;             // and where they go
   StepResult result;
+  AnatomyContact anatomy;
   std::vector<haptics::WrenchFade> fades;   // one an instrument
   std::vector<haptics::ToolProxy> proxies;  // likewise
   double time = 0.0;
   solver::Interrupt interrupt;
 
   Impl(const scene::Scene& s, const Progress& progress)
-      : scene(s), parts(scene::assembleScene(s, progress)) {
+      : scene(s), parts(scene::assembleScene(s, progress)), anatomy(parts) {
     for (std::size_t i = 0; i < parts.instruments.size(); ++i) {
       const auto& shapes = parts.instruments[i].bodies();
       std::vector<std::size_t> links;
@@ -45,6 +47,11 @@ struct Simulator::Impl {
       }
       proxies.emplace_back(scene.instruments[i].proxy,
                            static_cast<std::size_t>(parts.control_links[i]), std::move(links));
+    }
+    for (std::size_t i = 0; i < parts.anatomy.size(); ++i) {
+      const scene::AnatomyPart& part = parts.anatomy[i];
+      bodies.push_back(
+          {&part.geometry, contact::Owner::anatomy(static_cast<int>(i)), part.X_WG, part.X_WG});
     }
     clear();
   }
@@ -73,12 +80,17 @@ struct Simulator::Impl {
 
   void sumWrenches(const tissue::TissueStep& cycle, const std::vector<int>& organs) {
     for (const tissue::TissueContact& c : cycle.contacts) {
-      InstrumentResult& tool = result.instruments[c.instrument];
+      ContactPoint point;
+      point.organ = organs[static_cast<std::size_t>(c.organ)];
+      point.p_W = c.p_W;
+      point.force_W = c.force_W;
+      (c.owner.isInstrument() ? point.instrument : point.anatomy) = c.owner.index;
+      result.contacts.push_back(point);
+      if (!c.owner.isInstrument()) continue;
+      InstrumentResult& tool = result.instruments[static_cast<std::size_t>(c.owner.index)];
       tool.spatial += Wrench{c.force_W, (c.p_W - tool.X_WC.translation()).cross(c.force_W)};
       tool.max_penetration = std::max(tool.max_penetration, c.penetration);
       ++tool.contacts;
-      const int organ = organs[static_cast<std::size_t>(c.organ)];
-      result.contacts.push_back({c.instrument, organ, c.p_W, c.force_W});
     }
   }
 
@@ -112,8 +124,8 @@ struct Simulator::Impl {
   void saveTools(StateWriter* out) const;
   void restoreTools(StateReader* in);
 
-  /// Whether the wrenches of the cycle say something: one that ended early, as the best that there
-  /// was, may be far from a balance.
+  /// Whether the wrenches of the tissue, before the anatomy's are added, say something: one that
+  /// ended early, as the best that there was, may be far from a balance.
   bool isTold() const {
     if (!result.report.usable()) return false;
     if (solver::balanced(result.report.status)) return true;
@@ -125,8 +137,7 @@ struct Simulator::Impl {
   }
 
   /// The hand feels solved states only; after a cycle that failed what it felt fades.
-  void fade(double dt) {
-    const bool told = isTold();
+  void fade(double dt, bool told) {
     for (std::size_t i = 0; i < fades.size(); ++i) {
       InstrumentResult& tool = result.instruments[i];
       tool.live = tool.there && told;
@@ -135,8 +146,8 @@ struct Simulator::Impl {
     }
   }
 
-  void finish(double dt) {
-    fade(dt);
+  void finish(double dt, bool told) {
+    fade(dt, told);
     for (const InstrumentResult& tool : result.instruments) {
       result.report.contacts += tool.contacts;
       result.report.max_penetration = std::max(result.report.max_penetration, tool.max_penetration);

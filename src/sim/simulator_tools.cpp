@@ -32,6 +32,7 @@ bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) con
 }
 
 bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {
+  if (!anatomy.isFree(i, links)) return false;
   for (const instrument::CollisionBody& shape : parts.instruments[i].bodies()) {
     const Pose X_WG = links[shape.link] * shape.X_LG;
     for (const scene::OrganPlace& organ : parts.organs) {
@@ -61,7 +62,7 @@ const std::vector<LinkPoses>& Simulator::Impl::follow(const std::vector<LinkPose
 }
 
 void Simulator::Impl::moveBodies(const std::vector<LinkPoses>& next) {
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+  for (std::size_t k = 0; k < body_source.size(); ++k) {
     const auto [i, b] = body_source[k];
     const instrument::CollisionBody& shape = parts.instruments[i].bodies()[b];
     contact::Obstacle& body = bodies[k];

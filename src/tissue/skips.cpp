@@ -8,8 +8,9 @@ const std::vector<Skip>& skips() {
   using On = SkipSwitches;
   using Of = SkipCounters;
   static const std::vector<Skip> kAll = {
-      {"far_tools", &On::far_tools, "Contact of tool shapes that cannot touch in the cycle.",
-       "far_bodies", &Of::far_bodies, &Step::far_bodies, true},
+      {"far_tools", &On::far_tools,
+       "Contact of tool shapes and anatomy that cannot touch in the cycle.", "far_bodies",
+       &Of::far_bodies, &Step::far_bodies, true},
       {"sleeping", &On::sleeping, "Solves of organs that are at rest and untouched.",
        "sleeping_organs", &Of::sleeping_organs, &Step::slept, true},
       {"islands", &On::islands,

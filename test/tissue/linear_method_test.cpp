@@ -124,7 +124,7 @@ TEST(LinearPrecomputed, TakesSeveralTools) {
       tissue->step({{&ball, 0, at(0.025), at(0.025)}, {&box, 1, at(0.075), at(0.075)}}, kStep);
   ASSERT_TRUE(step.ok());
   Vec3 on[2] = {Vec3::Zero(), Vec3::Zero()};
-  for (const TissueContact& c : step.contacts) on[c.instrument] += c.force_W;
+  for (const TissueContact& c : step.contacts) on[c.owner.index] += c.force_W;
   EXPECT_GT(on[0].z(), 0.1);
   EXPECT_GT(on[1].z(), on[0].z());
 }

@@ -261,7 +261,7 @@ TEST(Tled, TakesSeveralTools) {
     EXPECT_LT(test::imbalance(step).norm(), 1e-9);
     on_left = on_right = Vec3::Zero();
     for (const TissueContact& c : step.contacts)
-      (c.instrument == 0 ? on_left : on_right) += c.force_W;
+      (c.owner.index == 0 ? on_left : on_right) += c.force_W;
   }
   EXPECT_GT(on_left.z(), 0.1);
   EXPECT_GT(on_right.z(), on_left.z());

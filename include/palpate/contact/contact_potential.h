@@ -37,6 +37,9 @@ class ContactPotential final : public fem::EnergyTerm {
   /// Takes as candidates of obstacle b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
   bool hasCandidates() const { return !candidates_.empty(); }
+  /// Of one of the placed obstacles.
+  bool hasCandidates(int obstacle) const;
+  int numObstacles() const { return static_cast<int>(placed_.size()); }
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
   /// Samples, times obstacles, that the last findCandidates() did not take.
   int numDistant() const {

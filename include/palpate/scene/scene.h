@@ -87,9 +87,22 @@ struct InstrumentConfig {
   LimitsConfig limits;
 };
 
+/// Something rigid that never moves: bone and the like. Its own frame is the file's, scaled.
+struct AnatomyConfig {
+  std::string name;
+  std::string surface;  ///< Surface file.
+  double scale = 1.0;   ///< File unit to metre.
+  PoseConfig pose;      ///< Its frame to world.
+  /// Of what a tool feels of it [N/m]: the strongest device that we know, of 20 N
+  /// (docs/devices.md), presses a tool in by 1 mm. Devices render less, which
+  /// haptics::VirtualCoupling sees to.
+  double felt_stiffness = 2.0e4;
+  MeshShapeConfig shape;
+};
+
 struct ContactConfig : contact::ResponseSettings {
   double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
-                                ///< the inscribed radius of the thinnest tool shape.
+                                ///< the inscribed radius of the thinnest shape.
 };
 
 struct SkipConfig : tissue::SkipSwitches {
@@ -122,6 +135,7 @@ struct Scene {
   Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< [m/s^2], world.
   std::vector<OrganConfig> organs;
   std::vector<InstrumentConfig> instruments;
+  std::vector<AnatomyConfig> anatomy;
   ContactConfig contact;
   SolverConfig solver;
   RatesConfig rates;

@@ -17,6 +17,7 @@ void describe(keys::FieldVisitor& v, PoseConfig& pose);
 void describe(keys::FieldVisitor& v, SupportConfig& support);
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument);
 void describe(keys::FieldVisitor& v, MeshShapeConfig& shape);
+void describe(keys::FieldVisitor& v, AnatomyConfig& anatomy);
 void describe(keys::FieldVisitor& v, ContactConfig& contact);
 void describe(keys::FieldVisitor& v, SolverConfig& solver);
 void describe(keys::FieldVisitor& v, SkipConfig& skip);

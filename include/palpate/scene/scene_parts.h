@@ -27,13 +27,23 @@ struct OrganPlace {
   tissue::Shape shape() const { return tissue->shape(organ); }
 };
 
+/// Something rigid that never moves.
+struct AnatomyPart {
+  std::string name;
+  instrument::Geometry geometry;
+  Pose X_WG;                  ///< The shape's frame, in the middle of its box, to world.
+  double stiffness;           ///< Of what a tool feels of it [N/m].
+  mesh::SurfaceMesh surface;  ///< As it was read, for pictures; in the shape's frame [m].
+};
+
 /// What a scene's files hold.
 struct SceneParts {
   std::unique_ptr<ThreadPool> pool;  // first: outlives the models
   std::vector<instrument::Instrument> instruments;
-  std::vector<int> control_links;  ///< Link index of each instrument's control frame.
-  std::vector<ModelPart> models;   ///< In the order of their first organs.
-  std::vector<OrganPlace> organs;  ///< In the scene's order.
+  std::vector<int> control_links;    ///< Link index of each instrument's control frame.
+  std::vector<AnatomyPart> anatomy;  ///< In the scene's order.
+  std::vector<ModelPart> models;     ///< In the order of their first organs.
+  std::vector<OrganPlace> organs;    ///< In the scene's order.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;  ///< What was decided while loading, with the name of whom.
 };

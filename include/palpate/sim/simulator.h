@@ -23,24 +23,29 @@ namespace palpate::sim {
 /// Where all links of one instrument are: `X_WL[i]` maps link i to world. Empty: it is not there.
 using LinkPoses = haptics::ToolProxy::LinkPoses;
 
-/// One touching point, for pictures.
+/// One touching point, for pictures: of a tool or a part of the anatomy with an organ, or of both
+/// with one another.
 struct ContactPoint {
-  int instrument;
-  int organ;
-  Vec3 p_W;      ///< Point of the tissue surface [m].
-  Vec3 force_W;  ///< What it does to the tool [N].
+  static constexpr int kNone = -1;
+
+  int instrument = kNone;
+  int organ = kNone;
+  int anatomy = kNone;
+  Vec3 p_W;      ///< Point of the tissue surface, or of the tool's [m].
+  Vec3 force_W;  ///< What the organ, or the anatomy, does to the other one [N].
 };
 
 /// What the hand and the eyes get from a cycle.
 struct InstrumentResult {
-  /// Tissue on tool at the control frame's origin, expressed in world. After a failed solve that of
-  /// the last solved state fades (haptics::WrenchFade, in `rates.ramp` of simulated time).
+  /// Tissue and anatomy on tool at the control frame's origin, expressed in world. After a failed
+  /// solve that of the last solved state fades (haptics::WrenchFade, in `rates.ramp` of simulated
+  /// time).
   Wrench spatial;
   Wrench solved;  ///< The same of the last solved state, whole: for who fades it in real time.
   Pose X_WC = Pose::Identity();  ///< The control frame in world, of a tool that is there.
   bool there = false;            ///< The tool could touch. If it goes, what it felt fades.
   bool live = false;     ///< It is there, and the solve good enough: `spatial` is of this cycle.
-  bool waiting = false;  ///< It is commanded to where it would be inside tissue, and not there yet.
+  bool waiting = false;  ///< It is commanded to where it would be inside something, not there yet.
 
   /// `spatial` expressed in the control frame.
   Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
@@ -77,7 +82,8 @@ class Simulator {
 
   const scene::Scene& scene() const;
   const std::vector<std::string>& warnings() const;  ///< Of loading: repairs, missing visuals ...
-  const std::vector<std::string>& notes() const;  ///< What loading decided: the method for `auto`.
+  /// What loading decided: the method for `auto`, the grids of shapes that are not convex.
+  const std::vector<std::string>& notes() const;
 
   int numInstruments() const;
   const instrument::Instrument& instrument(int i) const;
@@ -98,6 +104,10 @@ class Simulator {
   /// triangles. Made anew in each call.
   mesh::CellMesh cells(int i) const;
 
+  int numAnatomy() const;
+  /// Surface of a part of the anatomy in world, as it was read [m]; it never changes.
+  mesh::SurfaceMesh anatomySurface(int i) const;
+
   /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`, or, of
   /// an instrument with a proxy, as far towards it as the proxy may. The first cycle after
   /// construction or reset(), or in which an instrument is there again, takes `poses` as where it
@@ -113,7 +123,8 @@ class Simulator {
 
   /// Back to the rest state at time 0.
   void reset();
-  /// Whether instrument i, with its links at `poses`, would be clear of all tissue as it is now.
+  /// Whether instrument i, with its links at `poses`, would be clear of all tissue as it is now,
+  /// and of the anatomy.
   bool isFree(int i, const LinkPoses& poses) const;
   /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
   /// goes on without a past.

@@ -18,11 +18,11 @@ namespace palpate::tissue {
 
 /// A touching point at the end of a cycle.
 struct TissueContact {
-  int instrument;      ///< The obstacle's owner.
-  double penetration;  ///< [m]; negative where it is held at a distance.
-  Vec3 p_W;            ///< Of the tissue surface [m].
-  Vec3 force_W;        ///< On the tool [N].
-  int organ = 0;       ///< Of the model's.
+  contact::Owner owner;  ///< Of the obstacle.
+  double penetration;    ///< [m]; negative where it is held at a distance.
+  Vec3 p_W;              ///< Of the tissue surface [m].
+  Vec3 force_W;          ///< On the obstacle [N].
+  int organ = 0;         ///< Of the model's.
 };
 
 /// What a cycle did. Forces are those on the tissue, summed over its nodes, in world [N].

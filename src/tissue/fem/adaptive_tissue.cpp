@@ -42,13 +42,18 @@ class AdaptiveTissue final : public TissueModel {
   }
 
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
-    next_.resume(obstacles);
+    // The mesh follows what moves.
+    moving_.clear();
+    for (const contact::Obstacle& obstacle : obstacles) {
+      if (obstacle.owner.isInstrument()) moving_.push_back(obstacle);
+    }
+    next_.resume(moving_);
     if (cycles_left_ > 0 && --cycles_left_ == 0) takeNext();
     const TissueStep& out = organ_->step(obstacles, dt);
     // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(obstacles, kTimeAhead / dt, x, far)) beginNext(x, dt);
+    if (cycles_left_ == 0 && tools_.look(moving_, kTimeAhead / dt, x, far)) beginNext(x, dt);
     return out;
   }
 
@@ -132,6 +137,7 @@ class AdaptiveTissue final : public TissueModel {
   }
 
   std::string kind_;
+  std::vector<contact::Obstacle> moving_;
   ToolDistance tools_;
   NextMesh next_;
   std::unique_ptr<FemOrgan> coarse_, fine_;

@@ -6,7 +6,7 @@
 namespace palpate::tissue {
 
 bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) const {
-  return allowed_ && out.newton_iterations == 0 && !touch.possible() &&
+  return allowed_ && out.newton_iterations == 0 && !touch.possibleByTools() &&
          (x - x_begin_).cwiseAbs().maxCoeff() <= motion_;
 }
 

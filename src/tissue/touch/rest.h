@@ -23,7 +23,7 @@ class Rest {
   Rest(double motion, bool allowed) : motion_(motion), allowed_(allowed) {}
 
   /// Whether the cycle that touch has begun changes nothing.
-  bool sleeps(const Touch& touch) const { return asleep_ && !touch.possible(); }
+  bool sleeps(const Touch& touch) const { return asleep_ && !touch.possibleByTools(); }
   /// The whole cycle: as the last one that was solved, without its work.
   void report(TissueStep* out) const;
 
@@ -32,7 +32,8 @@ class Rest {
     x_begin_ = x;
     asleep_ = false;
   }
-  /// Whether the points, now at x, hardly moved, nothing touches them and no iteration was needed.
+  /// Whether the points, now at x, hardly moved, no tool touches them and no iteration was needed;
+  /// the anatomy, on which they may lie, does not move.
   bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
   /// It is still, and would be if it were stopped here.
   void fallAsleep() { asleep_ = true; }

@@ -26,8 +26,9 @@ void forNumbers(Step& step, const Visit& visit) {
 // A member that is new and not named here does not compile.
 template <class Contact, class Visit>
 void forNumbersOfContact(Contact& contact, const Visit& visit) {
-  auto& [instrument, penetration, p_W, force_W, organ] = contact;
-  visit(instrument), visit(penetration), visit(p_W), visit(force_W), visit(organ);
+  auto& [owner, penetration, p_W, force_W, organ] = contact;
+  visit(owner.index), visit(owner.fixed), visit(penetration), visit(p_W), visit(force_W),
+      visit(organ);
 }
 
 }  // namespace

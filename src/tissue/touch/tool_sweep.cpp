@@ -8,6 +8,19 @@
 #include "sweep.h"
 
 namespace palpate::tissue {
+namespace {
+
+// What does not move is asked for its distance as well: bones are seldom like the balls around
+// them.
+bool mayReach(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& high, double margin) {
+  if (!sweepReaches(obstacle, low, high, margin)) return false;
+  if (obstacle.owner.isInstrument()) return true;
+  const Vec3 middle = obstacle.X_WG_end.inverse() * Vec3(0.5 * (low + high));
+  return contact::signedDistanceValue(*obstacle.geometry, middle) <=
+         0.5 * (high - low).norm() + margin + contact::distanceError(*obstacle.geometry);
+}
+
+}  // namespace
 
 int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way) {
   // The tissue may move on as fast as it does, and farther where it is pushed: candidatesHold()
@@ -16,7 +29,7 @@ int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Poin
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
   near_.clear();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    if (skip_far_ && !sweepReaches(obstacles[k], low, high, margin_ + contact_.reach())) continue;
+    if (skip_far_ && !mayReach(obstacles[k], low, high, margin_ + contact_.reach())) continue;
     near_.push_back(obstacles[k]);
     near_.back().number = static_cast<int>(k);
   }

@@ -41,7 +41,7 @@ class ToolSweep {
   /// The least inscribed radius of the obstacles that can touch [m]; infinity if there is none.
   double thinnest() const;
   /// Who owns an obstacle of the contact potential.
-  int owner(int obstacle) const { return near_[obstacle].owner; }
+  const contact::Owner& owner(int obstacle) const { return near_[obstacle].owner; }
   /// The obstacle of the contact potential that has this number in the cycle, or -1.
   int find(int number) const;
 

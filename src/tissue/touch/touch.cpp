@@ -27,6 +27,13 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
   out->distant_samples = contact.numDistant();
 }
 
+bool Touch::possibleByTools() const {
+  for (int k = 0; k < contact.numObstacles(); ++k) {
+    if (sweep.owner(k).isInstrument() && contact.hasCandidates(k)) return true;
+  }
+  return false;
+}
+
 double Touch::report(const Points& x, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
   contact.collectAtEnd(x, &contacts_);
@@ -38,8 +45,8 @@ double Touch::report(const Points& x, TissueStep* out) {
         {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W, organ_});
     const contact::SurfaceSample& s = contact.samples()[touch.sample];
     for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
-    if (!excess_) continue;
-    const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle));
+    if (!excess_ || !sweep.owner(touch.obstacle).isInstrument()) continue;
+    const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle).index);
     if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
     // As long as it is now: where the surface is stretched around a tool it is as coarse as it
     // looks there.

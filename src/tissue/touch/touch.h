@@ -30,6 +30,8 @@ class Touch {
              double dt, TissueStep* out);
   /// Whether anything may touch in this cycle.
   bool possible() const { return contact.hasCandidates(); }
+  /// Whether an instrument may touch, whose motion an organ at rest would feel.
+  bool possibleByTools() const;
   /// Adds the contacts at x, where the cycle ends, and what of their forces is due to the mesh.
   /// Returns the norm of their nodal forces [N].
   double report(const Points& x, TissueStep* out);
@@ -42,7 +44,7 @@ class Touch {
  private:
   int organ_;
   std::function<double(double)> excess_;
-  std::vector<Vec3> too_much_;  // by owner [N]
+  std::vector<Vec3> too_much_;  // by instrument [N]
   bool skip_inactive_;
   std::vector<contact::Contact> contacts_;
   Points nodal_;
