@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "publishing_loop.h"
 
+#include "anatomy_markers.h"
 #include "conversions.h"
 #include "ending.h"
 #include "topics.h"
@@ -14,7 +15,10 @@ PublishingLoop::PublishingLoop(ros::NodeHandle handle, const sim::Simulator& sim
       always_(!simulator.scene().solver.skip.unwatched_markers),
       markers_(simulator, arrow_scale),
       organs_(handle.advertise<visualization_msgs::MarkerArray>(kOrgansTopic, 1)),
-      report_(handle.advertise<palpate::StepReport>(kStepReportTopic, 1)) {}
+      anatomy_(handle.advertise<visualization_msgs::MarkerArray>(kAnatomyTopic, 1, true)),
+      report_(handle.advertise<palpate::StepReport>(kStepReportTopic, 1)) {
+  anatomy_.publish(anatomyMarkers(simulator));
+}
 
 PublishingLoop::~PublishingLoop() { stop(); }
 

@@ -13,8 +13,8 @@
 
 namespace palpate::node {
 
-/// The publishing thread: step reports as they come, markers while somebody subscribes,
-/// diagnostics once a second.
+/// Publishes the anatomy once. The publishing thread: step reports as they come, markers while
+/// somebody subscribes, diagnostics once a second.
 class PublishingLoop {
  public:
   PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator, double arrow_scale,
@@ -32,7 +32,7 @@ class PublishingLoop {
   Diagnostics& diagnostics_;
   bool always_;  // make pictures that nobody sees, too
   SceneMarkers markers_;
-  ros::Publisher organs_, report_;
+  ros::Publisher organs_, anatomy_, report_;
   std::mutex mutex_;  // for waiting only; nobody else takes it
   std::atomic<bool> stopping_{false};
   std::thread thread_;

@@ -12,6 +12,7 @@ namespace palpate::node {
 inline constexpr char kWorldFrame[] = "world";
 
 inline constexpr char kOrgansTopic[] = "organs";           ///< visualization_msgs/MarkerArray
+inline constexpr char kAnatomyTopic[] = "anatomy";         ///< visualization_msgs/MarkerArray
 inline constexpr char kStepReportTopic[] = "step_report";  ///< palpate/StepReport
 inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/JointState, default
 inline constexpr char kSpatialWrench[] = "spatial/measured_cf";  ///< geometry_msgs/WrenchStamped
@@ -26,6 +27,8 @@ inline constexpr char kSaveStateService[] = "save_state";  ///< std_srvs/Trigger
 inline constexpr char kOrganMarkers[] = "organs";
 inline constexpr char kContactMarkers[] = "contacts";
 inline constexpr char kWrenchMarkers[] = "wrench";
+// And in kAnatomyTopic.
+inline constexpr char kAnatomyMarkers[] = "anatomy";
 
 /// "<instrument>/<name>".
 inline std::string instrumentTopic(const std::string& instrument, const char* name) {

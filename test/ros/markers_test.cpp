@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/slab_scene.h"
+#include <algorithm>
+
+#include "anatomy_markers.h"
+#include "sim/anatomy_scene.h"
 #include "support/splitting_model.h"
 #include "surface_copies.h"
 
@@ -60,6 +63,51 @@ TEST_F(Markers, CopyTrianglesOnlyWhenTheyBecomeOthers) {
   EXPECT_EQ(first.organs[0].triangles, same.organs[0].triangles);
   step();
   EXPECT_NE(first.organs[0].triangles, picture().organs[0].triangles);
+}
+
+TEST(AnatomyMarkers, AreItsSurfaceInTheWorld) {
+  const test::AnatomyScene files;
+  const sim::Simulator simulator(
+      files.scene(test::AnatomyScene::bone("plate.obj", "[0.5, 0, 0.05]")));
+  const visualization_msgs::MarkerArray message = anatomyMarkers(simulator);
+  ASSERT_EQ(message.markers.size(), 1u);
+  const visualization_msgs::Marker& m = message.markers[0];
+  EXPECT_EQ(m.action, visualization_msgs::Marker::ADD);
+  EXPECT_EQ(m.header.frame_id, "world");
+  EXPECT_EQ(m.points.size() % 3, 0u);
+  ASSERT_FALSE(m.points.empty());
+  double top = -1.0, right = -1.0;
+  for (const auto& p : m.points) {
+    top = std::max(top, p.z);
+    right = std::max(right, p.x);
+  }
+  EXPECT_NEAR(top, 0.05, 1e-12);
+  EXPECT_NEAR(right, 0.6, 1e-12);
+  EXPECT_TRUE(anatomyMarkers(sim::Simulator(files.scene())).markers.empty());
+}
+
+// After those of the organs, where there is no organ.
+TEST(AnatomyMarkers, ContactsOfToolsHaveAListOfTheirOwn) {
+  const test::AnatomyScene files;
+  sim::Simulator simulator(files.scene(test::AnatomyScene::bone("plate.obj", "[0.5, 0, 0.05]")));
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+  q[0] = 0.5;
+  q[2] = -0.046;
+  const sim::StepResult& result = simulator.step({simulator.linkPoses(0, q)}, 0.01);
+  SurfaceCopies copies;
+  Picture picture;
+  picture.organs.push_back(copies.take(simulator.shape(0), 0));
+  picture.contacts = result.contacts;
+  picture.spatial = {result.instruments[0].spatial};
+  picture.X_WC = {result.instruments[0].X_WC};
+  SceneMarkers markers(simulator, 0.02);
+  const visualization_msgs::MarkerArray message = markers.update(picture);
+  ASSERT_EQ(message.markers.size(), 4u);            // the organ, contacts with both, the arrow
+  EXPECT_EQ(message.markers[1].points.size(), 1u);  // of the splitting model, always there
+  EXPECT_EQ(message.markers[2].points.size(), 1u);
+  EXPECT_EQ(message.markers[2].action, visualization_msgs::Marker::ADD);
+  EXPECT_EQ(message.markers[3].type, visualization_msgs::Marker::ARROW);
+  EXPECT_EQ(message.markers[3].action, visualization_msgs::Marker::ADD);
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
       {code(instrumentTopic("<instrument>", kSpatialWrench)), wrench},
       {code(instrumentTopic("<instrument>", kBodyWrench)), wrench},
       {code(instrumentTopic("<instrument>", kContactModel)), typeOf<palpate::ContactModel>()},
+      {code(kAnatomyTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kOrgansTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kStepReportTopic), typeOf<palpate::StepReport>()},
       {"`/diagnostics`", typeOf<diagnostic_msgs::DiagnosticArray>()},
@@ -97,7 +98,7 @@ TEST(Readme, HasTheRatesAndFramesOfTheTopics) {
     EXPECT_EQ(rows.at(code(instrumentTopic("<instrument>", topic))).at(4), haptic);
   }
   EXPECT_EQ(rows.at(code(kOrgansTopic)).at(4).substr(0, markers.size()), markers);
-  for (const char* topic : {kOrgansTopic, kStepReportTopic}) {
+  for (const char* topic : {kOrgansTopic, kAnatomyTopic, kStepReportTopic}) {
     EXPECT_EQ(rows.at(code(topic)).at(2), code(kWorldFrame));
   }
 }
