@@ -44,6 +44,23 @@ BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& 
   }
 }
 
+BlockMatrix BlockMatrix::sideBySide(const std::vector<const BlockMatrix*>& parts) {
+  BlockMatrix all;
+  for (const BlockMatrix* part : parts) {
+    const int first_node = all.numNodes(), first_slot = all.numBlocks();
+    const auto append = [](const std::vector<int>& from, std::size_t skipped, int shift,
+                           std::vector<int>* to) {
+      for (std::size_t k = skipped; k < from.size(); ++k) to->push_back(from[k] + shift);
+    };
+    append(part->row_start_, 1, first_slot, &all.row_start_);
+    append(part->column_, 0, first_node, &all.column_);
+    append(part->diagonal_, 0, first_slot, &all.diagonal_);
+    append(part->transposed_, 0, first_slot, &all.transposed_);
+  }
+  all.values_.assign(9 * all.column_.size(), 0.0);
+  return all;
+}
+
 // By halves, without a branch that nobody can predict.
 int BlockMatrix::find(int i, int j) const {
   const int* first = column_.data() + row_start_[i];

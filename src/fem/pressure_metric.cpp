@@ -2,6 +2,7 @@
 #include "palpate/fem/pressure_metric.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace palpate::fem {
 
@@ -23,6 +24,35 @@ PressureMetric PressureMetric::inverseOf(const Eigen::SparseMatrix<double>& comp
   }
   metric.factor_ = factor;
   return metric;
+}
+
+PressureMetric PressureMetric::sideBySide(const std::vector<const PressureMetric*>& parts) {
+  bool all_diagonal = true;
+  Eigen::Index size = 0;
+  for (const PressureMetric* part : parts) {
+    all_diagonal = all_diagonal && part->isDiagonal();
+    size += part->size();
+  }
+  Eigen::VectorXd weights(size);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index first = 0;
+  for (const PressureMetric* part : parts) {
+    weights.segment(first, part->size()) = part->weights_;
+    for (Eigen::Index p = 0; part->isDiagonal() && p < part->size(); ++p) {
+      entries.emplace_back(first + p, first + p, 1.0 / part->weights_[p]);
+    }
+    for (Eigen::Index column = 0; column < part->compliance_.outerSize(); ++column) {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(part->compliance_, column); entry;
+           ++entry) {
+        entries.emplace_back(first + entry.row(), first + entry.col(), entry.value());
+      }
+    }
+    first += part->size();
+  }
+  if (all_diagonal) return diagonal(std::move(weights));
+  Eigen::SparseMatrix<double> compliance(size, size);
+  compliance.setFromTriplets(entries.begin(), entries.end());
+  return inverseOf(compliance);
 }
 
 void PressureMetric::apply(const Eigen::VectorXd& c, Eigen::VectorXd* p) const {

@@ -29,6 +29,33 @@ Stiffness::Stiffness(BlockMatrix pattern, VolumeStiffness volume)
   volume_.rows.setZero(3, static_cast<Eigen::Index>(volume_.pattern->node.size()));
 }
 
+Stiffness Stiffness::sideBySide(const std::vector<const Stiffness*>& parts) {
+  std::vector<const BlockMatrix*> blocks;
+  blocks.reserve(parts.size());
+  std::vector<const PressureMetric*> metrics;
+  auto pattern = std::make_shared<VolumeStiffness::Pattern>();
+  pattern->start = {0};
+  int first = 0;
+  for (const Stiffness* part : parts) {
+    blocks.push_back(&part->blocks_);
+    if (part->hasVolume()) {
+      metrics.push_back(part->volume_.metric.get());
+      const VolumeStiffness::Pattern& own = *part->volume_.pattern;
+      const int entries = pattern->start.back();
+      for (std::size_t p = 1; p < own.start.size(); ++p) {
+        pattern->start.push_back(entries + own.start[p]);
+      }
+      for (int node : own.node) pattern->node.push_back(first + node);
+    }
+    first += part->numNodes();
+  }
+  if (metrics.empty()) return Stiffness(BlockMatrix::sideBySide(blocks));
+  VolumeStiffness volume;
+  volume.pattern = pattern;
+  volume.metric = std::make_shared<const PressureMetric>(PressureMetric::sideBySide(metrics));
+  return {BlockMatrix::sideBySide(blocks), std::move(volume)};
+}
+
 void Stiffness::add(const Eigen::Ref<const Eigen::VectorXi>& nodes,
                     const Eigen::Ref<const Eigen::MatrixXd>& H) {
   for (Eigen::Index a = 0; a < nodes.size(); ++a) {

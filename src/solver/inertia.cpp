@@ -22,9 +22,7 @@ double Inertia::addGradient(const Points& x, Points* g) const {
 }
 
 void Inertia::addHessian(const Points&, fem::Tangent, fem::Stiffness* K) const {
-  fem::BlockMatrix& blocks = K->blocks();
-  for (int i = 0; i < blocks.numNodes(); ++i)
-    blocks.block(blocks.diagonal(i)).diagonal().array() += weights_[i];
+  for (int i = 0; i < static_cast<int>(weights_.size()); ++i) K->addToDiagonal(i, weights_[i]);
 }
 
 }  // namespace palpate::solver

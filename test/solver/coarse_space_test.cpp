@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/mesh/hilbert_order.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/block_pcg.h"

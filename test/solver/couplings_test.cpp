@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/cholmod_solver.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/block_pcg.h"
 #include "palpate/solver/inertia.h"

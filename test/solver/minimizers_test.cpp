@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/minimizer_list.h"

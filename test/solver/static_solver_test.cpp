@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
 #include "palpate/mesh/selection.h"
 #include "support/random.h"

@@ -17,6 +17,9 @@ class BlockMatrix {
   BlockMatrix() = default;
   /// Pattern: the diagonal and, for each pair (i, j), the blocks (i, j) and (j, i). Values zero.
   BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& pairs);
+  /// The patterns of `parts` along the diagonal, in their order: those of a part follow one another
+  /// as its own do. Values zero.
+  static BlockMatrix sideBySide(const std::vector<const BlockMatrix*>& parts);
 
   int numNodes() const { return static_cast<int>(row_start_.size()) - 1; }
   int numBlocks() const { return static_cast<int>(column_.size()); }

@@ -9,7 +9,7 @@
 #include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
 #include "palpate/fem/composition.h"
-#include "palpate/fem/stiffness.h"
+#include "palpate/fem/elastic_energy.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/mesh/point_location.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -17,13 +17,6 @@
 namespace palpate::fem {
 
 using mesh::TetMesh;
-
-/// What the tangent of an element is used for.
-enum class Tangent {
-  kExact,        ///< d2W/dx2 of the elements and of every term.
-  kConvexTerms,  ///< Exact in the elements; terms leave out what is not positive semidefinite.
-  kProjected,    ///< Elements too: their nearest positive semidefinite matrices.
-};
 
 /// What there is at a point of a deformed body.
 struct PointState {
@@ -38,22 +31,10 @@ struct ViscousState {
 
 /// Elastic energy of a body of one kind of element, with its derivatives. One virtual call an
 /// assembly, never one an element. Sums run in a fixed order: same x, same bits, whatever the pool.
-/// Not thread-safe: calls share scratch memory.
-class Elasticity {
+/// The energy of a viscous body is the potential of the step that beginStep() began.
+class Elasticity : public ElasticEnergy {
  public:
-  virtual ~Elasticity() = default;
-
   virtual int numNodes() const = 0;
-  /// A matrix with the body's pattern, all zero.
-  virtual Stiffness makeMatrix() const = 0;
-
-  /// W(x) [J] at positions `x`, 3 x n [m]; +infinity where the law has none (J <= 0). In a viscous
-  /// body it is the potential of the step that beginStep() began.
-  virtual double energy(const Points& x) = 0;
-  /// W(x) and its gradient dW/dx, 3 x n [N]: minus the elastic forces. `g` is overwritten.
-  virtual double gradient(const Points& x, Points* g) = 0;
-  /// d2W/dx2 [N/m] into `K`, which has the body's pattern and is overwritten.
-  virtual void hessian(const Points& x, Tangent tangent, Stiffness* K) = 0;
 
   /// Smallest det F of any integration point.
   virtual double minJacobian(const Points& x) = 0;
@@ -72,7 +53,6 @@ class Elasticity {
   /// Times an acceleration: the nodal forces of a uniform gravity, n [kg]. Their sum is the mass.
   virtual const Eigen::VectorXd& loadWeights() const = 0;
 
-  virtual bool viscous() const = 0;
   /// Begins a step of `h` [s]; infinity, as before the first: all has relaxed that can.
   virtual void beginStep(double h) = 0;
   /// Ends the step at x: the body remembers what it went through.

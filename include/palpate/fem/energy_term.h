@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/base/types.h"
-#include "palpate/fem/elasticity.h"
+#include "palpate/fem/elastic_energy.h"
 #include "palpate/fem/stiffness.h"
 
 namespace palpate::fem {

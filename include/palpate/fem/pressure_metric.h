@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <vector>
 
 namespace palpate::fem {
 
@@ -16,6 +17,10 @@ class PressureMetric {
   static PressureMetric diagonal(Eigen::VectorXd weights);
   /// M = compliance^-1; `compliance` symmetric positive definite [m^3/Pa].
   static PressureMetric inverseOf(const Eigen::SparseMatrix<double>& compliance);
+
+  /// Those of several bodies along the diagonal: diagonal if all are, else the inverse of a
+  /// compliance, which is factorised anew. `parts`: at least one.
+  static PressureMetric sideBySide(const std::vector<const PressureMetric*>& parts);
 
   Eigen::Index size() const { return weights_.size(); }
   bool isDiagonal() const { return compliance_.size() == 0; }

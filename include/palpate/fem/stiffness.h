@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -40,6 +41,8 @@ class Stiffness {
   explicit Stiffness(BlockMatrix pattern) : blocks_(std::move(pattern)) {}
   /// `volume` without rows yet: they are set to zero.
   Stiffness(BlockMatrix pattern, VolumeStiffness volume);
+  /// The patterns of `parts` along the diagonal, in their order, all zero.
+  static Stiffness sideBySide(const std::vector<const Stiffness*>& parts);
 
   int numNodes() const { return blocks_.numNodes(); }
   BlockMatrix& blocks() { return blocks_; }
@@ -49,9 +52,24 @@ class Stiffness {
   const VolumeStiffness& volume() const { return volume_; }
   const Couplings& couplings() const { return couplings_; }
 
+  /// Where the nodes are of somebody who adds and knows one body of several, or two: his node i is
+  /// `first` + i, and from `split` on `second` + i - split.
+  struct Place {
+    int first = 0, split = std::numeric_limits<int>::max(), second = 0;
+
+    int of(int i) const { return i < split ? first + i : second + i - split; }
+  };
+  /// Of all that is added from here on.
+  void setPlace(const Place& place) { place_ = place; }
+  /// += w I on the diagonal block of node i.
+  void addToDiagonal(int i, double w) {
+    blocks_.block(blocks_.diagonal(place_.of(i))).diagonal().array() += w;
+  }
   /// += M on block (i, j), which becomes one of the couplings where the pattern has none; add its
   /// transpose to (j, i), too.
   void add(int i, int j, const Mat3& M) {
+    i = place_.of(i);
+    j = place_.of(j);
     const int slot = blocks_.find(i, j);
     if (slot < 0) return couplings_.add(i, j, M);
     blocks_.addTo(slot, i, j, M);
@@ -99,6 +117,7 @@ class Stiffness {
   BlockMatrix blocks_;
   VolumeStiffness volume_;
   Couplings couplings_;
+  Place place_;
 };
 
 }  // namespace palpate::fem

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "palpate/base/thread_pool.h"
 #include "palpate/solver/line_search.h"
 #include "palpate/solver/linear_solver.h"
 #include "palpate/solver/minimizer.h"

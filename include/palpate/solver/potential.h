@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "palpate/fem/elasticity.h"
+#include "palpate/fem/elastic_energy.h"
 #include "palpate/fem/energy_term.h"
 #include "palpate/fem/supports.h"
 
@@ -12,7 +12,7 @@ namespace palpate::solver {
 
 /// What a solve minimises: s W(x) plus terms, over the free components of x.
 struct Potential {
-  fem::Elasticity* elasticity;
+  fem::ElasticEnergy* elasticity;
   std::vector<const fem::EnergyTerm*> terms;
   fem::FreeMask free;          ///< 3 x n
   double elastic_scale = 1.0;  ///< s; damping in proportion to stiffness enlarges it.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/fem/joint_energy.h"
+#include "palpate/solver/potential.h"
+
+namespace palpate::solver {
+
+/// Terms of one body, or of two that act on each other, as a term of the points of all of a group.
+class PlacedTerms final : public fem::EnergyTerm {
+ public:
+  /// `terms`, not owned, may grow as long as nobody asks. `place`: of their `num_nodes` nodes.
+  PlacedTerms(const std::vector<const fem::EnergyTerm*>& terms, const fem::Stiffness::Place& place,
+              int num_nodes)
+      : terms_(terms), place_(place), own_(3, num_nodes), own_d_(3, num_nodes) {}
+
+  /// The columns of `all` that are theirs, 3 x num_nodes.
+  void gather(const Points& all, Points* own) const;
+
+  double value(const Points& x) const override;
+  double addGradient(const Points& x, Points* g) const override;
+  void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
+  double maxStep(const Points& x, const Points& d) const override;
+  bool conservative() const override;
+
+ private:
+  const std::vector<const fem::EnergyTerm*>& terms_;
+  fem::Stiffness::Place place_;
+  mutable Points own_, own_d_;  // scratch
+};
+
+/// The potentials of several bodies as that of one, over their points one body after another.
+class JointPotential {
+ public:
+  /// They must outlive this, and stay where they are.
+  explicit JointPotential(const std::vector<const Potential*>& members);
+  JointPotential(const JointPotential&) = delete;  // the terms refer to each other
+  JointPotential& operator=(const JointPotential&) = delete;
+
+  const Potential& all() const { return all_; }
+  std::size_t numMembers() const { return members_.size(); }
+  int numNodes() const { return energy_.numNodes(); }
+  int firstNode(std::size_t member) const { return energy_.firstNode(member); }
+  /// A matrix with the pattern of all.
+  fem::Stiffness makeMatrix() const { return energy_.makeMatrix(); }
+
+  /// Where the nodes of two members are, or of one twice.
+  fem::Stiffness::Place placeOf(std::size_t a, std::size_t b) const;
+  /// What acts beside the members' own terms, on all points; not owned.
+  void setFurther(const std::vector<const fem::EnergyTerm*>& terms);
+  /// Takes over the members' scales of the elastic energy. True: one is another than `before`,
+  /// which become those of now.
+  bool takeScales(std::vector<double>* before);
+
+ private:
+  std::vector<const Potential*> members_;
+  fem::JointEnergy energy_;
+  std::vector<std::unique_ptr<PlacedTerms>> terms_;
+  Potential all_;
+};
+
+}  // namespace palpate::solver
