@@ -11,6 +11,8 @@
 
 namespace palpate::tissue {
 
+class BodyMotion;
+
 /// How a body gets from one cycle's end to the next one's. A method keeps a reference to its body
 /// and scratch memory of its own.
 class StepMethod {
@@ -31,6 +33,12 @@ class StepMethod {
   virtual std::optional<double> elasticEnergy() const { return std::nullopt; }
   /// Moves `x`, the body's equilibrium under gravity, to that of such a method, 3 x n [m].
   virtual void settle(Points* /*x*/) {}
+
+  /// The body's motion, by which it can also be stepped together with other bodies. Null: of a
+  /// method that has none.
+  virtual BodyMotion* motion() { return nullptr; }
+  /// Forgets what it learnt about solving: the body's motion is in other hands for a while.
+  virtual void forget() {}
 
   /// body.x and body.v were set from outside.
   virtual void restart() = 0;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "body_motion.h"
+
+namespace palpate::tissue {
+
+BodyMotion::BodyMotion(FemBody* body)
+    : body_(*body),
+      integrator_(body->settings.integrator, body->elasticity->masses(),
+                  {body->settings.mass_damping, body->settings.stiffness_damping}),
+      begin_(integrator_),
+      potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free} {
+  integrator_.addTerms(&potential_);
+  for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
+}
+
+void BodyMotion::restart() {
+  integrator_.start(body_.x, body_.v);
+  if (!integrator_.needsElasticGradient()) return;
+  body_.elasticity->gradient(body_.x, &elastic_gradient_);
+  integrator_.setElasticGradient(elastic_gradient_);
+}
+
+void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change) {
+  restart();
+  integrator_.goOnFrom(old.integrator_, body_.free,
+                       [&](const Points& p) { return change.interpolate(p); });
+}
+
+void BodyMotion::beginCycle() {
+  begin_ = integrator_;
+  viscous_ = body_.elasticity->saveViscousState();
+  touched_ = {};
+  body_.contact.save(&touched_);
+}
+
+void BodyMotion::goBack() {
+  integrator_ = begin_;
+  body_.x = begin_.positions();
+  body_.elastic_energy.reset();
+  body_.v = begin_.velocities();
+  body_.elasticity->restoreViscousState(viscous_.get());
+  StateReader before(touched_.bytes());
+  body_.contact.restore(&before);
+}
+
+void BodyMotion::endCycle() {
+  body_.v = integrator_.velocities();
+  viscous_.reset();
+}
+
+void BodyMotion::beginStep(double h) {
+  integrator_.beginStep(h, &potential_);
+  body_.elasticity->beginStep(h);
+}
+
+void BodyMotion::endStep() {
+  if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
+  integrator_.endStep(body_.x, elastic_gradient_);
+  body_.elasticity->endStep(body_.x);
+  body_.contact.endStep(body_.x);
+}
+
+// Held components: only rounding, which would grow.
+void BodyMotion::extrapolate(double h, Points* way) const {
+  integrator_.extrapolate(h, way);
+  *way = way->cwiseProduct(body_.free);
+}
+
+double BodyMotion::valueHere() {
+  if (!body_.elastic_energy) return potential_.value(body_.x);
+  double sum = potential_.elastic_scale * *body_.elastic_energy;
+  for (const fem::EnergyTerm* term : potential_.terms) sum += term->value(body_.x);
+  body_.elastic_energy.reset();  // x goes on
+  return sum;
+}
+
+double BodyMotion::squaredUnbalancedForce(const Points& gradient) {
+  integrator_.inertiaForces(body_.x, &inertia_forces_);
+  return (gradient + inertia_forces_).cwiseProduct(body_.free).squaredNorm();
+}
+
+void BodyMotion::reportForces(const Points& gradient, TissueStep* out) {
+  integrator_.inertiaForces(body_.x, &inertia_forces_);
+  out->inertia_force = inertia_forces_.rowwise().sum();
+  body_.reportSupport(gradient, out);
+  body_.reportContacts(out);
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "implicit_steps.h"
+
+#include <algorithm>
+
+#include "palpate/solver/line_search.h"
+
+namespace palpate::tissue {
+namespace {
+
+// Stages before the last one need not be solved as well.
+constexpr double kStageTolerance = 100.0;
+constexpr int kStageIterations = 4;
+// Candidates for contact are searched this many times before a cycle is given up.
+constexpr int kMaxSearches = 4;
+// Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
+// step or two.
+constexpr double kWorthFollowing = 100.0;
+constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
+
+}  // namespace
+
+void ImplicitSteps::save(StateWriter* out) const {
+  out->put(prepared_);
+  minimizer_->save(out);
+}
+
+void ImplicitSteps::restore(StateReader* in) {
+  in->get(&prepared_);
+  minimizer_->restore(in);
+}
+
+// The cycle in one step, or, where that fails, in more and shorter ones.
+bool ImplicitSteps::advance(double dt, TissueStep* out) {
+  out_ = out;
+  const int waits = minimizer_->waits();
+  {
+    const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
+    minimizer_->beginCycle(dt);
+  }
+  out_->factor_waits = minimizer_->waits() - waits;
+  bodies_.beginCycle();
+  bool solved = false;
+  for (int steps = 1; steps <= bodies_.settings().max_time_steps && !solved; steps *= 2) {
+    out_->time_steps = steps;
+    out_->sweep_stages = 0;
+    int done = 0;
+    while (done < steps && timeStep(done / double(steps), (done + 1) / double(steps), dt / steps)) {
+      ++done;
+    }
+    solved = done == steps;
+    if (!solved) bodies_.goBack();
+  }
+  bodies_.endCycle();
+  return solved;
+}
+
+// One step of `h`, in which the tools go from `begin` to `end` of their way.
+bool ImplicitSteps::timeStep(double begin, double end, double h) {
+  if (bodies_.beginStep(h)) forget();
+  if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
+  prepared_ = true;
+  startFromPredictor(begin, h);
+  solveStages(begin, end);
+  if (!acceptable()) return false;
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
+  bodies_.endStep();
+  return true;
+}
+
+// From where the velocities lead if they go on changing as they did, if that is better than from
+// where the body is.
+void ImplicitSteps::startFromPredictor(double s, double h) {
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
+  Points& x = bodies_.x();
+  const solver::Potential& potential = bodies_.potential();
+  bodies_.placeTools(s);
+  bodies_.beginTouches();
+  begin_x_ = x;
+  const double value_here = bodies_.valueHere();
+  bodies_.extrapolate(h, &way_);
+  predicted_ = x + potential.maxStep(x, way_) * way_;
+  // Of all that is computed here most is kept for the first iteration, which begins at one of both.
+  const double value_there = potential.gradient(predicted_, &gradient_there_);
+  if (value_there < value_here) x.swap(predicted_);  // false for NaN
+}
+
+// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+void ImplicitSteps::solveStages(double begin, double end) {
+  out_->tolerance = bodies_.tolerance();
+  solver::NewtonReport solved;
+  for (double s = begin; s < end;) {
+    const double from = s;
+    {
+      const PhaseTimer timer(&out_->phases, Phase::kContact);
+      s = bodies_.nextStage(s, end);
+      ++out_->sweep_stages;
+    }
+    followTools(from, s, from == begin ? begin_x_ : bodies_.x());
+    solved.status = moveHeld(s);
+    if (solved.status != solver::SolveStatus::kConverged) break;
+    solved = solveStage(s < end);
+  }
+  out_->status = solved.status;
+  out_->residual = solved.residual;
+  out_->satisfied =
+      out_->newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
+}
+
+// Brings the tools from part `from` of the cycle to part `to`, and what they touch with them: from
+// `x` as the tangent there says, to first order, if that is better than where the body is. It
+// spares Newton's method finding the points that stay in touch one after another.
+void ImplicitSteps::followTools(double from, double to, const Points& x) {
+  const solver::Potential& potential = bodies_.potential();
+  double value = 0.0;
+  {
+    const PhaseTimer timer(&out_->phases, Phase::kContact);
+    const bool touching = bodies_.pushTo(to, x, &push_);
+    bodies_.placeTools(to);
+    if (!touching) return;
+    value = potential.gradient(bodies_.x(), &gradient_there_);
+    const double residual = solver::freeNorm(gradient_there_, potential.free);
+    if (residual <= kWorthFollowing * out_->tolerance) return;
+    bodies_.placeTools(from);
+  }
+  solver::NewtonReport step;
+  const bool found = minimizer_->tangentStep(potential, x, push_, kFollowTolerance, &way_, &step);
+  add(step);
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
+  bodies_.placeTools(to);
+  if (!found) return;
+  predicted_ = x + potential.maxStep(x, way_) * way_;
+  if (potential.gradient(predicted_, &gradient_there_) < value) bodies_.x().swap(predicted_);
+}
+
+void ImplicitSteps::add(const solver::NewtonReport& report) {
+  out_->newton_iterations += report.iterations;
+  out_->linear_iterations += report.linear_iterations;
+  out_->kept_stiffnesses += report.kept_stiffnesses;
+  out_->phases += report.phases;
+}
+
+// Held nodes that move take the others along as the tangent says.
+solver::SolveStatus ImplicitSteps::moveHeld(double s) {
+  if (!bodies_.heldWay(s, &way_)) return solver::SolveStatus::kConverged;
+  const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
+  return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
+}
+
+solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
+  const FemSettings& of_scene = bodies_.settings();
+  solver::NewtonSettings settings;
+  settings.linear_tolerance = of_scene.linear_tolerance;
+  settings.tolerance = (on_the_way ? kStageTolerance : 1.0) * out_->tolerance;
+  if (of_scene.position_tolerance == 0.0) {
+    settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
+  }
+  settings.interrupt = bodies_.interrupt();
+  settings.max_iterations = on_the_way ? kStageIterations : of_scene.max_newton_iterations;
+  solver::NewtonReport solved;
+  for (int search = 0; search < kMaxSearches; ++search) {
+    solved = minimizer_->minimize(bodies_.potential(), settings, &bodies_.x());
+    add(solved);
+    const PhaseTimer timer(&out_->phases, Phase::kContact);
+    if (bodies_.candidatesHold()) break;
+    bodies_.search();
+  }
+  return solved;
+}
+
+// A state to go on from. One that only ran out of iterations or time is, unless it was asked to
+// converge: each iteration lowered the energy.
+bool ImplicitSteps::acceptable() {
+  const bool only_converged = bodies_.settings().only_converged;
+  const bool enough = only_converged ? out_->ok() : solver::usable(out_->status);
+  return enough && bodies_.x().allFinite();
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moving_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::tissue {
+
+MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
+    : members_(members), parts_(members.size()) {
+  std::vector<const solver::Potential*> potentials;
+  potentials.reserve(members.size());
+  for (const BodyMotion* member : members) potentials.push_back(&member->potential());
+  joint_ = std::make_unique<solver::JointPotential>(potentials);
+  x_.resize(3, joint_->numNodes());
+}
+
+void MovingBodies::setInteractions(const std::vector<MemberInteraction>& interactions) {
+  const bool same = std::equal(
+      interactions.begin(), interactions.end(), interactions_.begin(), interactions_.end(),
+      [](const MemberInteraction& a, const std::unique_ptr<Placed>& b) { return a == b->what; });
+  if (!same) {
+    interactions_.clear();
+    std::vector<const fem::EnergyTerm*> further;
+    for (const MemberInteraction& what : interactions) {
+      Eigen::Index nodes = members_[what.a]->body().x.cols();
+      if (what.a != what.b) nodes += members_[what.b]->body().x.cols();
+      interactions_.push_back(
+          std::make_unique<Placed>(Placed{what, {what.term}, nullptr, {}, Points(3, nodes)}));
+      Placed& placed = *interactions_.back();
+      placed.of_all = std::make_unique<solver::PlacedTerms>(
+          placed.terms, joint_->placeOf(what.a, what.b), static_cast<int>(nodes));
+      further.push_back(placed.of_all.get());
+    }
+    joint_->setFurther(further);
+  }
+  for (std::size_t k = 0; k < interactions.size(); ++k) interactions_[k]->what = interactions[k];
+}
+
+// visit(interaction, the points of its pair).
+template <class Visit>
+void MovingBodies::forInteractions(const Visit& visit) const {
+  for (const std::unique_ptr<Placed>& placed : interactions_) {
+    placed->of_all->gather(x_, &placed->x);
+    visit(*placed, placed->x);
+  }
+}
+
+fem::Stiffness MovingBodies::makeMatrix() const {
+  return joint_ ? joint_->makeMatrix() : potential().elasticity->makeMatrix();
+}
+
+Points MovingBodies::pointsAtRest() const {
+  if (!joint_) return members_.front()->body().mesh.points;
+  Points all(3, joint_->numNodes());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const Points& X = members_[k]->body().mesh.points;
+    all.middleCols(joint_->firstNode(k), X.cols()) = X;
+  }
+  return all;
+}
+
+const Points& MovingBodies::part(std::size_t member, const Points& all) const {
+  if (!joint_) return all;
+  parts_[member] = all.middleCols(joint_->firstNode(member), members_[member]->body().x.cols());
+  return parts_[member];
+}
+
+double MovingBodies::tolerance() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyMotion* member : members_) least = std::min(least, member->body().tolerance());
+  return least;
+}
+
+void MovingBodies::beginCycle() {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    members_[k]->beginCycle();
+    const Points& x = members_[k]->body().x;
+    if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
+  }
+  for (const std::unique_ptr<Placed>& placed : interactions_) {
+    placed->before = {};
+    placed->what.term->save(&placed->before);
+  }
+  searchInteractions();
+}
+
+void MovingBodies::goBack() {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    members_[k]->goBack();
+    const Points& x = members_[k]->body().x;
+    if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
+  }
+  for (const std::unique_ptr<Placed>& placed : interactions_) {
+    StateReader before(placed->before.bytes());
+    placed->what.term->restore(&before);
+  }
+}
+
+void MovingBodies::endCycle() {
+  for (BodyMotion* member : members_) member->endCycle();
+}
+
+bool MovingBodies::beginStep(double h) {
+  for (BodyMotion* member : members_) member->beginStep(h);
+  return joint_ && joint_->takeScales(&scales_);
+}
+
+void MovingBodies::endStep() {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    if (joint_) members_[k]->body().x = part(k, x_);
+    members_[k]->endStep();
+  }
+  sumInteractionForces();
+  forInteractions([](Placed& placed, const Points& x) { placed.what.term->endStep(x); });
+}
+
+void MovingBodies::extrapolate(double h, Points* way) const {
+  if (!joint_) return members_.front()->extrapolate(h, way);
+  way->resize(3, x_.cols());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    members_[k]->extrapolate(h, &part_way_);
+    way->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
+  }
+}
+
+double MovingBodies::valueHere() {
+  double sum = 0.0;
+  for (BodyMotion* member : members_) sum += member->valueHere();
+  for (const std::unique_ptr<Placed>& placed : interactions_) sum += placed->of_all->value(x_);
+  return sum;
+}
+
+bool MovingBodies::heldWay(double s, Points* way) const {
+  if (!joint_) return members_.front()->body().heldWay(s, way);
+  bool any = false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    FemBody& body = members_[k]->body();
+    if (!body.drive.held) continue;
+    body.x = part(k, x_);
+    if (!body.heldWay(s, &part_way_)) continue;
+    if (!any) way->setZero(3, x_.cols());
+    way->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
+    any = true;
+  }
+  return any;
+}
+
+double MovingBodies::unbalancedForce(const Points& gradient) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    sum += members_[k]->squaredUnbalancedForce(part(k, gradient));
+  }
+  return std::sqrt(sum);
+}
+
+void MovingBodies::placeTools(double s) {
+  for (BodyMotion* member : members_) member->body().sweep.place(s);
+}
+
+void MovingBodies::beginTouches() {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    members_[k]->body().sweep.beginStep(part(k, x()));
+  }
+  forInteractions([](Placed& placed, const Points& x) { placed.what.term->beginStep(x); });
+}
+
+double MovingBodies::nextStage(double s, double end) const {
+  double next = end;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    FemBody& body = members_[k]->body();
+    next = std::min(next, body.sweep.next(joint_ ? part(k, x_) : body.x, s, end));
+  }
+  return next;
+}
+
+bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
+  if (!joint_) return members_.front()->body().sweep.pushTo(s, all, push);
+  push->setZero(3, all.cols());
+  bool any = false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    if (!members_[k]->body().sweep.pushTo(s, part(k, all), &part_way_)) continue;
+    push->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
+    any = true;
+  }
+  return any;
+}
+
+bool MovingBodies::candidatesHold() const {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const FemBody& body = members_[k]->body();
+    if (!body.sweep.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
+  }
+  bool hold = true;
+  forInteractions(
+      [&](const Placed& placed, const Points& x) { hold = hold && placed.what.term->holds(x); });
+  return hold;
+}
+
+void MovingBodies::search() {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    FemBody& body = members_[k]->body();
+    body.sweep.search(joint_ ? part(k, x_) : body.x);
+  }
+  searchInteractions();
+}
+
+void MovingBodies::searchInteractions() {
+  forInteractions(
+      [](Placed& placed, const Points& x) { placed.what.term->search(x, placed.what.way); });
+}
+
+// Before that becomes memory.
+void MovingBodies::sumInteractionForces() {
+  interaction_forces_.assign(members_.size(), Vec3::Zero());
+  if (interactions_.empty()) return;
+  gradient_.setZero(3, x_.cols());
+  for (const std::unique_ptr<Placed>& placed : interactions_) {
+    placed->of_all->addGradient(x_, &gradient_);
+  }
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    interaction_forces_[k] = -part(k, gradient_).rowwise().sum();
+  }
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "body_motion.h"
+#include "palpate/solver/joint_potential.h"
+#include "palpate/tissue/interaction.h"
+
+namespace palpate::tissue {
+
+/// An interaction between two members, by their numbers, or within one.
+struct MemberInteraction {
+  InteractionTerm* term;
+  std::size_t a, b;
+  double way;  ///< See InteractionTerm::search() [m].
+
+  bool operator==(const MemberInteraction& o) const {
+    return term == o.term && a == o.a && b == o.b;
+  }
+};
+
+/// What implicit steps move as one: a body, or the members of a group with what acts between them.
+/// Points are those of one member after another; of a single body they are its own.
+class MovingBodies {
+ public:
+  explicit MovingBodies(BodyMotion* body) : members_{body} {}
+  /// A group. All members have the same settings of the scene, and outlive this.
+  explicit MovingBodies(const std::vector<BodyMotion*>& members);
+
+  /// What acts between the members of a group from here on.
+  void setInteractions(const std::vector<MemberInteraction>& interactions);
+
+  const std::vector<BodyMotion*>& members() const { return members_; }
+  const FemSettings& settings() const { return members_.front()->body().settings; }
+  const solver::Interrupt* interrupt() const { return members_.front()->body().interrupt; }
+  const solver::Potential& potential() const {
+    return joint_ ? joint_->all() : members_.front()->potential();
+  }
+  fem::Stiffness makeMatrix() const;
+  Points pointsAtRest() const;
+  /// Where they are in the step under way, 3 x n [m].
+  Points& x() { return joint_ ? x_ : members_.front()->body().x; }
+  /// The columns of `all` that are those of a member.
+  const Points& part(std::size_t member, const Points& all) const;
+
+  /// Newton's tolerance [N]: the least of the members', so that each of them is solved as well as
+  /// it would be alone.
+  double tolerance() const;
+  void beginCycle();
+  void goBack();
+  void endCycle();
+  /// A step of `h` [s] begins at x. True: the elastic part of the matrix is scaled otherwise than
+  /// it was by a group's last step.
+  bool beginStep(double h);
+  void endStep();
+  void extrapolate(double h, Points* way) const;
+  /// The potential at x, where a step begins.
+  double valueHere();
+  /// See FemBody::heldWay().
+  bool heldWay(double s, Points* way) const;
+  /// See BodyMotion::squaredUnbalancedForce().
+  double unbalancedForce(const Points& gradient);
+
+  // The tools' way, see ToolSweep.
+  void placeTools(double s);
+  /// A step begins with the tools, and what acts between members, where they are.
+  void beginTouches();
+  double nextStage(double s, double end) const;
+  bool pushTo(double s, const Points& all, Points* push) const;
+  bool candidatesHold() const;
+  void search();
+
+  /// What the others of the group exert on each member where the last step ended [N].
+  const std::vector<Vec3>& interactionForces() const { return interaction_forces_; }
+
+  /// What a group remembers beside its members' own.
+  void save(StateWriter* out) const { out->put(scales_); }
+  void restore(StateReader* in) { in->get(&scales_); }
+
+ private:
+  struct Placed {
+    MemberInteraction what;
+    std::vector<const fem::EnergyTerm*> terms;  // its one
+    std::unique_ptr<solver::PlacedTerms> of_all;
+    StateWriter before;  // the cycle
+    Points x;            // of the pair
+  };
+
+  template <class Visit>
+  void forInteractions(const Visit& visit) const;
+  void searchInteractions();
+  void sumInteractionForces();
+
+  std::vector<BodyMotion*> members_;
+  std::unique_ptr<solver::JointPotential> joint_;  // null: a single body
+  std::vector<std::unique_ptr<Placed>> interactions_;
+  std::vector<double> scales_;
+  Points x_;
+  mutable std::vector<Points> parts_;  // scratch of part()
+  mutable Points part_way_;
+  Points gradient_;  // of the interactions alone
+  std::vector<Vec3> interaction_forces_;
+};
+
+}  // namespace palpate::tissue
