@@ -87,6 +87,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.skipped_inactive_samples = static_cast<int>(report.skipped.inactive_samples);
   m.skipped_inviscid_solids = static_cast<int>(report.skipped.inviscid_solids);
   m.skipped_kept_stiffnesses = static_cast<int>(report.skipped.kept_stiffnesses);
+  m.skipped_apart_organs = static_cast<int>(report.skipped.apart_organs);
   m.cycle_ms = finite(cycle_ms);
   m.contact_ms = 1e3 * report.phases[Phase::kContact];
   m.forces_ms = 1e3 * report.phases[Phase::kForces];

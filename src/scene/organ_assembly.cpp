@@ -88,6 +88,7 @@ tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
   static_cast<solver::StepSettings&>(settings) = scene.solver;
   settings.gravity = scene.gravity;
   settings.contact = scene.contact;
+  settings.touching = scene.contact;
   settings.sample_spacing = sample_spacing;
   settings.skip = scene.solver.skip;
   return settings;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/scene/scene_fields.h"
 
+#include <algorithm>
+
 #include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/haptics/device_models.h"
@@ -169,6 +171,7 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
             "Largest distance between the points of the tissue surface that can touch; 0: half the "
             "inscribed radius of the thinnest tool shape or part of the anatomy."},
            contact.sample_spacing, keys::Range::closed(0.0, 1.0));
+  describe(v, static_cast<tissue::TouchingOrgans&>(contact));
 }
 
 void describe(keys::FieldVisitor& v, SolverConfig& solver) {
@@ -242,6 +245,26 @@ void describe(keys::FieldVisitor& v, HapticsConfig& haptics) {
            haptics.max_damping, keys::Range::closed(0.0, 100.0));
 }
 
+namespace {
+
+// Of organs that do not touch.
+void checkPairs(keys::FieldVisitor& v, const Scene& scene) {
+  const auto known = [&](const std::string& name) {
+    return std::any_of(scene.organs.begin(), scene.organs.end(),
+                       [&](const OrganConfig& organ) { return organ.name == name; });
+  };
+  const std::string text = "must be the names of organs";
+  v.rule(true, "contact.apart", "contact.apart: names in it " + text);
+  for (std::size_t k = 0; k < scene.contact.apart.size(); ++k) {
+    const tissue::OrganPair& pair = scene.contact.apart[k];
+    if (known(pair.organ) && known(pair.other)) continue;
+    v.rule(false, "contact.apart[" + std::to_string(k) + "]",
+           pair.organ + ", " + pair.other + ": " + text);
+  }
+}
+
+}  // namespace
+
 void describe(keys::FieldVisitor& v, Scene& scene) {
   v.text({"name", "", "Title of the scene."}, scene.name);
   v.vector3({"gravity", "m/s^2", "Acceleration of free fall, in the world."}, scene.gravity,
@@ -252,7 +275,9 @@ void describe(keys::FieldVisitor& v, Scene& scene) {
   v.uniqueNames("instruments", scene.instruments);
   v.list({"anatomy", "", "Rigid bodies that never move: bone and the like."}, scene.anatomy, 0);
   v.uniqueNames("anatomy", scene.anatomy);
-  v.section({"contact", "", "Contact between instruments and organs."}, scene.contact);
+  v.section({"contact", "", "Contact of organs with instruments and with each other."},
+            scene.contact);
+  checkPairs(v, scene);
   v.section({"solver", "", "Time steps and accuracy."}, scene.solver);
   v.section({"rates", "", "How often the node does what, and when input is too old."}, scene.rates);
   v.section({"haptics", "", "Limits of what the hand gets."}, scene.haptics);

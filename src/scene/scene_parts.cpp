@@ -72,12 +72,8 @@ std::vector<int> organsOfModel(const Scene& scene, std::size_t first) {
   return organs;
 }
 
-std::string namesOf(const Scene& scene, const std::vector<int>& organs) {
-  std::string text = organs.size() > 1 ? "organs " : "organ ";
-  for (std::size_t k = 0; k < organs.size(); ++k) {
-    text += (k > 0 ? ", " : "") + scene.organs[static_cast<std::size_t>(organs[k])].name;
-  }
-  return text;
+std::string nameOf(const Scene& scene, int organ) {
+  return "organ " + scene.organs[static_cast<std::size_t>(organ)].name;
 }
 
 void assembleModels(const Scene& scene, const Progress& progress, SceneParts* parts) {
@@ -93,7 +89,8 @@ void assembleModels(const Scene& scene, const Progress& progress, SceneParts* pa
                                                                   static_cast<int>(k)};
     }
     for (const std::string& note : model.tissue->notes()) {
-      parts->notes.push_back(namesOf(scene, model.organs) + ": " + note);
+      const bool one = model.organs.size() == 1;  // else the note says of which it is
+      parts->notes.push_back((one ? nameOf(scene, model.organs.front()) + ": " : "") + note);
     }
     parts->models.push_back(std::move(model));
   }

@@ -11,12 +11,13 @@
 namespace palpate::sim {
 namespace {
 
-void addModel(const tissue::TissueStep& cycle, StepReport* report) {
+void addOrgans(const tissue::TissueStep& cycle, StepReport* report) {
   tissue::mergeFigures(tissue::Over::kOrgans, cycle, report);
   for (const tissue::Skip& skip : tissue::skips()) {
     if (skip.count) report->skipped.*skip.count += skip.of(cycle);
   }
   Vec3 on_tissue = cycle.support_force + cycle.gravity_force + cycle.inertia_force;
+  on_tissue += cycle.interaction_force;
   for (const tissue::TissueContact& c : cycle.contacts) on_tissue -= c.force_W;
   if (solver::balanced(cycle.status)) report->imbalance += on_tissue.norm();
 }
@@ -42,7 +43,11 @@ const StepResult& Simulator::step(const std::vector<LinkPoses>& poses, double dt
   for (const scene::ModelPart& model : s.parts.models) {
     const std::uint64_t before = Impl::revision(*model.tissue);
     const tissue::TissueStep& cycle = model.tissue->step(s.bodies, dt);
-    addModel(cycle, &s.result.report);
+    if (const std::vector<tissue::TissueStep>* organs = model.tissue->reports()) {
+      for (const tissue::TissueStep& organ : *organs) addOrgans(organ, &s.result.report);
+    } else {
+      addOrgans(cycle, &s.result.report);
+    }
     s.countMeshes(*model.tissue, before);
     s.sumWrenches(cycle, model.organs);
   }
@@ -117,7 +122,8 @@ mesh::CellMesh Simulator::cells(int i) const {
   return cells;
 }
 std::vector<std::string> Simulator::methods(int i) const {
-  return impl_->parts.organs[i].tissue->methods();
+  const scene::OrganPlace& place = impl_->parts.organs[i];
+  return place.tissue->methods(place.organ);
 }
 bool Simulator::wantsFastBlas() const {
   for (int i = 0; i < numOrgans(); ++i) {

@@ -17,7 +17,7 @@ struct Entry {
 
 // Every tissue model, the default first. To add one: docs/adding_a_model.md.
 constexpr Entry kModels[] = {
-    {"fem", makeFem, false},
+    {"fem", makeFem, true},
 };
 
 const Entry& find(const std::string& name) {

@@ -30,6 +30,10 @@ const std::vector<Skip>& skips() {
        "Assembly of the elastic stiffness where the organ has hardly changed its shape since the "
        "last one; methods `implicit_pcg`, `implicit_direct` and `implicit_async`.",
        "kept_stiffnesses", &Of::kept_stiffnesses, &Step::kept_stiffnesses, true},
+      {"apart_organs", &On::apart_organs,
+       "Solving together, and the search for contact, of bodies that cannot act on each other in "
+       "the cycle; pairs.",
+       "apart_organs", &Of::apart_organs, &Step::apart_organs, true},
   };
   return kAll;
 }
@@ -38,16 +42,16 @@ int Skip::of(const TissueStep& step) const {
   return std::visit([&](auto member) { return static_cast<int>(step.*member); }, figure);
 }
 
-void mergeSkips(const TissueStep& part, TissueStep* organ) {
+void mergeSkips(Over over, const TissueStep& part, TissueStep* whole) {
   for (const Skip& skip : skips()) {
     if (const auto* number = std::get_if<int TissueStep::*>(&skip.figure)) {
-      organ->** number += part.**number;
+      whole->** number += part.**number;
     } else {
       const auto holds = std::get<bool TissueStep::*>(skip.figure);
-      organ->*holds = organ->*holds && (part.*holds || part.slept);
+      whole->*holds = whole->*holds && (part.*holds || part.slept);
     }
   }
-  organ->sleeping_islands += part.slept;
+  if (over == Over::kParts) whole->sleeping_islands += part.slept;
 }
 
 std::int64_t SkipCounters::total() const {

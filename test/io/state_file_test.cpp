@@ -105,7 +105,7 @@ TEST_F(StateFile, IsRefusedByAnotherScene) {
                          s->organs.push_back(s->organs[0]);
                          s->organs[1].name = "second";
                        }),
-                       "other organs"));
+                       "it has organ slab where this has slab, second"));
   EXPECT_TRUE(
       contains(errorOfAnother([](scene::Scene* s) { s->solver.method = "lbfgs"; }),
                "organ slab: the state is one of 'fem implicit_pcg backward_euler anp penalty, 196 "

@@ -138,12 +138,14 @@ TEST(Skips, OfPartsCountASleepingOneAsLeftOut) {
   awake.satisfied = true;
   awake.distant_samples = 4;
   organ.slept = organ.satisfied = true;
-  tissue::mergeSkips(asleep, &organ);
-  tissue::mergeSkips(awake, &organ);
+  tissue::mergeSkips(Over::kParts, asleep, &organ);
+  tissue::mergeSkips(Over::kParts, awake, &organ);
   EXPECT_FALSE(organ.slept);
   EXPECT_TRUE(organ.satisfied);
   EXPECT_EQ(organ.sleeping_islands, 1);
   EXPECT_EQ(organ.distant_samples, 7);
+  tissue::mergeSkips(Over::kOrgans, asleep, &organ);
+  EXPECT_EQ(organ.sleeping_islands, 1);
 }
 
 // An input that is cut into four steps, beside these steps one by one. The ball goes up and

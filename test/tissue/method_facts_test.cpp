@@ -55,7 +55,7 @@ TEST(MethodFacts, FitWhatAMethodDoes) {
       EXPECT_EQ(linear, 0) << name;
     }
     EXPECT_EQ(facts.explicit_steps, facts.linear_systems == LinearSystems::kNone) << name;
-    EXPECT_EQ(tissue->methods(), std::vector<std::string>{name});
+    EXPECT_EQ(tissue->methods(0), std::vector<std::string>{name});
   }
 }
 
@@ -110,8 +110,8 @@ TEST(MethodFacts, TheModelSaysWhatAutoTook) {
   Slab stiff("auto", Eigen::Vector3i(8, 8, 4));
   stiff.law = Slab::liver("stable_neo_hookean", 0.499);
   const auto tissue = stiff.make();
-  ASSERT_EQ(tissue->methods().size(), 1u);
-  const std::string taken = tissue->methods()[0];
+  ASSERT_EQ(tissue->methods(0).size(), 1u);
+  const std::string taken = tissue->methods(0)[0];
   EXPECT_TRUE(methodFacts(taken).for_auto) << taken;
   EXPECT_TRUE(contains(tissue->notes().at(0), "method auto takes " + taken + ","));
 }

@@ -20,6 +20,7 @@
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/skip_switches.h"
+#include "palpate/tissue/touching_organs.h"
 
 namespace palpate::scene {
 
@@ -100,7 +101,7 @@ struct AnatomyConfig {
   MeshShapeConfig shape;
 };
 
-struct ContactConfig : contact::ResponseSettings {
+struct ContactConfig : contact::ResponseSettings, tissue::TouchingOrgans {
   double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
                                 ///< the inscribed radius of the thinnest shape.
 };

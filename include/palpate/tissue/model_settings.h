@@ -6,7 +6,9 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/response.h"
 #include "palpate/solver/step_settings.h"
+#include "palpate/tissue/interaction.h"
 #include "palpate/tissue/skip_switches.h"
+#include "palpate/tissue/touching_organs.h"
 
 namespace palpate::tissue {
 
@@ -16,6 +18,8 @@ struct ModelSettings : solver::StepSettings {
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
   contact::ResponseSettings contact;
   std::vector<contact::ResponseEntry> responses = contact::responses();  ///< That it may name.
+  TouchingOrgans touching;  ///< For models that own several organs.
+  std::vector<InteractionEntry> interactions = tissue::interactions();  ///< That act between them.
   double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
   SkipSwitches skip;
 };

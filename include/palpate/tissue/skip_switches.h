@@ -9,6 +9,7 @@ struct SkipSwitches {
   bool sleeping = true;
   bool islands = true;
   bool far_tools = true;
+  bool apart_organs = true;
   bool distant_samples = true;
   bool inactive_samples = true;
   bool viscous_terms = true;

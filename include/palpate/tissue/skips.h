@@ -23,6 +23,7 @@ struct SkipCounters {
       0;  ///< Those within reach that did not touch at the end: no derivative.
   std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
   std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  std::int64_t apart_organs = 0;      ///< Pairs of bodies that could not act on each other.
 
   /// Of the pieces of work: shapes, organs, solves.
   std::int64_t total() const;
@@ -48,8 +49,9 @@ struct Skip {
 /// StepReport.msg.
 const std::vector<Skip>& skips();
 
-/// Adds what a part of an organ left out to what the organ did: numbers are summed; what is true or
-/// not is true if it is of all parts, and a part that slept left out everything.
-void mergeSkips(const TissueStep& part, TissueStep* organ);
+/// Adds what a part of an organ, or an organ of a model, left out to what the whole did: numbers
+/// are summed; what is true or not is true if it is of all parts, and a part that slept left out
+/// everything. `over`: of parts, those that slept are counted.
+void mergeSkips(Over over, const TissueStep& part, TissueStep* whole);
 
 }  // namespace palpate::tissue

@@ -30,7 +30,8 @@ struct TissueStep : StepFigures {
   std::vector<TissueContact> contacts;
   Vec3 support_force = Vec3::Zero();
   Vec3 gravity_force = Vec3::Zero();
-  Vec3 inertia_force = Vec3::Zero();  ///< Of inertia and of damping by mass.
+  Vec3 inertia_force = Vec3::Zero();      ///< Of inertia and of damping by mass.
+  Vec3 interaction_force = Vec3::Zero();  ///< Of other organs.
   // What was left out, see skips.h.
   int far_bodies = 0;        ///< Bodies that could not touch in this cycle.
   bool slept = false;        ///< At rest and untouched: nothing was solved.
@@ -40,6 +41,8 @@ struct TissueStep : StepFigures {
   int inactive_samples = 0;  ///< Those within reach that did not touch at the end.
   int inviscid_solids = 0;   ///< Without viscous terms, in a cycle that was solved.
   int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  int apart_organs =
+      0;  ///< Others that one of its bodies could not act on, each pair counted once.
 
   /// As new, but with its memory.
   void clear() {
@@ -78,10 +81,12 @@ class TissueModel {
   /// last good ones, and the contacts are empty. `obstacles` are the same shapes in the same order
   /// in every cycle. Figures of several organs are sums, or the worst of them.
   virtual const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) = 0;
+  /// What the last step() did organ by organ, of a model that can tell that of several; else null.
+  virtual const std::vector<TissueStep>* reports() const { return nullptr; }
 
-  /// By which methods it is solved, once each, that of its largest part first: names of
+  /// By which methods an organ is solved, once each, that of its largest part first: names of
   /// methodFacts(), "auto" never among them. Empty for a model that has no such choice.
-  virtual std::vector<std::string> methods() const { return {}; }
+  virtual std::vector<std::string> methods(int /*organ*/) const { return {}; }
 
   /// What was decided when the model was made and the user should know, a line each.
   virtual std::vector<std::string> notes() const { return {}; }

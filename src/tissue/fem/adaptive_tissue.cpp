@@ -13,7 +13,7 @@
 namespace palpate::tissue {
 namespace {
 
-class AdaptiveTissue final : public TissueModel {
+class AdaptiveTissue final : public OrganBodies {
  public:
   AdaptiveTissue(const mesh::TetMesh& mesh, const fem::Composition& composition,
                  const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
@@ -24,7 +24,7 @@ class AdaptiveTissue final : public TissueModel {
         coarse_(next_.make()) {
     coarse_->settle();
     notes_ = coarse_->notes();
-    next_.useMethod(coarse_->methods().front());  // what `auto` took is kept
+    next_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept
     become(coarse_.get());
   }
 
@@ -33,7 +33,7 @@ class AdaptiveTissue final : public TissueModel {
     return {shape.positions, shape.velocities, shape.triangles, revision_};
   }
   mesh::CellMesh cells(int) const override { return organ_->cells(0); }
-  std::vector<std::string> methods() const override { return organ_->methods(); }
+  std::vector<std::string> methods(int) const override { return organ_->methods(0); }
   std::vector<std::string> notes() const override { return notes_; }
 
   void setInterrupt(const solver::Interrupt* interrupt) override {
@@ -41,7 +41,7 @@ class AdaptiveTissue final : public TissueModel {
     organ_->setInterrupt(interrupt);
   }
 
-  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
+  void beginCycle(const std::vector<contact::Obstacle>& obstacles, double) override {
     // The mesh follows what moves.
     moving_.clear();
     for (const contact::Obstacle& obstacle : obstacles) {
@@ -49,12 +49,15 @@ class AdaptiveTissue final : public TissueModel {
     }
     next_.resume(moving_);
     if (cycles_left_ > 0 && --cycles_left_ == 0) takeNext();
-    const TissueStep& out = organ_->step(obstacles, dt);
+  }
+  void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(organ_); }
+
+  const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double dt) override {
     // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
     if (cycles_left_ == 0 && tools_.look(moving_, kTimeAhead / dt, x, far)) beginNext(x, dt);
-    return out;
+    return organ_->report();
   }
 
   void reset() override {
@@ -150,7 +153,7 @@ class AdaptiveTissue final : public TissueModel {
 
 }  // namespace
 
-std::unique_ptr<TissueModel> makeAdaptiveTissue(const mesh::TetMesh& mesh,
+std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
                                                 const fem::Composition& composition,
                                                 const fem::FreeMask& free,
                                                 const FemSettings& settings,

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "organ_bodies.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 
@@ -20,7 +21,7 @@ namespace palpate::tissue {
 /// of touches where its sample stays.
 /// @throws as makeFemTissue(), and std::invalid_argument for 10-node tetrahedra with bent edges or
 /// a method that precomputes what a change of the mesh would undo.
-std::unique_ptr<TissueModel> makeAdaptiveTissue(
+std::unique_ptr<OrganBodies> makeAdaptiveTissue(
     const mesh::TetMesh& mesh, const fem::Composition& composition, const fem::FreeMask& free,
     const FemSettings& settings, const AdaptSettings& adapt, ThreadPool* pool = nullptr);
 

@@ -16,6 +16,12 @@
 
 namespace palpate::tissue {
 
+/// What other bodies do to one.
+struct InteractionForce {
+  Vec3 sum = Vec3::Zero();  ///< [N]
+  double norm = 0.0;        ///< Of its nodal forces [N].
+};
+
 /// A body of finite elements, what acts on it, and where it is: what every method of stepping works
 /// on.
 struct FemBody {
@@ -69,7 +75,8 @@ struct FemBody {
   Points x, v;  ///< 3 x n, world [m], [m/s].
   /// At x, where it is known and does not depend on the step [J].
   std::optional<double> elastic_energy;
-  double contact_force = 0.0, support_force = 0.0;  ///< Nodal norms of the last cycle [N].
+  /// Nodal norms of the last cycle [N]; of contact with tools and with other bodies.
+  double contact_force = 0.0, support_force = 0.0;
   Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
 
  private:

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "body_motion.h"
+
 namespace palpate::tissue {
 namespace {
 
@@ -78,33 +80,72 @@ void FemOrgan::restore(const State& state) {
   out_.clear();
 }
 
-const TissueStep& FemOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
+void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
-  if (rest_.sleeps(body_.touch)) {
-    rest_.report(&out_);
-    return out_;
-  }
+}
+
+void FemOrgan::goAlone(double dt) {
+  if (sleeps()) return sleepOn();
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
-    if (cameToRest()) {
-      rest_.fallAsleep();
-      stop();
-    }
-    out_.gravity_force = body_.weight;
+    if (cameToRest()) fallAsleep();
     method_->reportForces(&out_);
-    out_.inviscid_solids = body_.inviscid_solids;
-    body_.touch.countInactive(&out_);
+    reportSolved();
   } else {
     stop();
   }
   reportState();
-  return out_;
+}
+
+void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
+                           const InteractionForce& others) {
+  takeFigures(together);
+  if (at_rest) fallAsleep();
+  method_->motion()->reportForces(gradient, &out_);
+  out_.interaction_force = others.sum;
+  body_.contact_force = std::hypot(body_.contact_force, others.norm);
+  reportSolved();
+  reportState();
+}
+
+void FemOrgan::failTogether(const TissueStep& together) {
+  takeFigures(together);
+  stop();
+  reportState();
+}
+
+// What is true of each member; work is reported by one of them.
+void FemOrgan::takeFigures(const TissueStep& together) {
+  out_.status = together.status;
+  out_.sweep_stages = together.sweep_stages;
+  out_.time_steps = together.time_steps;
+  out_.residual = together.residual;
+  out_.tolerance = together.tolerance;
+  out_.satisfied = together.satisfied;
+}
+
+void FemOrgan::addWork(const TissueStep& together) {
+  out_.newton_iterations += together.newton_iterations;
+  out_.linear_iterations += together.linear_iterations;
+  out_.kept_stiffnesses += together.kept_stiffnesses;
+  out_.phases += together.phases;
+}
+
+void FemOrgan::reportSolved() {
+  out_.gravity_force = body_.weight;
+  out_.inviscid_solids = body_.inviscid_solids;
+  body_.touch.countInactive(&out_);
 }
 
 // It neither moves nor would begin to if it were stopped here.
 bool FemOrgan::cameToRest() {
   return rest_.isStill(body_.x, body_.touch, out_) && method_->unbalancedForce() <= out_.tolerance;
+}
+
+void FemOrgan::fallAsleep() {
+  rest_.fallAsleep();
+  stop();
 }
 
 void FemOrgan::stop() {
@@ -129,13 +170,20 @@ std::string stateKind(const FemSettings& settings, Eigen::Index num_points) {
          settings.contact.model + ", " + std::to_string(num_points) + " points";
 }
 
+std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
+                                       const fem::Composition& composition,
+                                       const fem::FreeMask& free, const FemSettings& settings,
+                                       ThreadPool* pool) {
+  auto organ = std::make_unique<FemOrgan>(mesh, composition, free, settings, pool);
+  organ->settle();
+  return organ;
+}
+
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
                                            const fem::FreeMask& free, const FemSettings& settings,
                                            ThreadPool* pool) {
-  auto organ = std::make_unique<FemOrgan>(mesh, composition, free, settings, pool);
-  organ->settle();
-  return organ;
+  return makeFemOrgan(mesh, composition, free, settings, pool);
 }
 
 }  // namespace palpate::tissue

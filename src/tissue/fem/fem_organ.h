@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem_body.h"
+#include "organ_bodies.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "step_method.h"
@@ -15,7 +16,7 @@ namespace palpate::tissue {
 
 /// A body of finite elements that is stepped by one method, sleeps where nothing happens, and
 /// reports: makeFemTissue().
-class FemOrgan final : public TissueModel {
+class FemOrgan final : public OrganBodies {
  public:
   /// At rest in its mesh, as yet without gravity.
   FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
@@ -35,18 +36,57 @@ class FemOrgan final : public TissueModel {
 
   Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(body_.mesh); }
-  std::vector<std::string> methods() const override { return {body_.method}; }
+  std::vector<std::string> methods(int) const override { return {body_.method}; }
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
   void reset() override;
   void place(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
-  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
+  void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(this); }
+  const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double) override {
+    return out_;
+  }
+
+  const FemBody& body() const { return body_; }
+  /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
+  void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
+  void goAlone(double dt);
+  /// What the cycle did.
+  const TissueStep& report() const { return out_; }
+  /// It stays awake until it has been solved once.
+  void wake() { rest_.wake(); }
+
+  // As the member of a group.
+  /// Null: its method steps it alone.
+  BodyMotion* motion() { return method_->motion(); }
+  /// It becomes one.
+  void join() { method_->forget(); }
+  /// Whether it would sleep through the cycle.
+  bool sleeps() const { return rest_.sleeps(body_.touch); }
+  /// It does.
+  void sleepOn() { rest_.report(&out_); }
+  /// It is solved.
+  void beginTogether() { rest_.begin(body_.x); }
+  /// Whether it came to rest for its part in a cycle of the group that did `together`.
+  bool isStill(const TissueStep& together) const {
+    return rest_.isStill(body_.x, body_.touch, together);
+  }
+  /// The cycle ended at body.x, and the group `at_rest`. `gradient`: of the potential, 3 x n [N];
+  /// `others`: what they exert on it.
+  void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
+                   const InteractionForce& others);
+  /// It failed.
+  void failTogether(const TissueStep& together);
+  /// The group's work is reported with this member's.
+  void addWork(const TissueStep& together);
 
  private:
   bool cameToRest();
+  void fallAsleep();
   void stop();
+  void takeFigures(const TissueStep& together);
+  void reportSolved();
   void reportState();
 
   FemBody body_;
@@ -55,5 +95,11 @@ class FemOrgan final : public TissueModel {
   Points settled_;
   TissueStep out_;
 };
+
+/// As makeFemTissue().
+std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
+                                       const fem::Composition& composition,
+                                       const fem::FreeMask& free, const FemSettings& settings,
+                                       ThreadPool* pool);
 
 }  // namespace palpate::tissue

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fem_organ.h"
 #include "palpate/base/state_bytes.h"
 #include "palpate/base/vector_text.h"
 #include "palpate/mesh/tet_parts.h"
@@ -15,7 +16,7 @@ namespace {
 struct Island {
   std::string name;        // "part 2 of 3, from [..] to [..] m in the world: "
   std::vector<int> nodes;  // in the whole
-  std::unique_ptr<TissueModel> tissue;
+  std::unique_ptr<FemOrgan> body;
 };
 
 fem::Composition compositionOf(const fem::Composition& whole, const std::vector<int>& tets) {
@@ -40,14 +41,15 @@ void scatter(const Points& part, const std::vector<int>& nodes, Points* whole) {
 
 void addIsland(const TissueStep& island, TissueStep* out) {
   mergeFigures(Over::kParts, island, out);
-  mergeSkips(island, out);
+  mergeSkips(Over::kParts, island, out);
   out->contacts.insert(out->contacts.end(), island.contacts.begin(), island.contacts.end());
   out->support_force += island.support_force;
   out->gravity_force += island.gravity_force;
   out->inertia_force += island.inertia_force;
+  out->interaction_force += island.interaction_force;
 }
 
-class Islands final : public TissueModel {
+class Islands final : public OrganBodies {
  public:
   Islands(const mesh::TetMesh& mesh, std::vector<Island> islands, const FemSettings& settings)
       : mesh_(mesh),
@@ -63,11 +65,15 @@ class Islands final : public TissueModel {
   Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(mesh_); }
 
-  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
+  void addBodies(std::vector<FemOrgan*>* bodies) override {
+    for (const Island& island : islands_) bodies->push_back(island.body.get());
+  }
+
+  const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double) override {
     out_.clear();
     out_.slept = out_.satisfied = true;
     for (const Island& island : islands_) {
-      const TissueStep& done = island.tissue->step(obstacles, dt);
+      const TissueStep& done = island.body->report();
       addIsland(done, &out_);
       if (!done.slept) take(island);
     }
@@ -75,7 +81,7 @@ class Islands final : public TissueModel {
     return out_;
   }
 
-  std::vector<std::string> methods() const override {
+  std::vector<std::string> methods(int) const override {
     std::vector<const Island*> by_size;
     for (const Island& island : islands_) by_size.push_back(&island);
     std::stable_sort(by_size.begin(), by_size.end(), [](const Island* a, const Island* b) {
@@ -83,7 +89,7 @@ class Islands final : public TissueModel {
     });
     std::vector<std::string> all;
     for (const Island* island : by_size) {
-      for (const std::string& method : island->tissue->methods()) {
+      for (const std::string& method : island->body->methods(0)) {
         if (!std::count(all.begin(), all.end(), method)) all.push_back(method);
       }
     }
@@ -93,18 +99,18 @@ class Islands final : public TissueModel {
   std::vector<std::string> notes() const override {
     std::vector<std::string> all;
     for (const Island& island : islands_) {
-      for (const std::string& note : island.tissue->notes()) all.push_back(island.name + note);
+      for (const std::string& note : island.body->notes()) all.push_back(island.name + note);
     }
     return all;
   }
 
   void setInterrupt(const solver::Interrupt* interrupt) override {
-    for (const Island& island : islands_) island.tissue->setInterrupt(interrupt);
+    for (const Island& island : islands_) island.body->setInterrupt(interrupt);
   }
 
   void reset() override {
     for (const Island& island : islands_) {
-      island.tissue->reset();
+      island.body->reset();
       take(island);
     }
     out_.clear();
@@ -114,7 +120,7 @@ class Islands final : public TissueModel {
     x_ = positions;
     v_ = velocities;
     for (const Island& island : islands_) {
-      island.tissue->place(0, gather(positions, island.nodes), gather(velocities, island.nodes));
+      island.body->place(0, gather(positions, island.nodes), gather(velocities, island.nodes));
     }
     out_.clear();
   }
@@ -122,7 +128,7 @@ class Islands final : public TissueModel {
   State state() const override {
     StateWriter out;
     for (const Island& island : islands_) {
-      const State part = island.tissue->state();
+      const State part = island.body->state();
       out.put(part.kind);
       out.put(part.bytes);
     }
@@ -136,7 +142,7 @@ class Islands final : public TissueModel {
       State part;
       in.get(&part.kind);
       in.get(&part.bytes);
-      island.tissue->restore(part);
+      island.body->restore(part);
       take(island);
     }
     in.finish();
@@ -145,8 +151,8 @@ class Islands final : public TissueModel {
 
  private:
   void take(const Island& island) {
-    scatter(island.tissue->positions(), island.nodes, &x_);
-    scatter(island.tissue->velocities(), island.nodes, &v_);
+    scatter(island.body->positions(), island.nodes, &x_);
+    scatter(island.body->velocities(), island.nodes, &v_);
   }
 
   mesh::TetMesh mesh_;
@@ -166,17 +172,17 @@ std::string nameOf(std::size_t index, std::size_t count, const Points& points) {
 
 }  // namespace
 
-std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
-                                         const fem::Composition& composition,
-                                         const fem::FreeMask& free, const FemSettings& settings,
-                                         ThreadPool* pool) {
+std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
+                                             const fem::Composition& composition,
+                                             const fem::FreeMask& free, const FemSettings& settings,
+                                             ThreadPool* pool) {
   std::vector<mesh::TetPart> parts;
   if (settings.skip.islands) parts = mesh::splitParts(mesh);
   std::size_t used = 0;
   for (const mesh::TetPart& part : parts) used += part.nodes.size();
   const bool stray_nodes = used < static_cast<std::size_t>(mesh.numPoints());
   if (parts.size() < 2 || stray_nodes) {
-    return makeFemTissue(mesh, composition, free, settings, pool);
+    return makeFemOrgan(mesh, composition, free, settings, pool);
   }
   std::vector<Island> islands;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -184,8 +190,8 @@ std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
     const std::string name = nameOf(k, parts.size(), part.mesh.points);
     try {
       islands.push_back({name, part.nodes,
-                         makeFemTissue(part.mesh, compositionOf(composition, part.tets),
-                                       gather(free, part.nodes), settings, pool)});
+                         makeFemOrgan(part.mesh, compositionOf(composition, part.tets),
+                                      gather(free, part.nodes), settings, pool)});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(name + error.what());
     } catch (const std::runtime_error& error) {
@@ -193,6 +199,13 @@ std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
     }
   }
   return std::make_unique<Islands>(mesh, std::move(islands), settings);
+}
+
+std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
+                                         const fem::Composition& composition,
+                                         const fem::FreeMask& free, const FemSettings& settings,
+                                         ThreadPool* pool) {
+  return makeOrganBodies(mesh, composition, free, settings, pool);
 }
 
 }  // namespace palpate::tissue

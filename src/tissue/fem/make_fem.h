@@ -8,8 +8,9 @@
 
 namespace palpate::tissue {
 
-/// Model "fem" of one organ: finite elements in its tetrahedra, see makeIslands().
-/// @throws as makeFemTissue() and OrganDescription.
+/// Model "fem": finite elements in the tetrahedra of each organ, see makeIslands(); organs between
+/// which something may act are solved together, see makeFemOrgans().
+/// @throws as makeFemTissue(), naming the organ where there are several, and OrganDescription.
 std::unique_ptr<TissueModel> makeFem(const ModelDescription& description);
 
 }  // namespace palpate::tissue

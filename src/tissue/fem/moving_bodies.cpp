@@ -213,14 +213,15 @@ void MovingBodies::searchInteractions() {
 
 // Before that becomes memory.
 void MovingBodies::sumInteractionForces() {
-  interaction_forces_.assign(members_.size(), Vec3::Zero());
+  interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;
   gradient_.setZero(3, x_.cols());
   for (const std::unique_ptr<Placed>& placed : interactions_) {
     placed->of_all->addGradient(x_, &gradient_);
   }
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    interaction_forces_[k] = -part(k, gradient_).rowwise().sum();
+    const Points& nodal = part(k, gradient_);
+    interaction_forces_[k] = {-nodal.rowwise().sum(), nodal.norm()};
   }
 }
 

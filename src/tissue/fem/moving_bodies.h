@@ -72,8 +72,8 @@ class MovingBodies {
   bool candidatesHold() const;
   void search();
 
-  /// What the others of the group exert on each member where the last step ended [N].
-  const std::vector<Vec3>& interactionForces() const { return interaction_forces_; }
+  /// What the others of the group exert on each member where the last step ended.
+  const std::vector<InteractionForce>& interactionForces() const { return interaction_forces_; }
 
   /// What a group remembers beside its members' own.
   void save(StateWriter* out) const { out->put(scales_); }
@@ -101,7 +101,7 @@ class MovingBodies {
   mutable std::vector<Points> parts_;  // scratch of part()
   mutable Points part_way_;
   Points gradient_;  // of the interactions alone
-  std::vector<Vec3> interaction_forces_;
+  std::vector<InteractionForce> interaction_forces_;
 };
 
 }  // namespace palpate::tissue

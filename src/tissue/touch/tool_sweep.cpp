@@ -93,6 +93,14 @@ double ToolSweep::leap(double size) const {
   return longest;
 }
 
+double ToolSweep::longestWay() const {
+  double longest = 0.0;
+  for (const contact::Obstacle& o : near_) {
+    longest = std::max(longest, contact::sweepLength(*o.geometry, o.X_WG_begin, o.X_WG_end));
+  }
+  return longest;
+}
+
 double ToolSweep::thinnest() const {
   double least = std::numeric_limits<double>::infinity();
   for (const contact::Obstacle& obstacle : near_) {

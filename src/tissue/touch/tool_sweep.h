@@ -38,6 +38,8 @@ class ToolSweep {
   /// The longest way of an obstacle in this cycle, over its inscribed radius or `size` [m],
   /// whichever is less.
   double leap(double size) const;
+  /// The longest way in this cycle of an obstacle that can touch [m].
+  double longestWay() const;
   /// The least inscribed radius of the obstacles that can touch [m]; infinity if there is none.
   double thinnest() const;
   /// Who owns an obstacle of the contact potential.

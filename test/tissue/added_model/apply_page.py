@@ -24,7 +24,7 @@ def main(page, model_list, folder):
 
     text = pathlib.Path(model_list).read_text()
     for mark, addition, behind in [('#include "fem/make_fem.h"\n', include, True),
-                                   ('{"fem", makeFem, false},\n', entry, True)]:
+                                   ('{"fem", makeFem, true},\n', entry, True)]:
         if mark not in text:
             sys.exit(f"{model_list}: has no {mark!r}")
         at = text.index(mark) + len(mark) * behind

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fem_organ.h"
+#include "implicit_steps.h"
+
+namespace palpate::tissue {
+
+/// Bodies that are solved as one, by Newton's method with conjugate gradients, 3 x 3 block Jacobi
+/// (`implicit_pcg`): its matrices are the members' side by side, and nothing is ordered or
+/// factorised when bodies come together. What members remember stays with them, so that each can go
+/// on alone.
+class BodyGroup {
+ public:
+  /// The members must outlive this. All have a motion.
+  explicit BodyGroup(std::vector<FemOrgan*> members);
+
+  const std::vector<FemOrgan*>& members() const { return members_; }
+  /// What acts between them in this cycle.
+  void setInteractions(const std::vector<MemberInteraction>& interactions) {
+    bodies_.setInteractions(interactions);
+  }
+  /// They come together anew: as a group that is new.
+  void join();
+  /// A cycle of `dt` [s], which all have begun. It sleeps if all of them would.
+  void step(double dt);
+
+  void save(StateWriter* out) const;
+  void restore(StateReader* in);
+
+ private:
+  std::vector<FemOrgan*> members_;
+  MovingBodies bodies_;
+  ImplicitSteps steps_;
+  TissueStep out_;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fem_organs.h"
+
+#include <algorithm>
+
+#include "body_groups.h"
+#include "palpate/base/error.h"
+#include "palpate/tissue/skips.h"
+
+namespace palpate::tissue {
+namespace {
+
+std::vector<std::shared_ptr<const Interaction>> makeInteractions(const ModelSettings& settings) {
+  std::vector<std::shared_ptr<const Interaction>> made;
+  if (!settings.touching.organs) return made;
+  made.reserve(settings.interactions.size());
+  for (const InteractionEntry& entry : settings.interactions) made.push_back(entry.make(settings));
+  return made;
+}
+
+class FemOrgans final : public TissueModel {
+ public:
+  FemOrgans(std::vector<NamedOrgan> organs, const ModelSettings& settings)
+      : touching_(settings.touching),
+        organs_(std::move(organs)),
+        meetings_(
+            makeInteractions(settings),
+            [this](const GroupBody& a, const GroupBody& b) { return mayMeet(a, b); },
+            !settings.skip.apart_organs),
+        reports_(organs_.size()) {
+    for (std::size_t k = 0; k < organs_.size(); ++k) by_name_.push_back(k);
+    std::sort(by_name_.begin(), by_name_.end(),
+              [this](std::size_t a, std::size_t b) { return organs_[a].name < organs_[b].name; });
+    takeBodies();
+  }
+
+  int numOrgans() const override { return static_cast<int>(organs_.size()); }
+  Shape shape(int organ) const override { return at(organ).shape(0); }
+  mesh::CellMesh cells(int organ) const override { return at(organ).cells(0); }
+  std::vector<std::string> methods(int organ) const override { return at(organ).methods(0); }
+  const std::vector<TissueStep>* reports() const override { return &reports_; }
+
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> all;
+    for (const NamedOrgan& organ : organs_) {
+      for (const std::string& note : organ.tissue->notes()) all.push_back(noteOn(organ.name, note));
+    }
+    if (!meetings_.any()) return all;
+    for (const GroupBody& b : bodies_) {
+      if (b.body->motion()) continue;
+      all.push_back(noteOn(*b.organ, "method " + b.body->body().method +
+                                         " solves organs one by one: it touches no other organ, "
+                                         "nor itself; choose an implicit method if it should"));
+    }
+    return all;
+  }
+
+  void setInterrupt(const solver::Interrupt* interrupt) override {
+    for (const NamedOrgan& organ : organs_) organ.tissue->setInterrupt(interrupt);
+  }
+
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
+    for (const NamedOrgan& organ : organs_) organ.tissue->beginCycle(obstacles, dt);
+    takeBodies();
+    for (const GroupBody& b : bodies_) b.body->begin(obstacles, dt);
+    meetings_.find(bodies_, dt, &apart_);
+    groups_.step(bodies_, meetings_, dt);
+    report(obstacles, dt);
+    return out_;
+  }
+
+  void reset() override {
+    for (const NamedOrgan& organ : organs_) organ.tissue->reset();
+    meetings_.forget();
+    groups_.forget();
+  }
+
+  void place(int organ, const Points& positions, const Points& velocities) override {
+    at(organ).place(0, positions, velocities);
+    takeBodies();
+    for (const GroupBody& b : bodies_) b.body->wake();  // what it was to them is another
+    meetings_.forget();
+    groups_.forget();
+  }
+
+  State state() const override {
+    StateWriter out;
+    for (const NamedOrgan& organ : organs_) {
+      const State state = organ.tissue->state();
+      out.put(state.kind);
+      out.put(state.bytes);
+    }
+    meetings_.save(&out);
+    groups_.save(&out);
+    return {kind(), out.bytes()};
+  }
+
+  void restore(const State& state) override {
+    checkKind(state, kind());
+    StateReader in(state.bytes);
+    for (const NamedOrgan& organ : organs_) {
+      State own;
+      in.get(&own.kind);
+      in.get(&own.bytes);
+      try {
+        organ.tissue->restore(own);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(noteOn(organ.name, error.what()));
+      }
+    }
+    takeBodies();
+    meetings_.restore(bodies_, &in);
+    groups_.restore(bodies_, &in);
+    in.finish();
+  }
+
+ private:
+  OrganBodies& at(int organ) const { return *organs_[static_cast<std::size_t>(organ)].tissue; }
+  std::string kind() const { return "fem, " + std::to_string(organs_.size()) + " organs"; }
+  static std::string noteOn(const std::string& organ, const std::string& note) {
+    return "organ " + organ + ": " + note;
+  }
+  bool mayMeet(const GroupBody& a, const GroupBody& b) const {
+    return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
+  }
+
+  void takeBodies() {
+    bodies_.clear();
+    for (const std::size_t k : by_name_) {
+      found_.clear();
+      organs_[k].tissue->addBodies(&found_);
+      const std::uint64_t revision = organs_[k].tissue->shape(0).revision;
+      for (FemOrgan* body : found_) {
+        bodies_.push_back({&organs_[k].name, static_cast<int>(k), body, revision});
+      }
+    }
+  }
+
+  void report(const std::vector<contact::Obstacle>& obstacles, double dt) {
+    out_.clear();
+    out_.slept = out_.satisfied = true;
+    for (std::size_t k = 0; k < organs_.size(); ++k) {
+      TissueStep& organ = reports_[k];
+      organ = organs_[k].tissue->endCycle(obstacles, dt);
+      for (TissueContact& contact : organ.contacts) contact.organ = static_cast<int>(k);
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_[b].number == static_cast<int>(k)) organ.apart_organs += apart_[b];
+      }
+      mergeFigures(Over::kOrgans, organ, &out_);
+      mergeSkips(Over::kOrgans, organ, &out_);
+      out_.contacts.insert(out_.contacts.end(), organ.contacts.begin(), organ.contacts.end());
+      out_.support_force += organ.support_force;
+      out_.gravity_force += organ.gravity_force;
+      out_.inertia_force += organ.inertia_force;
+      out_.interaction_force += organ.interaction_force;
+    }
+    if (out_.slept) out_.satisfied = false;
+  }
+
+  TouchingOrgans touching_;
+  std::vector<NamedOrgan> organs_;
+  std::vector<std::size_t> by_name_;
+  std::vector<GroupBody> bodies_;
+  std::vector<FemOrgan*> found_;
+  Meetings meetings_;
+  BodyGroups groups_;
+  std::vector<int> apart_;  // of each body
+  std::vector<TissueStep> reports_;
+  TissueStep out_;
+};
+
+}  // namespace
+
+std::unique_ptr<TissueModel> makeFemOrgans(std::vector<NamedOrgan> organs,
+                                           const ModelSettings& settings) {
+  return std::make_unique<FemOrgans>(std::move(organs), settings);
+}
+
+}  // namespace palpate::tissue

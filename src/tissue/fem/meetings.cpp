@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meetings.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace palpate::tissue {
+namespace {
+
+// What a body goes beyond what it does by itself, of its size: as ToolSweep has it.
+constexpr double kMargin = 0.02;
+
+auto key(const Meeting& m) { return std::make_tuple(m.interaction, m.a, m.b); }
+
+}  // namespace
+
+// Where the bodies are, and how far they may go: on as they do, or before a tool.
+void Meetings::look(const std::vector<GroupBody>& bodies, double dt) {
+  seen_.clear();
+  for (const GroupBody& b : bodies) {
+    const FemBody& body = b.body->body();
+    const double own = 2.0 * dt * body.v.colwise().norm().maxCoeff();
+    const double pushed = body.touch.possible() ? body.sweep.longestWay() : 0.0;
+    seen_.push_back({*b.organ, body.mesh.points, body.x, body.triangles,
+                     body.x.rowwise().minCoeff(), body.x.rowwise().maxCoeff(),
+                     kMargin * body.size + own + pushed});
+  }
+}
+
+void Meetings::find(const std::vector<GroupBody>& bodies, double dt, std::vector<int>* apart) {
+  apart->assign(bodies.size(), 0);
+  if (interactions_.empty()) return;
+  look(bodies, dt);
+  for (const std::unique_ptr<Meeting>& m : meetings_) m->acts = false;
+  for (std::size_t i = 0; i < interactions_.size(); ++i) {
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+      for (std::size_t b = a; b < bodies.size(); ++b) {
+        if (!may_meet_(bodies[a], bodies[b])) continue;
+        const bool asked = !always_ || a == b;
+        if (asked && !interactions_[i]->possible(seen_[a], seen_[b])) {
+          (*apart)[a] += a != b;
+          continue;
+        }
+        Meeting& m = meeting(i, a, b);
+        takeBodies(bodies, &m);
+        m.acts = true;
+        m.way = std::max(seen_[a].way, seen_[b].way);
+      }
+    }
+  }
+  for (const std::unique_ptr<Meeting>& m : meetings_) {
+    if (!m->acts) m->term.reset();
+  }
+}
+
+// The one that there is, or a new one in its place.
+Meeting& Meetings::meeting(std::size_t interaction, std::size_t a, std::size_t b) {
+  const auto place = std::lower_bound(
+      meetings_.begin(), meetings_.end(), std::make_tuple(interaction, a, b),
+      [](const std::unique_ptr<Meeting>& m, const auto& wanted) { return key(*m) < wanted; });
+  if (place != meetings_.end() && key(**place) == std::make_tuple(interaction, a, b)) {
+    return **place;
+  }
+  auto made = std::make_unique<Meeting>();
+  made->interaction = interaction;
+  made->a = a;
+  made->b = b;
+  return **meetings_.insert(place, std::move(made));
+}
+
+// A term is made of bodies as they are; where one has another mesh now, the new one goes on from
+// it.
+void Meetings::takeBodies(const std::vector<GroupBody>& bodies, Meeting* m) {
+  const std::uint64_t a = bodies[m->a].revision, b = bodies[m->b].revision;
+  if (m->term && m->revision_a == a && m->revision_b == b) return;
+  std::unique_ptr<InteractionTerm> term =
+      interactions_[m->interaction]->make(seen_[m->a], seen_[m->b]);
+  if (m->term) term->goOnFrom(*m->term);
+  m->term = std::move(term);
+  m->revision_a = a;
+  m->revision_b = b;
+}
+
+void Meetings::save(StateWriter* out) const {
+  std::int64_t count = 0;
+  for (const std::unique_ptr<Meeting>& m : meetings_) count += m->term != nullptr;
+  out->put(count);
+  for (const std::unique_ptr<Meeting>& m : meetings_) {
+    if (!m->term) continue;
+    for (const std::size_t number : {m->interaction, m->a, m->b}) {
+      out->put(static_cast<std::int64_t>(number));
+    }
+    m->term->save(out);
+  }
+}
+
+void Meetings::restore(const std::vector<GroupBody>& bodies, StateReader* in) {
+  forget();
+  look(bodies, 0.0);
+  for (std::int64_t left = in->count(3 * sizeof(std::int64_t)); left > 0; --left) {
+    const auto number = [&](std::size_t end) {
+      std::int64_t value = 0;
+      in->get(&value);
+      if (value < 0 || value >= static_cast<std::int64_t>(end)) StateReader::fail();
+      return static_cast<std::size_t>(value);
+    };
+    const std::size_t interaction = number(interactions_.size());
+    const std::size_t a = number(bodies.size()), b = number(bodies.size());
+    Meeting& m = meeting(interaction, a, b);
+    takeBodies(bodies, &m);
+    m.term->restore(in);
+  }
+}
+
+}  // namespace palpate::tissue
