@@ -69,6 +69,15 @@ TEST_F(SceneErrors, SeveralDocuments) {
                          "several YAML documents"));
 }
 
+TEST_F(SceneErrors, OrgansThatAreNotThereCannotBeApart) {
+  const auto problems =
+      problemsWith("solver:", "contact: {apart: [{organ: liver, other: spleen}]}\nsolver:");
+  EXPECT_TRUE(
+      hasProblem(problems, "contact.apart[0]", "liver, spleen: must be the names of organs"));
+  EXPECT_TRUE(hasProblem(problemsWith("solver:", "contact: {apart: [{organ: liver}]}\nsolver:"),
+                         "contact.apart[0].other", "is missing"));
+}
+
 TEST_F(SceneErrors, UnknownKeyNamesTheNearest) {
   EXPECT_TRUE(hasProblem(problemsWith("solver: {step", "solver: {stepp"), "solver.stepp",
                          "did you mean step?"));
