@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "pcg_matrix.h"
 
@@ -18,8 +19,7 @@ constexpr int kMaxRefinements = 10;
 }  // namespace
 
 struct BlockPcg::Impl {
-  Impl(int iterations, ThreadPool* pool, Isa isa, const Points& points)
-      : max_iterations(iterations), matrix(pool, isa, points) {}
+  Impl(int iterations, PcgMatrix&& of) : max_iterations(iterations), matrix(std::move(of)) {}
 
   // r = b, all else 0.
   void load(const Points& b) {
@@ -77,7 +77,13 @@ struct BlockPcg::Impl {
 };
 
 BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa, const Points& points)
-    : impl_(std::make_unique<Impl>(max_iterations, pool, isa, points)) {}
+    : impl_(std::make_unique<Impl>(max_iterations, PcgMatrix(pool, isa, points))) {}
+BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, const std::vector<BlockPcg*>& bodies) {
+  std::vector<PcgMatrix*> matrices;
+  matrices.reserve(bodies.size());
+  for (BlockPcg* body : bodies) matrices.push_back(&body->impl_->matrix);
+  impl_ = std::make_unique<Impl>(max_iterations, PcgMatrix(pool, bestIsa(), matrices));
+}
 BlockPcg::BlockPcg(BlockPcg&&) noexcept = default;
 BlockPcg::~BlockPcg() = default;
 

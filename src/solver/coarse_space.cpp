@@ -105,10 +105,10 @@ void CoarseSpace::setMask(int node, bool held) {
   for (int c = 0; c < 3; ++c) mask[kSlice * c] = held ? 0.0F : static_cast<float>(free_(c, node));
 }
 
-void CoarseSpace::leaveOut(const fem::Stiffness& A) {
+void CoarseSpace::leaveOut(const fem::Stiffness& A, int first_node) {
   const fem::BlockMatrix& K = A.blocks();
-  for (int i = 0; i < K.numNodes(); ++i) {
-    const double* block = K.values() + 9 * static_cast<std::ptrdiff_t>(K.diagonal(i));
+  for (int i = 0; i < nodes_.count(); ++i) {
+    const double* block = K.values() + 9 * static_cast<std::ptrdiff_t>(K.diagonal(first_node + i));
     const double* limit = limit_.data() + 3 * static_cast<std::ptrdiff_t>(i);
     const bool held = block[0] > limit[0] || block[4] > limit[1] || block[8] > limit[2];
     if (held != held_[i]) setMask(i, held);

@@ -33,7 +33,8 @@ class CoarseSpace {
               const PcgKernels& kernels, ThreadPool* pool = nullptr);
 
   /// Leaves out the nodes that A holds much more than their neighbours did when this was built.
-  void leaveOut(const fem::Stiffness& A);
+  /// `first_node`: where the body's nodes begin in A, which may be a matrix of several.
+  void leaveOut(const fem::Stiffness& A, int first_node = 0);
   /// P^T r of a chunk's slices.
   void restrictTo(int chunk, int begin, int end, const double* r);
   /// y = (P^T A P)^-1 P^T r, when all chunks are there; returns r . P y.

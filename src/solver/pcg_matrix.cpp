@@ -7,11 +7,35 @@
 
 namespace palpate::solver {
 
+PcgMatrix::PcgMatrix(ThreadPool* pool, Isa isa, const std::vector<PcgMatrix*>& bodies)
+    : PcgMatrix(pool, isa, Points()) {
+  bodies_ = bodies;
+}
+
+void PcgMatrix::orderNodes(const fem::BlockMatrix& K) {
+  if (bodies_.empty()) {
+    std::vector<int> lengths(static_cast<std::size_t>(K.numNodes()));
+    for (int i = 0; i < K.numNodes(); ++i) lengths[i] = K.rowEnd(i) - K.rowBegin(i);
+    nodes_ = SliceOrder(lengths, mesh::hilbertOrder(points_));
+    parts_ = {{nullptr, 0, 0, nodes_.numSlices()}};
+    return;
+  }
+  std::vector<const SliceOrder*> orders;
+  orders.reserve(bodies_.size());
+  for (const PcgMatrix* body : bodies_) orders.push_back(&body->nodes_);
+  nodes_ = SliceOrder::sideBySide(orders);
+  int first_node = 0;
+  parts_.clear();
+  for (const PcgMatrix* body : bodies_) {
+    const int first_slice = nodes_.position(first_node + body->nodes_.at(0)) / kSlice;
+    parts_.push_back({body->coarse_.get(), first_node, first_slice, body->nodes_.numSlices()});
+    first_node += body->nodes_.count();
+  }
+}
+
 void PcgMatrix::takePattern(const fem::Stiffness& A) {
   const fem::BlockMatrix& K = A.blocks();
-  std::vector<int> lengths(static_cast<std::size_t>(K.numNodes()));
-  for (int i = 0; i < K.numNodes(); ++i) lengths[i] = K.rowEnd(i) - K.rowBegin(i);
-  nodes_ = SliceOrder(lengths, mesh::hilbertOrder(points_));
+  orderNodes(K);
   if (A.hasVolume()) takeVolumes(K, *A.volume().pattern);
   takeRows(A);
   const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes_.numSlices();
@@ -26,6 +50,7 @@ void PcgMatrix::takePattern(const fem::Stiffness& A) {
 void PcgMatrix::addCoarse(const fem::Stiffness& A) {
   if (nodes_.count() == 0) takePattern(A);
   coarse_ = std::make_unique<CoarseSpace>(A, points_, nodes_, kernels_, pool_);
+  parts_.front().coarse = coarse_.get();
 }
 
 // Rows of K, with those of B that are at home in them.
@@ -130,7 +155,9 @@ void PcgMatrix::takeCouplings(const fem::Couplings& couplings) {
 bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
   takeCouplings(A.couplings());
-  if (coarse_) coarse_->leaveOut(A);
+  for (const Part& part : parts_) {
+    if (part.coarse) part.coarse->leaveOut(A, part.first_node);
+  }
   if (changed) {
     pack(A.blocks(), *changed);
     return invertDiagonal(A);

@@ -24,6 +24,11 @@ class PcgMatrix {
   PcgMatrix(ThreadPool* pool, Isa isa, Points points)
       : kernels_(pcgKernels(isa)), pool_(pool), chunks_(pool), points_(std::move(points)) {}
 
+  /// For matrices of several bodies side by side, of which each has a PcgMatrix that has taken its
+  /// pattern: with their orders, and the coarse spaces that they have by now. They outlive this,
+  /// and are not used at the same time.
+  PcgMatrix(ThreadPool* pool, Isa isa, const std::vector<PcgMatrix*>& bodies);
+
   /// Takes the pattern of A.
   void takePattern(const fem::Stiffness& A);
   /// Takes the values of A, and at the first call its pattern if that is not known. `changed`:
@@ -55,12 +60,21 @@ class PcgMatrix {
     int first = std::numeric_limits<int>::max(), last = -1;
     bool others = false;  ///< Also some that are not at home.
   };
+  /// The nodes of a body, with its coarse space.
+  struct Part {
+    CoarseSpace* coarse;  ///< Null: none.
+    int first_node, first_slice, slices;
+
+    int chunk(int of_all) const { return of_all - first_slice / Chunks::kSlices; }
+  };
   /// A block beside the pattern, between nodes that begin there in the vectors.
   struct Coupling {
     std::ptrdiff_t row, column;
     Mat3 values;
   };
 
+  void orderNodes(const fem::BlockMatrix& K);
+  const Part& partAt(int slice) const;
   void takeRows(const fem::Stiffness& A);
   void takeVolumes(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
   void takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns);
@@ -88,7 +102,9 @@ class PcgMatrix {
   std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
   std::vector<int> place_;                 // in rows_, of each slot
   AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
+  std::vector<PcgMatrix*> bodies_;         // empty: it is of one
   std::unique_ptr<CoarseSpace> coarse_;
+  std::vector<Part> parts_;
   AlignedVector<float> weights_, c_;
   std::vector<Coupling> couplings_;
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it

@@ -79,21 +79,39 @@ double PcgMatrix::applyBlocks(const PcgVectors& v) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
+const PcgMatrix::Part& PcgMatrix::partAt(int slice) const {
+  std::size_t k = parts_.size() - 1;
+  while (slice < parts_[k].first_slice) --k;
+  return parts_[k];
+}
+
+// Beyond the last node of a part there are zeros, up to its last chunk's end.
 void PcgMatrix::update(double alpha, const PcgVectors& v, double* rz, double* rr) {
   chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
     kernels_.update(inverse_diagonal_.data(), begin, end, alpha, v, &partial_[chunk],
                     &partial_2_[chunk]);
-    if (coarse_) coarse_->restrictTo(chunk, begin, end, v.r);
+    const Part& part = partAt(begin);
+    if (!part.coarse) return;
+    const int first = part.first_slice;
+    part.coarse->restrictTo(part.chunk(chunk), begin - first, std::min(end - first, part.slices),
+                            v.r + static_cast<std::ptrdiff_t>(3 * kSlice) * first);
   });
   *rz = std::accumulate(partial_.begin(), partial_.end(), 0.0);
   *rr = std::accumulate(partial_2_.begin(), partial_2_.end(), 0.0);
-  if (coarse_) *rz += coarse_->correct();
+  for (const Part& part : parts_) {
+    if (part.coarse) *rz += part.coarse->correct();
+  }
 }
 
 void PcgMatrix::direct(double alpha, double beta, const PcgVectors& v) {
-  const PcgCoarse* coarse = coarse_ ? &coarse_->correction() : nullptr;
   chunks_.forAll(nodes_.numSlices(), [&](int, int begin, int end) {
-    kernels_.direct(begin, end, alpha, beta, v, coarse);
+    const Part& part = partAt(begin);
+    const int first = part.first_slice;
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(3 * kSlice) * first;
+    const std::ptrdiff_t node = static_cast<std::ptrdiff_t>(kNodeStride * kSlice) * first;
+    const PcgVectors own{v.x + at, v.r + at, v.p + at, v.z + at, v.Ap + at, v.p_nodes + node};
+    kernels_.direct(begin - first, std::min(end - first, part.slices), alpha, beta, own,
+                    part.coarse ? &part.coarse->correction() : nullptr);
   });
 }
 

@@ -24,6 +24,19 @@ SliceOrder::SliceOrder(const std::vector<int>& lengths, const std::vector<int>& 
   for (int p = 0; p < static_cast<int>(count); ++p) position_[at_[p]] = p;
 }
 
+SliceOrder SliceOrder::sideBySide(const std::vector<const SliceOrder*>& parts) {
+  SliceOrder all;
+  for (const SliceOrder* part : parts) {
+    const int first = all.count();
+    all.at_.resize((all.at_.size() + kWindow - 1) / kWindow * kWindow, -1);
+    const auto begin = static_cast<int>(all.at_.size());
+    for (const int i : part->at_) all.at_.push_back(i < 0 ? -1 : first + i);
+    for (const int position : part->position_) all.position_.push_back(begin + position);
+    for (const int rank : part->rank_) all.rank_.push_back(begin + rank);
+  }
+  return all;
+}
+
 SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, std::array<int, 2> count,
                        const SliceOrder& order)
     : count_(count), start_{0} {

@@ -18,9 +18,13 @@ class SliceOrder {
   /// that neighbours stay near each other.
   explicit SliceOrder(const std::vector<int>& lengths, const std::vector<int>& order = {});
 
+  /// Several orders, one behind the other; each begins with a window of its own. Numbers of a part
+  /// follow those of the parts before.
+  static SliceOrder sideBySide(const std::vector<const SliceOrder*>& parts);
+
   int count() const { return static_cast<int>(position_.size()); }
   int numSlices() const { return static_cast<int>(at_.size()) / kSlice; }
-  /// What is at a position: slice kSlice + lane; -1 beyond the last.
+  /// What is at a position: slice kSlice + lane; -1 beyond the last, also of a part.
   int at(int position) const { return at_[position]; }
   int position(int i) const { return position_[i]; }
   /// Where i is in the order, before it was sorted within its window.

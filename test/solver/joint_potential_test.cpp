@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
 #include "palpate/solver/block_pcg.h"
@@ -149,6 +152,73 @@ TEST_P(SideBySide, WhatActsBetweenThemIsFoundInMatrixAndSolve) {
   ASSERT_EQ(pcg.solve(K, right, 1e-9, &solution).status, SolveStatus::kConverged);
   K.multiply(solution, &product);
   EXPECT_LE((product - right).norm(), 1e-8 * right.norm());
+}
+
+// In the orders of the bodies' own solvers, one of which has a coarse space.
+TEST_P(SideBySide, IsSolvedInTheBodiesOwnOrders) {
+  const Springs springs(static_cast<int>(n), static_cast<int>(m));
+  const std::vector<const fem::EnergyTerm*> terms = {&springs};
+  const PlacedTerms between(terms, joint.placeOf(0, 1), static_cast<int>(n + m));
+  joint.setFurther({&between});
+  BlockPcg of_a(2000, nullptr, bestIsa(), a.mesh.points), of_b(2000);
+  fem::Stiffness K_a = a.elasticity->makeMatrix(), K = joint.makeMatrix();
+  a.potential.hessian(a.mesh.points, fem::Tangent::kExact, &K_a);
+  K_a.constrain(a.potential.free);
+  of_a.takePattern(K_a);
+  of_a.learnFromRest(K_a);
+  of_b.takePattern(b.elasticity->makeMatrix());
+  joint.all().hessian(x, fem::Tangent::kExact, &K);
+  K.constrain(joint.all().free);
+  const Points right = random.points(n + m, 1.0).cwiseProduct(joint.all().free);
+  ThreadPool pool(2);
+  Points solution, product, again;
+  BlockPcg one(2000, nullptr, {&of_a, &of_b}), two(2000, &pool, {&of_a, &of_b});
+  ASSERT_EQ(one.solve(K, right, 1e-9, &solution).status, SolveStatus::kConverged);
+  K.multiply(solution, &product);
+  EXPECT_LE((product - right).norm(), 1e-8 * right.norm());
+  two.solve(K, right, 1e-9, &again);
+  EXPECT_EQ(solution, again);
+}
+
+// Long bars, whose ends hear of each other by their coarse spaces.
+TEST(JointPcg, NeedsAsManyIterationsAsTheBodiesAlone) {
+  test::Random random;
+  mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.4, 0.03, 0.03), Eigen::Vector3i(60, 4, 4));
+  const auto elasticity = fem::makeElasticity(
+      "anp", mesh,
+      fem::Composition::uniform(
+          material::makeMaterial("stable_neo_hookean",
+                                 {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.45}}}),
+          1060.0));
+  Inertia inertia;
+  inertia.beginStep(mesh.points, 1e4, elasticity->masses());
+  const Potential bar{elasticity.get(), {&inertia}, fem::FreeMask::Ones(3, mesh.numPoints())};
+  JointPotential both({&bar, &bar});
+  std::vector<double> scales;
+  both.takeScales(&scales);
+  const Eigen::Index n = mesh.numPoints();
+  Points x(3, 2 * n), solution;
+  x << mesh.points, mesh.points;
+  fem::Stiffness K_bar = elasticity->makeMatrix(), K = both.makeMatrix();
+  bar.hessian(mesh.points, fem::Tangent::kExact, &K_bar);
+  both.all().hessian(x, fem::Tangent::kExact, &K);
+  const Points right = random.points(2 * n, 1.0);
+  BlockPcg first(2000, nullptr, bestIsa(), mesh.points),
+      second(2000, nullptr, bestIsa(), mesh.points);
+  for (BlockPcg* solver : {&first, &second}) {
+    solver->takePattern(K_bar);
+    solver->learnFromRest(K_bar);
+  }
+  BlockPcg joint(2000, nullptr, {&first, &second}), plain(2000);
+  const int together = joint.solve(K, right, 1e-3, &solution).iterations;
+  const int without = plain.solve(K, right, 1e-3, &solution).iterations;
+  const int alone = std::max(first.solve(K_bar, right.leftCols(n), 1e-3, &solution).iterations,
+                             second.solve(K_bar, right.rightCols(n), 1e-3, &solution).iterations);
+  std::printf("%d iterations together, %d alone, %d without coarse spaces\n", together, alone,
+              without);
+  // The spectrum of both is that of one.
+  EXPECT_LE(together, alone + 2);
+  EXPECT_LT(together, without);
 }
 
 // The nodes of a pair lie where the two are in the group, in whatever order.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "palpate/base/isa.h"
 #include "palpate/base/thread_pool.h"
@@ -23,6 +24,10 @@ class BlockPcg final : public LinearSolver {
   /// 3 x n: where nodes are, for the coarse space; empty: there is none.
   explicit BlockPcg(int max_iterations, ThreadPool* pool = nullptr, Isa isa = bestIsa(),
                     const Points& points = {});
+  /// For matrices of several bodies side by side, each of which has a solver that has taken its
+  /// pattern: in their orders, and with the coarse spaces that they have by now. They must outlive
+  /// this, and may be used in turn with it.
+  BlockPcg(int max_iterations, ThreadPool* pool, const std::vector<BlockPcg*>& bodies);
   BlockPcg(BlockPcg&&) noexcept;
   ~BlockPcg() override;
 

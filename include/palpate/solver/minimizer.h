@@ -34,6 +34,8 @@ struct NewtonReport {
   PhaseTimes phases;
 };
 
+class LinearSolver;
+
 /// Finds minima of potentials of one body, one after another. Keeps its scratch memory, and what it
 /// learnt, between calls.
 class Minimizer {
@@ -62,6 +64,8 @@ class Minimizer {
   /// residual gets below it.
   virtual double roundoffForce(const Points& x) const = 0;
 
+  /// By which linear systems are solved, of those that have one for all; else null.
+  virtual LinearSolver* linear() { return nullptr; }
   /// As LinearSolver's, of those that solve linear systems; `assemble` writes the matrix at rest.
   virtual bool learnsFromRest(bool /*lasting*/) const { return false; }
   virtual void learnFromRest(const std::function<void(fem::Stiffness*)>& /*assemble*/) {}

@@ -29,6 +29,7 @@ class Newton final : public Minimizer {
                    double linear_tolerance, Points* d, NewtonReport* report) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;
+  LinearSolver* linear() override { return linear_.get(); }
   bool learnsFromRest(bool lasting) const override { return linear_->learnsFromRest(lasting); }
   void learnFromRest(const std::function<void(fem::Stiffness*)>& assemble) override;
   void prepare(const Potential& potential, const Points& x) override;

@@ -3,25 +3,16 @@
 
 #include <algorithm>
 
-#include "palpate/solver/minimizer_list.h"
+#include "palpate/solver/newton.h"
 
 namespace palpate::tissue {
 namespace {
 
 std::vector<BodyMotion*> motionsOf(const std::vector<FemOrgan*>& members) {
   std::vector<BodyMotion*> motions;
+  motions.reserve(members.size());
   for (FemOrgan* member : members) motions.push_back(member->motion());
   return motions;
-}
-
-std::unique_ptr<solver::Minimizer> minimizerFor(const MovingBodies& bodies, ThreadPool* pool) {
-  const FemSettings& of_scene = bodies.settings();
-  solver::MinimizerSettings settings;
-  settings.max_linear_iterations = of_scene.max_linear_iterations;
-  settings.keep_stiffness = of_scene.skip.unchanged_stiffness;
-  settings.pool = pool;
-  settings.points = bodies.pointsAtRest();
-  return solver::makeMinimizer("implicit_pcg", settings, bodies.makeMatrix());
 }
 
 }  // namespace
@@ -29,7 +20,30 @@ std::unique_ptr<solver::Minimizer> minimizerFor(const MovingBodies& bodies, Thre
 BodyGroup::BodyGroup(std::vector<FemOrgan*> members)
     : members_(std::move(members)),
       bodies_(motionsOf(members_)),
-      steps_(&bodies_, minimizerFor(bodies_, members_.front()->body().pool)) {}
+      steps_(&bodies_, makeMinimizer()) {}
+
+// A member of another method is ordered here, and has no coarse space.
+std::unique_ptr<solver::Minimizer> BodyGroup::makeMinimizer() {
+  const FemSettings& of_scene = bodies_.settings();
+  ThreadPool* pool = members_.front()->body().pool;
+  std::vector<solver::BlockPcg*> solvers;
+  solvers.reserve(members_.size());
+  for (FemOrgan* member : members_) {
+    solver::BlockPcg* own = member->motion()->pcg;
+    if (!own) {
+      const FemBody& body = member->body();
+      made_.push_back(std::make_unique<solver::BlockPcg>(of_scene.max_linear_iterations, pool,
+                                                         bestIsa(), body.mesh.points));
+      own = made_.back().get();
+      own->takePattern(body.elasticity->makeMatrix());
+    }
+    solvers.push_back(own);
+  }
+  return std::make_unique<solver::Newton>(
+      bodies_.makeMatrix(),
+      std::make_unique<solver::BlockPcg>(of_scene.max_linear_iterations, pool, solvers),
+      of_scene.skip.unchanged_stiffness, pool);
+}
 
 void BodyGroup::join() {
   steps_.forget();

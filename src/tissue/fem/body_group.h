@@ -9,10 +9,10 @@
 
 namespace palpate::tissue {
 
-/// Bodies that are solved as one, by Newton's method with conjugate gradients, 3 x 3 block Jacobi
-/// (`implicit_pcg`): its matrices are the members' side by side, and nothing is ordered or
-/// factorised when bodies come together. What members remember stays with them, so that each can go
-/// on alone.
+/// Bodies that are solved as one, by Newton's method with conjugate gradients (`implicit_pcg`): its
+/// matrices are the members' side by side, in their orders and with their coarse spaces, so that
+/// nothing is ordered or factorised when bodies come together. What members remember stays with
+/// them, and each can go on alone.
 class BodyGroup {
  public:
   /// The members must outlive this. All have a motion.
@@ -32,7 +32,10 @@ class BodyGroup {
   void restore(StateReader* in);
 
  private:
+  std::unique_ptr<solver::Minimizer> makeMinimizer();
+
   std::vector<FemOrgan*> members_;
+  std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // for members that have none
   MovingBodies bodies_;
   ImplicitSteps steps_;
   TissueStep out_;

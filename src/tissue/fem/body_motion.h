@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fem_body.h"
+#include "palpate/solver/block_pcg.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/potential.h"
 
@@ -23,6 +24,10 @@ class BodyMotion {
   const FemBody& body() const { return body_; }
   /// Inertia, elasticity, loads and contact in the step under way.
   const solver::Potential& potential() const { return potential_; }
+  /// The body's own conjugate gradients, in whose order and with whose coarse space it can be
+  /// solved together with others; null: it has none.
+  solver::BlockPcg* pcg = nullptr;
+
   const Eigen::VectorXd& masses() const { return integrator_.masses(); }
 
   /// body.x and body.v were set from outside.

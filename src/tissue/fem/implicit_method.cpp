@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "implicit_method.h"
 
-#include <cmath>
-
 #include "rest_matrix.h"
 
 namespace palpate::tissue {
@@ -10,6 +8,7 @@ namespace palpate::tissue {
 ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer)
     : motion_(body), bodies_(&motion_), steps_(&bodies_, std::move(minimizer)) {
   solver::Minimizer& own = steps_.minimizer();
+  motion_.pcg = dynamic_cast<solver::BlockPcg*>(own.linear());
   if (!own.learnsFromRest(body->settings.lasting)) return;
   own.learnFromRest([&](fem::Stiffness* A) { assembleAtRest(body, A); });
 }

@@ -51,16 +51,6 @@ fem::Stiffness MovingBodies::makeMatrix() const {
   return joint_ ? joint_->makeMatrix() : potential().elasticity->makeMatrix();
 }
 
-Points MovingBodies::pointsAtRest() const {
-  if (!joint_) return members_.front()->body().mesh.points;
-  Points all(3, joint_->numNodes());
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const Points& X = members_[k]->body().mesh.points;
-    all.middleCols(joint_->firstNode(k), X.cols()) = X;
-  }
-  return all;
-}
-
 const Points& MovingBodies::part(std::size_t member, const Points& all) const {
   if (!joint_) return all;
   parts_[member] = all.middleCols(joint_->firstNode(member), members_[member]->body().x.cols());

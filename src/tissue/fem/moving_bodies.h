@@ -39,7 +39,6 @@ class MovingBodies {
     return joint_ ? joint_->all() : members_.front()->potential();
   }
   fem::Stiffness makeMatrix() const;
-  Points pointsAtRest() const;
   /// Where they are in the step under way, 3 x n [m].
   Points& x() { return joint_ ? x_ : members_.front()->body().x; }
   /// The columns of `all` that are those of a member.
