@@ -25,15 +25,16 @@ class AugmentedResponse final : public Response {
     return touch.area * (law_.softEnergy(p + shift_.at(touch)) + law_.hardEnergy(p, touch.radius));
   }
   TouchForce force(const Touch& touch) const override {
-    return {-touch.area * pressure(touch), Vec3::Zero()};
+    return {-touch.area * pressure(touch) * touch.steepness, Vec3::Zero()};
   }
   Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
-    Mat3 H_G = slope(touch) * touch.normal_G * touch.normal_G.transpose();
+    const double along = slope(touch) * touch.steepness * touch.steepness;
+    Mat3 H_G = along * touch.normal_G * touch.normal_G.transpose();
     if (tangent == fem::Tangent::kExact) H_G -= pressure(touch) * touch.curvature_G;
     return touch.area * touch.R_WG * H_G * touch.R_WG.transpose();
   }
-  Mat3 convexStiffness(const Touch& /*touch*/, const Mat3& exact,
-                       const Vec3& force_W) const override {
+  Mat3 convexStiffness(const Touch& touch, const Mat3& exact, const Vec3& force_W) const override {
+    if (touch.steepness != 1.0) return stiffness(touch, fem::Tangent::kConvexTerms);
     const Vec3 n = force_W.stableNormalized();
     return n.dot(exact * n) * n * n.transpose();
   }

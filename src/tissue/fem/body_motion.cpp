@@ -29,7 +29,7 @@ void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change)
 void BodyMotion::beginCycle() {
   begin_ = integrator_;
   viscous_ = body_.elasticity->saveViscousState();
-  touched_ = {};
+  touched_.clear();
   body_.contact.save(&touched_);
 }
 

@@ -13,6 +13,8 @@ constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
+// Solutions in a step that contact asks for after the first.
+constexpr int kMaxSettlings = 3;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
 // step or two.
 constexpr double kWorthFollowing = 100.0;
@@ -61,10 +63,11 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
   prepared_ = true;
   startFromPredictor(begin, h);
-  solveStages(begin, end);
+  solveStages(begin, end, h);
   if (!acceptable()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   bodies_.endStep();
+  if (out_->status == solver::SolveStatus::kConverged) bodies_.settle(h);
   return true;
 }
 
@@ -86,7 +89,7 @@ void ImplicitSteps::startFromPredictor(double s, double h) {
 }
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
-void ImplicitSteps::solveStages(double begin, double end) {
+void ImplicitSteps::solveStages(double begin, double end, double h) {
   out_->tolerance = bodies_.tolerance();
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
@@ -100,6 +103,11 @@ void ImplicitSteps::solveStages(double begin, double end) {
     solved.status = moveHeld(s);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
+    if (s < end) continue;
+    for (int k = 0; k < kMaxSettlings && solved.status == solver::SolveStatus::kConverged; ++k) {
+      if (settled(h)) break;
+      solved = solveStage(false);
+    }
   }
   out_->status = solved.status;
   out_->residual = solved.residual;
@@ -145,6 +153,14 @@ solver::SolveStatus ImplicitSteps::moveHeld(double s) {
   if (!bodies_.heldWay(s, &way_)) return solver::SolveStatus::kConverged;
   const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
   return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
+}
+
+// Whether contact is content with the solution; else it learns from it, for the next one.
+bool ImplicitSteps::settled(double h) {
+  const PhaseTimer timer(&out_->phases, Phase::kContact);
+  if (bodies_.settled()) return true;
+  bodies_.settle(h);
+  return false;
 }
 
 solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {

@@ -34,7 +34,8 @@ class ImplicitSteps {
  private:
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double s, double h);
-  void solveStages(double begin, double end);
+  void solveStages(double begin, double end, double h);
+  bool settled(double h);
   void followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s);

@@ -177,6 +177,22 @@ bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
   return any;
 }
 
+bool MovingBodies::settled() {
+  bool all = true;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    FemBody& body = members_[m]->body();
+    all &= body.contact.settled(joint_ ? part(m, x_) : body.x);
+  }
+  return all;
+}
+
+void MovingBodies::settle(double h) {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    FemBody& body = members_[m]->body();
+    body.contact.settle(joint_ ? part(m, x_) : body.x, h);
+  }
+}
+
 bool MovingBodies::candidatesHold() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();

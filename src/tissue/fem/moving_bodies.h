@@ -69,6 +69,10 @@ class MovingBodies {
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
   bool candidatesHold() const;
+  /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().
+  bool settled();
+  /// `h`: of the step [s].
+  void settle(double h);
   void search();
 
   /// What the others of the group exert on each member where the last step ended.
