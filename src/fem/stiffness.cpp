@@ -69,11 +69,13 @@ void Stiffness::setZero() {
   blocks_.setZero();
   if (hasVolume()) volume_.rows.setZero();
   couplings_.clear();
+  rank_ones_.clear();
 }
 
 void Stiffness::multiply(const Points& x, Points* y) const {
   blocks_.multiply(x, y);
   couplings_.addProduct(x, y);
+  rank_ones_.addProduct(x, y);
   if (!hasVolume()) return;
   Eigen::VectorXd c, p;
   volume_.multiplyRows(x, &c);
@@ -85,6 +87,7 @@ void Stiffness::multiply(const Points& x, Points* y) const {
 void Stiffness::scale(double s) {
   blocks_.scale(s);
   couplings_.scale(s);
+  rank_ones_.scale(s);
   volume_.factor *= s;
 }
 
@@ -124,6 +127,7 @@ void Stiffness::save(StateWriter* out) const {
     out->put(block.j);
     out->put(block.values);
   }
+  rank_ones_.save(out);
 }
 
 void Stiffness::restore(StateReader* in) {
@@ -142,6 +146,7 @@ void Stiffness::restore(StateReader* in) {
     if (i < 0 || j < 0 || i >= numNodes() || j >= numNodes()) StateReader::fail();
     couplings_.add(i, j, block);
   }
+  rank_ones_.restore(in, numNodes());
 }
 
 }  // namespace palpate::fem

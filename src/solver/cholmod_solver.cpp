@@ -6,6 +6,7 @@
 #include "cholmod_factor.h"
 #include "palpate/solver/unit_costs.h"
 #include "pressure_system.h"
+#include "rank_one_correction.h"
 
 namespace palpate::solver {
 namespace {
@@ -48,12 +49,18 @@ LinearReport CholmodSolver::solve(const fem::Stiffness& A, const Points& b,
   if (!b.allFinite()) return {SolveStatus::kNonFinite, 0};
   if (A.hasVolume() && iterationsPay(A) && pressures_->factorize(A) == SolveStatus::kConverged) {
     const double tolerance = std::clamp(relative_tolerance, kTightest, kLoosest);
-    const LinearReport report = pressures_->solve(A, b, tolerance, x);
-    if (report.status == SolveStatus::kConverged) return {report.status, 0};
+    const auto solve_rest = [&](const Points& right, Points* solution) {
+      return pressures_->solve(A, right, tolerance, solution).status;
+    };
+    const SolveStatus status = solveWithRankOnes(A.rankOnes(), solve_rest, b, x);
+    if (status == SolveStatus::kConverged) return {status, 0};
   }
   const SolveStatus status = factor_->factorize(A);
   if (status != SolveStatus::kConverged) return {status, 0};
-  return {factor_->solve(b, x), 0};
+  const auto solve_rest = [&](const Points& right, Points* solution) {
+    return factor_->solve(right, solution);
+  };
+  return {solveWithRankOnes(A.rankOnes(), solve_rest, b, x), 0};
 }
 
 }  // namespace palpate::solver

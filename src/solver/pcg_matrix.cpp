@@ -152,9 +152,22 @@ void PcgMatrix::takeCouplings(const fem::Couplings& couplings) {
   }
 }
 
+void PcgMatrix::takeRankOnes(const fem::RankOnes& rank_ones) {
+  num_rank_ones_ = rank_ones.size();
+  if (rank_ones_.size() < num_rank_ones_) rank_ones_.resize(num_rank_ones_);
+  for (std::size_t t = 0; t < num_rank_ones_; ++t) {
+    RankOne& to = rank_ones_[t];
+    to.nodes.clear();
+    for (const int i : rank_ones[t].nodes) to.nodes.push_back(nodes_.offset(i, 3));
+    to.a = rank_ones[t].a;
+    to.c = rank_ones[t].c;
+  }
+}
+
 bool PcgMatrix::assign(const fem::Stiffness& A, const std::vector<int>* changed) {
   if (nodes_.count() == 0) takePattern(A);
   takeCouplings(A.couplings());
+  takeRankOnes(A.rankOnes());
   for (const Part& part : parts_) {
     if (part.coarse) part.coarse->leaveOut(A, part.first_node);
   }

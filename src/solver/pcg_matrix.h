@@ -83,8 +83,11 @@ class PcgMatrix {
   bool invertDiagonal(const fem::Stiffness& A);
   PcgVolumes volumes(const float* weights);
   void takeCouplings(const fem::Couplings& couplings);
+  void takeRankOnes(const fem::RankOnes& rank_ones);
   /// Ap += their part; returns p . that.
   double addCouplings(const PcgVectors& v) const;
+  /// Likewise.
+  double addRankOnes(const PcgVectors& v) const;
   /// Ap = K p; returns p . Ap.
   double applyBlocks(const PcgVectors& v);
   /// Ap = K p + B^T M B p; returns p . Ap.
@@ -107,6 +110,14 @@ class PcgMatrix {
   std::vector<Part> parts_;
   AlignedVector<float> weights_, c_;
   std::vector<Coupling> couplings_;
+  /// c a a^T over nodes that begin there in the vectors.
+  struct RankOne {
+    std::vector<std::ptrdiff_t> nodes;
+    Points a;
+    double c;
+  };
+  std::vector<RankOne> rank_ones_;
+  std::size_t num_rank_ones_ = 0;                // of them in use
   const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
   double factor_ = 1.0;
   std::vector<Reach> reach_;                        // of each chunk

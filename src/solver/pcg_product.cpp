@@ -66,10 +66,30 @@ double PcgMatrix::addCouplings(const PcgVectors& v) const {
   return sum;
 }
 
+double PcgMatrix::addRankOnes(const PcgVectors& v) const {
+  double curvature = 0.0;
+  for (std::size_t t = 0; t < num_rank_ones_; ++t) {
+    const RankOne& one = rank_ones_[t];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < one.nodes.size(); ++k) {
+      const double* p = v.p + one.nodes[k];
+      sum += one.a.col(static_cast<Eigen::Index>(k)).dot(Vec3(p[0], p[kSlice], p[2 * kSlice]));
+    }
+    curvature += one.c * sum * sum;
+    for (std::size_t k = 0; k < one.nodes.size(); ++k) {
+      const Vec3 Ap = one.c * sum * one.a.col(static_cast<Eigen::Index>(k));
+      for (int c = 0; c < 3; ++c) v.Ap[one.nodes[k] + kSlice * c] += static_cast<float>(Ap[c]);
+    }
+  }
+  return curvature;
+}
+
 double PcgMatrix::apply(const PcgVectors& v) {
   chunks_.turn();
-  const double curvature = pressures_.count() > 0 ? applyWithVolumes(v) : applyBlocks(v);
-  return couplings_.empty() ? curvature : curvature + addCouplings(v);
+  double curvature = pressures_.count() > 0 ? applyWithVolumes(v) : applyBlocks(v);
+  if (!couplings_.empty()) curvature += addCouplings(v);
+  if (num_rank_ones_ > 0) curvature += addRankOnes(v);
+  return curvature;
 }
 
 double PcgMatrix::applyBlocks(const PcgVectors& v) {

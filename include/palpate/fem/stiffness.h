@@ -9,6 +9,7 @@
 #include "palpate/fem/block_matrix.h"
 #include "palpate/fem/couplings.h"
 #include "palpate/fem/pressure_metric.h"
+#include "palpate/fem/rank_ones.h"
 
 namespace palpate::fem {
 
@@ -34,7 +35,7 @@ struct VolumeStiffness {
 
 /// Symmetric stiffness matrix of a body: 3 x 3 blocks and, for elements with nodal pressures,
 /// a VolumeStiffness, whose patterns never change; beside them, what ties nodes together that no
-/// element connects.
+/// element connects, two by two or many at once.
 class Stiffness {
  public:
   Stiffness() = default;
@@ -51,6 +52,7 @@ class Stiffness {
   VolumeStiffness& volume() { return volume_; }
   const VolumeStiffness& volume() const { return volume_; }
   const Couplings& couplings() const { return couplings_; }
+  const RankOnes& rankOnes() const { return rank_ones_; }
 
   /// Where the nodes are of somebody who adds and knows one body of several, or two: his node i is
   /// `first` + i, and from `split` on `second` + i - split.
@@ -77,6 +79,10 @@ class Stiffness {
   /// += H, dense, symmetric, 3 k x 3 k, over `nodes`, k of them.
   void add(const Eigen::Ref<const Eigen::VectorXi>& nodes,
            const Eigen::Ref<const Eigen::MatrixXd>& H);
+  /// += c a a^T, c > 0, `a` 3 x k over `nodes`, k of them.
+  void addRankOne(const std::vector<int>& nodes, const Points& a, double c) {
+    for (int& i : rank_ones_.add(nodes, a, c).nodes) i = place_.of(i);
+  }
   /// += H of the point sum_a weights[a] x[nodes[a]]: weights[a] weights[b] H between each two.
   template <int k>
   void addPoint(const Eigen::Matrix<int, k, 1>& nodes, const Eigen::Matrix<double, k, 1>& weights,
@@ -88,10 +94,12 @@ class Stiffness {
       }
     }
   }
-  /// The blocks hold what they do without any add(): forgets couplings and where was added to.
+  /// The blocks hold what they do without any add(): forgets couplings, rank ones and where was
+  /// added to.
   void forgetAdded() {
     blocks_.forgetAdded();
     couplings_.clear();
+    rank_ones_.clear();
   }
   void setZero();
 
@@ -99,7 +107,8 @@ class Stiffness {
   void multiply(const Points& x, Points* y) const;
   /// K *= s.
   void scale(double s);
-  /// Diagonal blocks (i, i) of K; with a metric that is not diagonal an approximation.
+  /// Diagonal blocks (i, i) of K without its rank ones; with a metric that is not diagonal an
+  /// approximation.
   void diagonal(std::vector<Mat3>* blocks) const;
   /// As BlockMatrix::constrain().
   void constrain(const Eigen::Matrix3Xd& free);
@@ -107,6 +116,7 @@ class Stiffness {
   void constrainBlocks(const Eigen::Matrix3Xd& free) {
     blocks_.constrain(free);
     couplings_.constrain(free);
+    rank_ones_.constrain(free);
   }
 
   void save(StateWriter* out) const;
@@ -118,6 +128,7 @@ class Stiffness {
   VolumeStiffness volume_;
   Couplings couplings_;
   Place place_;
+  RankOnes rank_ones_;
 };
 
 }  // namespace palpate::fem
