@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "face_rule.h"
-#include "palpate/material/tensor.h"
+#include "face_volume.h"
 
 namespace palpate::fem {
 
@@ -40,48 +40,17 @@ double DeadLoad::addGradient(const Points& x, Points* g) const {
 }
 
 double FollowerPressure::value(const Points& x) const {
-  if (faces_.cols() == 0) return 0.0;
-  const Vec3 origin = x.col(faces_(0, 0));  // near the faces, against cancellation
-  double volume = 0.0;
-  for (const FacePoint& q : faceRule(faces_.rows())) {
-    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-      const Vec3 area = q.weight * q.areaVector(x, faces_.col(t));
-      volume += (q.interpolate(x, faces_.col(t), q.N) - origin).dot(area) / 3.0;
-    }
-  }
-  return factor_ * pressure_ * volume;
+  return factor_ * pressure_ * volumeUnder(x, faces_);
 }
 
 double FollowerPressure::addGradient(const Points& x, Points* g) const {
-  for (const FacePoint& q : faceRule(faces_.rows())) {
-    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-      const Vec3 push = factor_ * pressure_ * q.weight * q.areaVector(x, faces_.col(t));
-      for (Eigen::Index a = 0; a < faces_.rows(); ++a) g->col(faces_(a, t)) += q.N[a] * push;
-    }
-  }
+  addVolumeGradient(x, faces_, factor_ * pressure_, g);
   return value(x);
 }
 
 void FollowerPressure::addHessian(const Points& x, Tangent tangent, Stiffness* K) const {
   if (tangent != Tangent::kExact) return;  // indefinite; left out where safety is asked for
-  Eigen::MatrixXd H(3 * faces_.rows(), 3 * faces_.rows());
-  for (const FacePoint& q : faceRule(faces_.rows())) {
-    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-      const auto f = faces_.col(t);
-      const double s = factor_ * pressure_ * q.weight;
-      const Mat3 r = s * material::crossMatrix(q.interpolate(x, f, q.dN_dr));
-      const Mat3 s_cross = s * material::crossMatrix(q.interpolate(x, f, q.dN_ds));
-      for (Eigen::Index a = 0; a < faces_.rows(); ++a) {
-        for (Eigen::Index b = 0; b < faces_.rows(); ++b) {
-          // Symmetric part of the matrix whose (a, b) block is N_a d(dx/dr x dx/ds)/dx_b.
-          const Mat3 ab = q.N[a] * (q.dN_ds[b] * r - q.dN_dr[b] * s_cross);
-          const Mat3 ba = q.N[b] * (q.dN_ds[a] * r - q.dN_dr[a] * s_cross);
-          H.block<3, 3>(3 * a, 3 * b) = 0.5 * (ab + ba.transpose());
-        }
-      }
-      K->add(f, H);
-    }
-  }
+  addVolumeHessian(x, faces_, factor_ * pressure_, K);
 }
 
 }  // namespace palpate::fem
