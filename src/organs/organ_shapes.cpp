@@ -71,6 +71,21 @@ mesh::SurfaceMesh makeGallbladder(double edge_length) {
                       edge_length);
 }
 
+mesh::SurfaceMesh makeHollowGallbladder(double edge_length) {
+  constexpr double kWall = 0.0025;  // [m]
+  const auto lumen = [](const Vec3& p) { return gallbladder(p) + kWall; };
+  const mesh::SurfaceMesh outer = makeGallbladder(edge_length);
+  const mesh::SurfaceMesh inner =
+      meshImplicit({lumen, Vec3(-0.055, -0.025, -0.025), Vec3(0.055, 0.03, 0.025)}, edge_length);
+  mesh::SurfaceMesh both;
+  both.points.resize(3, outer.points.cols() + inner.points.cols());
+  both.points << outer.points, inner.points;
+  const auto first = static_cast<int>(outer.points.cols());
+  both.triangles.resize(3, outer.triangles.cols() + inner.triangles.cols());
+  both.triangles << outer.triangles, (inner.triangles.array() + first).matrix().colwise().reverse();
+  return both;
+}
+
 mesh::SurfaceMesh makeSlab(double edge_length) {
   const Vec3 size(0.10, 0.10, 0.03);
   const Eigen::Vector3i n = (size / edge_length).array().round().max(1.0).matrix().cast<int>();

@@ -9,6 +9,7 @@ namespace palpate::organs {
 mesh::SurfaceMesh makeLiver(double edge_length);
 mesh::SurfaceMesh makeKidney(double edge_length);
 mesh::SurfaceMesh makeGallbladder(double edge_length);
+mesh::SurfaceMesh makeHollowGallbladder(double edge_length);
 mesh::SurfaceMesh makeSlab(double edge_length);
 
 }  // namespace palpate::organs

@@ -20,6 +20,7 @@ struct Organ {
 constexpr Organ kOrgans[] = {{"liver", makeLiver, 0.03},
                              {"kidney", makeKidney, 0.015},
                              {"gallbladder", makeGallbladder, 0.006},
+                             {"gallbladder_hollow", makeHollowGallbladder, 0.005},
                              {"slab", makeSlab, 0.03}};
 
 const Organ& findOrgan(const std::string& name) {

@@ -7,7 +7,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
-#include "palpate/base/vector_text.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/mesh/mesh_cache.h"
@@ -16,6 +15,7 @@
 #include "palpate/scene/composition.h"
 #include "palpate/scene/tissue_file.h"
 #include "palpate/tissue/model_list.h"
+#include "surroundings.h"
 #include "tool_path.h"
 
 namespace palpate::scene {
@@ -67,22 +67,6 @@ mesh::TetMesh readTetrahedra(const OrganConfig& organ, const std::string& scene_
   return mesh;
 }
 
-fem::FreeMask supportMask(const OrganConfig& organ, const Points& X, const std::string& scene_file,
-                          const std::string& key) {
-  fem::FreeMask free = fem::FreeMask::Ones(3, X.cols());
-  for (std::size_t s = 0; s < organ.supports.size(); ++s) {
-    const std::vector<int> nodes = mesh::selectPoints(X, organ.supports[s].select);
-    if (nodes.empty()) {
-      const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
-      throw InputError(scene_file, key + ".supports[" + std::to_string(s) + "].select", "",
-                       "must select at least one node; the organ reaches from " + vectorText(low) +
-                           " to " + vectorText(high) + " m in its own frame");
-    }
-    for (int i : nodes) free.col(i).setZero();
-  }
-  return free;
-}
-
 tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
   tissue::ModelSettings settings;
   static_cast<solver::StepSettings&>(settings) = scene.solver;
@@ -113,8 +97,9 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.surface = [&scene, &organ, warnings] {
     return readOrganSurface(organ, scene.file, warnings);
   };
-  description.free = [&scene, &organ, key](const Points& X) {
-    return supportMask(organ, X, scene.file, key);
+  description.free = [&scene, &organ, key](const Points& X) { return glued(scene, organ, X, key); };
+  description.surroundings = [&scene, &organ, key](const mesh::TetMesh& mesh) {
+    return surroundingsOf(scene, organ, mesh, key);
   };
   description.composition = [&scene, &organ, key](const mesh::TetMesh& mesh) {
     return composeBody(organ, mesh, organ.pose.pose().linear(), scene.file, key);

@@ -21,14 +21,6 @@ void describe(keys::FieldVisitor& v, PoseConfig& pose) {
             pose.roll_pitch_yaw, keys::Range::closed(-10.0, 10.0));
 }
 
-void describe(keys::FieldVisitor& v, SupportConfig& support) {
-  v.section({"select", "",
-             "Nodes that are held where they are at rest; coordinates in the organ's own frame, "
-             "after scaling.",
-             keys::Need::kRequired},
-            support.select);
-}
-
 void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.name({"name", "", "Names the organ in markers and reports.", keys::Need::kRequired},
          organ.name);
@@ -65,6 +57,9 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
             organ.damping);
   v.list({"supports", "", "What holds the organ; it needs some where there is gravity."},
          organ.supports, 0);
+  v.list(
+      {"pressure", "", "What presses on the organ from inside, or from outside; pressures add up."},
+      organ.pressure, 0);
 }
 
 void describe(keys::FieldVisitor& v, ProxyConfig& proxy) {

@@ -33,6 +33,8 @@ const std::vector<Figure<StepFigures>>& stepFigures() {
       {"mesh_error", "float64",
        "estimate of what the tools' forces are too large by because edges are long [N]",
        &F::mesh_error, M::kSum, M::kSum, M::kLast},
+      {"cavity_pressure", "float64", "largest pressure in a cavity of an organ, or 0 [Pa]",
+       &F::cavity_pressure, M::kLargest, M::kLargest, M::kLast},
   };
   return kAll;
 }

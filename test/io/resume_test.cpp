@@ -124,6 +124,12 @@ TEST_P(Resume, GoesOnWithTheSameBits) {
   }
 }
 
+void breathe(scene::SupportConfig* support) {
+  support->motion.emplace();
+  support->motion->amplitude = Vec3(0.001, 0.0, 0.002);
+  support->motion->period = 0.7;
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const std::string& method : tissue::methodNames()) {
@@ -188,6 +194,27 @@ std::vector<Case> cases() {
                      s->organs[0].element = "tet10";
                      s->organs[0].material.viscoelastic = {{0.3, 0.05}};
                      s->organs[0].adapt.finest = 0.015;
+                   }});
+  }
+  for (const std::string& method : tissue::methodNames()) {
+    all.push_back({"breathing_" + method, [method](scene::Scene* s) {
+                     s->solver.method = method;
+                     breathe(&s->organs[0].supports[0]);
+                   }});
+  }
+  for (const std::string& integrator : solver::integratorNames()) {
+    all.push_back({"breathing_springs_adaptive_" + integrator, [integrator](scene::Scene* s) {
+                     s->solver.integrator = integrator;
+                     s->organs[0].damping = {2.0, 0.002};
+                     s->organs[0].adapt.finest = 0.012;
+                     scene::SupportConfig springs = s->organs[0].supports[0];
+                     springs.kind = "springs";
+                     springs.springs = {2.0e5, 1.0e5, 50.0, 20.0};
+                     breathe(&springs);
+                     breathe(&s->organs[0].supports[0]);
+                     s->organs[0].supports[0].select =
+                         mesh::BoxRegion{Vec3::Constant(-1.0), Vec3(0.02, 1.0, 1e-6)};
+                     s->organs[0].supports.push_back(springs);
                    }});
   }
   all.push_back({"islands", [](scene::Scene*) {}, true});

@@ -46,6 +46,37 @@ TEST_P(NoAllocation, InACycleOnceItHasSeenOneLikeIt) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutAProxy, NoAllocation, ::testing::Bool());
 
+// Nor where the slab breathes on springs, and is glued to something that breathes.
+TEST(NoAllocationOfSurroundings, InACycleOnceItHasSeenOneLikeIt) {
+  SlabScene slab;
+  scene::Scene scene = slab.scene();
+  scene::SupportConfig& glue = scene.organs[0].supports[0];
+  glue.motion.emplace();
+  glue.motion->amplitude = Vec3(0.0, 0.0, 0.002);
+  scene::SupportConfig springs = glue;
+  springs.kind = "springs";
+  springs.springs = {2.0e5, 1.0e5, 20.0, 20.0};
+  glue.select = mesh::BoxRegion{Vec3::Constant(-1.0), Vec3(0.02, 1.0, 1e-6)};
+  scene.organs[0].supports.push_back(springs);
+  scene.organs[0].pressure.emplace_back();
+  scene.organs[0].pressure[0].pressure = 50.0;
+  scene.organs[0].pressure[0].select = mesh::PlaneRegion{0, 0.0};
+  Simulator simulator(scene);
+  const std::vector<Eigen::VectorXd> press = SlabScene::press();
+  std::vector<std::vector<LinkPoses>> poses;
+  for (const Eigen::VectorXd& q : press) poses.push_back({simulator.linkPoses(0, q)});
+  int contacts = 0;
+  for (const bool counted : {false, true}) {
+    simulator.reset();
+    simulator.step(poses.front(), 0.01);
+    test::countAllocations(counted);
+    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
+    test::countAllocations(false);
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+}
+
 // Nor between the solve and the hand, from the first solve on.
 TEST(NoAllocationOfTheForce, BetweenASolveAndTheHand) {
   haptics::DeviceSettings device;

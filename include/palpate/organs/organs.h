@@ -8,7 +8,7 @@
 
 namespace palpate::organs {
 
-/// The organs that makeOrgan() knows: liver, kidney, gallbladder, slab.
+/// The organs that makeOrgan() knows: liver, kidney, gallbladder, gallbladder_hollow, slab.
 std::vector<std::string> organNames();
 
 /// The surface of an organ of an adult's size, of near-uniform triangles with a mean edge of about
@@ -21,6 +21,7 @@ std::vector<std::string> organNames();
 ///                                         visceral side down
 ///     kidney       0.11 x 0.06 x 0.045 m  long axis along x, hilum at +y
 ///     gallbladder  0.09 x 0.04 x 0.035 m  fundus at -x, neck at +x
+///     gallbladder_hollow              the same, a wall of 2.5 mm around a cavity: two shells
 ///     slab         0.10 x 0.10 x 0.03 m   a box; its edges are exact
 ///
 /// @throws InputError if there is no such organ, or the edge length is not in

@@ -13,9 +13,9 @@
 #include "palpate/haptics/tool_proxy.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/instrument/instrument.h"
-#include "palpate/mesh/selection.h"
 #include "palpate/scene/body_config.h"
 #include "palpate/scene/edge_length_config.h"
+#include "palpate/scene/surroundings_config.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
@@ -35,10 +35,6 @@ struct PoseConfig {
   Pose pose() const { return poseFromXyzRpy(position, roll_pitch_yaw); }
 };
 
-struct SupportConfig {
-  mesh::Region select;  ///< In the organ's own frame, after scaling.
-};
-
 /// The body's own frame is the organ's, after scaling.
 struct OrganConfig : BodyConfig {
   std::string name;
@@ -52,6 +48,7 @@ struct OrganConfig : BodyConfig {
   tissue::AdaptSettings adapt;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
+  std::vector<PressureConfig> pressure;
 };
 
 struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {

@@ -14,7 +14,6 @@ void describe(keys::FieldVisitor& v, ProxyConfig& proxy);
 void describe(keys::FieldVisitor& v, DeviceConfig& device);
 void describe(keys::FieldVisitor& v, LimitsConfig& limits);
 void describe(keys::FieldVisitor& v, PoseConfig& pose);
-void describe(keys::FieldVisitor& v, SupportConfig& support);
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument);
 void describe(keys::FieldVisitor& v, MeshShapeConfig& shape);
 void describe(keys::FieldVisitor& v, AnatomyConfig& anatomy);

@@ -23,10 +23,11 @@ struct StepFigures {
   double residual = 0.0;   ///< [N]
   double tolerance = 0.0;  ///< [N]
   double min_jacobian = 1.0;
-  double kinetic_energy = 0.0;  ///< [J]
-  double elastic_energy = 0.0;  ///< [J]
-  double mesh_error = 0.0;      ///< [N]
-  PhaseTimes phases;            ///< Wall time; the one part that differs between equal runs.
+  double kinetic_energy = 0.0;   ///< [J]
+  double elastic_energy = 0.0;   ///< [J]
+  double mesh_error = 0.0;       ///< [N]
+  double cavity_pressure = 0.0;  ///< [Pa]
+  PhaseTimes phases;             ///< Wall time; the one part that differs between equal runs.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
 };

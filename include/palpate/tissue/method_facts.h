@@ -18,6 +18,9 @@ struct MethodFacts : solver::MinimizerFacts {
   bool explicit_steps = false;
   bool viscous = true;            ///< It takes bodies with viscous terms.
   bool stiffness_damping = true;  ///< It takes damping in proportion to stiffness.
+  bool spring_damping = true;     ///< It takes supports that damp.
+  bool pressures = true;          ///< It takes pressures on faces.
+  bool fluids = true;             ///< And contents of cavities that resist a change of volume.
   /// What it takes as the settings' integrator.
   std::vector<std::string> integrators = solver::integratorNames();
   /// How it gets along without one, after "the method ..."; empty where it uses the integrator.

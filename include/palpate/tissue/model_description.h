@@ -15,6 +15,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/surroundings.h"
 
 namespace palpate::tissue {
 
@@ -29,8 +30,11 @@ struct OrganDescription {
   std::function<mesh::TetMesh()> tetrahedra;
   /// Its closed surface, outward: read and repaired, or the boundary of its tetrahedra.
   std::function<mesh::SurfaceMesh()> surface;
-  /// What the supports leave free of points X, 3 x n.
+  /// What the supports leave free of points X, 3 x n, for models that know no other surroundings:
+  /// it throws where the organ has some.
   std::function<fem::FreeMask(const Points& X)> free;
+  /// What surrounds the organ, on a mesh in O; directions are in the world.
+  std::function<Surroundings(const mesh::TetMesh&)> surroundings;
   /// What the tetrahedra of a mesh in O are made of, with frames in the world.
   std::function<fem::Composition(const mesh::TetMesh&)> composition;
   /// What the organ is made of where no region says otherwise.

@@ -16,11 +16,11 @@ namespace {
 class AdaptiveTissue final : public OrganBodies {
  public:
   AdaptiveTissue(const mesh::TetMesh& mesh, const fem::Composition& composition,
-                 const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
-                 ThreadPool* pool)
+                 const Surroundings& surroundings, const FemSettings& settings,
+                 const AdaptSettings& adapt, ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
         tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
-        next_(mesh, composition, free, settings, adapt, pool),
+        next_(mesh, composition, surroundings, settings, adapt, pool),
         coarse_(next_.make()) {
     coarse_->settle();
     notes_ = coarse_->notes();
@@ -155,7 +155,7 @@ class AdaptiveTissue final : public OrganBodies {
 
 std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
                                                 const fem::Composition& composition,
-                                                const fem::FreeMask& free,
+                                                const Surroundings& surroundings,
                                                 const FemSettings& settings,
                                                 const AdaptSettings& adapt, ThreadPool* pool) {
   if (settings.method == "linear_precomputed") {
@@ -163,7 +163,7 @@ std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
         "method = linear_precomputed, with adapt.finest: must be another one; it computes its "
         "answers for one mesh before it begins");
   }
-  return std::make_unique<AdaptiveTissue>(mesh, composition, free, settings, adapt, pool);
+  return std::make_unique<AdaptiveTissue>(mesh, composition, surroundings, settings, adapt, pool);
 }
 
 }  // namespace palpate::tissue

@@ -21,9 +21,12 @@ namespace palpate::tissue {
 /// of touches where its sample stays.
 /// @throws as makeFemTissue(), and std::invalid_argument for 10-node tetrahedra with bent edges or
 /// a method that precomputes what a change of the mesh would undo.
-std::unique_ptr<OrganBodies> makeAdaptiveTissue(
-    const mesh::TetMesh& mesh, const fem::Composition& composition, const fem::FreeMask& free,
-    const FemSettings& settings, const AdaptSettings& adapt, ThreadPool* pool = nullptr);
+std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
+                                                const fem::Composition& composition,
+                                                const Surroundings& surroundings,
+                                                const FemSettings& settings,
+                                                const AdaptSettings& adapt,
+                                                ThreadPool* pool = nullptr);
 
 /// Within this distance of a tool, in units of `finest`, tetrahedra are as fine as they get: room
 /// for what a hand moves while the next mesh is made.

@@ -11,6 +11,7 @@ BodyMotion::BodyMotion(FemBody* body)
       potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free} {
   integrator_.addTerms(&potential_);
   for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
+  for (const fem::EnergyTerm* t : body->surroundings.terms()) potential_.terms.push_back(t);
 }
 
 void BodyMotion::restart() {
@@ -22,7 +23,7 @@ void BodyMotion::restart() {
 
 void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change) {
   restart();
-  integrator_.goOnFrom(old.integrator_, body_.free,
+  integrator_.goOnFrom(old.integrator_, body_.surroundings.movable(body_.free),
                        [&](const Points& p) { return change.interpolate(p); });
 }
 
@@ -48,9 +49,11 @@ void BodyMotion::endCycle() {
   viscous_.reset();
 }
 
-void BodyMotion::beginStep(double h) {
+void BodyMotion::beginStep(double begin, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
+  body_.surroundings.place(begin);
+  body_.surroundings.beginStep(h, body_.x);
 }
 
 void BodyMotion::endStep() {

@@ -42,8 +42,8 @@ class BodyMotion {
   void goBack();
   void endCycle();
 
-  /// A step of `h` [s] begins at body.x.
-  void beginStep(double h);
+  /// A step of `h` [s] begins at body.x, at part `begin` of the cycle.
+  void beginStep(double begin, double h);
   /// It has ended at body.x.
   void endStep();
   /// Where the free nodes come in `h` [s] if they go on as they do, 3 x n [m].

@@ -25,10 +25,11 @@ double noise(Eigen::Index k) {
 
 }  // namespace
 
-CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free)
+CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double beside)
     : elasticity_(*elasticity),
       scale_(free * elasticity->masses().cwiseSqrt().cwiseInverse().asDiagonal()),
-      element_size_(std::cbrt(elasticity->volume() / static_cast<double>(free.cols()))) {}
+      element_size_(std::cbrt(elasticity->volume() / static_cast<double>(free.cols()))),
+      beside_(beside) {}
 
 // Bound of the largest eigenvalue of the symmetric matrix that `multiply` applies, from mode_ on,
 // which ends as its eigenvector.
@@ -129,7 +130,8 @@ void CriticalStep::restore(StateReader* in) {
 }
 
 double CriticalStep::seconds() const {
-  return square_ > 0.0 ? 2.0 / std::sqrt(square_) : std::numeric_limits<double>::infinity();
+  const double square = square_ + beside_;
+  return square > 0.0 ? 2.0 / std::sqrt(square) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace palpate::tissue

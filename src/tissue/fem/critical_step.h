@@ -21,8 +21,9 @@ class CriticalStep {
   /// Part of it that is taken.
   static constexpr double kSafety = 0.9;
 
-  /// `elasticity` must outlive this.
-  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free);
+  /// `elasticity` must outlive this. `beside` [1/s^2]: bound of the squares of the frequencies of
+  /// what acts beside it, which adds no more than this to w^2 [Weyl 1912].
+  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double beside = 0.0);
 
   /// The bound at `X`, 3 x n [m], where the body rests relaxed. Ends with the body relaxed.
   void begin(const Points& X);
@@ -44,7 +45,8 @@ class CriticalStep {
   fem::Elasticity& elasticity_;
   Points scale_;         // 1/sqrt(m) where free, else 0
   double element_size_;  // [m]
-  double square_ = 0.0;  // w^2 [1/s^2]
+  double beside_;        // [1/s^2]
+  double square_ = 0.0;  // w^2 of the elasticity [1/s^2]
   double rest_square_ = 0.0;
   Points mode_, rest_mode_;  // of w, times sqrt(m): unit
   Points rest_, looked_at_;

@@ -74,10 +74,11 @@ CycleCounts countCycle(FemBody* body) {
   const solver::FactorCounts factor = solver::countFactor(A);
   counts.factor_flops = factor.flops;
   counts.factor_nonzeros = factor.nonzeros;
-  counts.explicit_accepts =
-      methodRefusal(methodFacts("tled"), settings, body->elasticity->viscous()).empty();
+  counts.explicit_accepts = methodRefusal(methodFacts("tled"), *body).empty();
   counts.mass_damping = settings.mass_damping > 0.0;
-  CriticalStep critical(body->elasticity.get(), body->free);
+  CriticalStep critical(
+      body->elasticity.get(), body->free,
+      body->surroundings.largestSquare(body->mesh.points, body->elasticity->masses()));
   critical.begin(body->mesh.points);
   counts.sub_steps =
       std::max(1.0, std::ceil(settings.step / (CriticalStep::kSafety * critical.seconds())));

@@ -49,12 +49,12 @@ std::function<double(double)> excessOf(const std::string& element) {
 }  // namespace
 
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
-                 fem::FreeMask free_mask, const FemSettings& fem_settings, ThreadPool* thread_pool,
-                 Drive what_drives, std::shared_ptr<fem::Elasticity> own_elasticity,
-                 const Eigen::Matrix3Xi& surface)
+                 const Surroundings& what_surrounds, const FemSettings& fem_settings,
+                 ThreadPool* thread_pool, Drive what_drives,
+                 std::shared_ptr<fem::Elasticity> own_elasticity, const Eigen::Matrix3Xi& surface)
     : settings(fem_settings),
       mesh(tet_mesh),
-      free(std::move(free_mask)),
+      free(what_surrounds.free),
       pool(thread_pool),
       size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
       triangles(surface.cols() > 0 ? surface : mesh::trianglesOf(mesh::boundaryFaces(mesh))),
@@ -66,13 +66,15 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
                                                       pool)),
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
+      surroundings(what_surrounds, mesh),
       touch(mesh.points, triangles, settings, 0, excessOf(settings.element)),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
-      v(Points::Zero(3, mesh.numPoints())) {
+      v(Points::Zero(3, mesh.numPoints())),
+      around_(surroundings.terms()) {
   contact.setBearing(free, elasticity->masses());
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm() + drive.load_norm;
@@ -100,25 +102,37 @@ void FemBody::reportContacts(TissueStep* out) { contact_force = touch.report(x, 
 double FemBody::addLoads(const Points& at, Points* g) const {
   double sum = gravity.addGradient(at, g);
   for (const fem::EnergyTerm* load : drive.loads) sum += load->addGradient(at, g);
+  for (const fem::EnergyTerm* term : around_) sum += term->addGradient(at, g);
   return sum;
 }
 
 bool FemBody::heldWay(double s, Points* way) const {
-  if (!drive.held) return false;
-  *way = (drive.held(s) - x).array() * (1.0 - free.array());
+  if (!heldMoves()) return false;
+  if (drive.held) {
+    *way = (drive.held(s) - x).array() * (1.0 - free.array());
+  } else {
+    surroundings.carry(s, x, way);
+  }
   return !way->isZero(0.0);
 }
 
 void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
   support_forces = gradient.array() * (1.0 - free.array());
+  if (!around_.empty()) {
+    around_gradient_.setZero(3, x.cols());
+    for (const fem::EnergyTerm* term : around_) term->addGradient(x, &around_gradient_);
+    support_forces -= around_gradient_;
+  }
   out->support_force = support_forces.rowwise().sum();
+  out->cavity_pressure = surroundings.largestPressure(x);
   support_force = support_forces.norm();
 }
 
 void FemBody::goOnFrom(const FemBody& old, const mesh::MeshChange& change) {
   x = change.interpolate(old.x);
   v = change.transport(old.v, old.elasticity->lumpedMasses(), elasticity->lumpedMasses()).array() *
-      free.array();
+      surroundings.movable(free).array();
+  surroundings.goOnFrom(old.surroundings);
   elasticity->goOnFrom(*old.elasticity, change);
   contact.forget();
   contact.goOnFrom(old.contact, mesh.points, old.mesh.points);
@@ -137,6 +151,7 @@ void FemBody::save(StateWriter* out) const {
   if (elastic_energy) out->put(*elastic_energy);
   out->put(contact_force);
   out->put(support_force);
+  surroundings.save(out);
 }
 
 void FemBody::restore(StateReader* in) {
@@ -151,32 +166,42 @@ void FemBody::restore(StateReader* in) {
   if (known) in->get(&elastic_energy.emplace());
   in->get(&contact_force);
   in->get(&support_force);
+  surroundings.restore(in);
 }
 
-Points settleUnderGravity(FemBody* body) {
+Points settleUnderLoads(FemBody* body) {
   Points settled = body->mesh.points;
-  if (body->settings.gravity.isZero()) return settled;
-  const std::string motions = fem::freeRigidMotions(body->mesh.points, body->free);
+  if (body->settings.gravity.isZero() && !body->surroundings.actsAtRest()) return settled;
+  const std::string motions =
+      fem::freeRigidMotions(body->mesh.points, body->free, body->surroundings.heldDirections());
   if (!motions.empty()) {
-    throw std::invalid_argument("gravity would move the body, its supports leave " + motions +
-                                "; hold more of it or set gravity to zero");
+    const std::string load = body->settings.gravity.isZero() ? "pressure" : "gravity";
+    throw std::invalid_argument(load + " would move the body, its supports leave " + motions +
+                                "; hold more of it or set " + load + " to zero");
   }
-  const solver::Potential statics{body->elasticity.get(), {&body->gravity}, body->free, 1.0};
+  solver::Potential statics{body->elasticity.get(), {&body->gravity}, body->free, 1.0};
+  for (const fem::EnergyTerm* term : body->surroundings.terms()) statics.terms.push_back(term);
   solver::StaticSettings static_settings;
   static_settings.tolerance = 1e-8;
   const solver::StaticReport report = solver::solveStatic(
       statics,
       [&](double s) {
         body->gravity.setFactor(s);
+        body->surroundings.setFactor(s);
         return body->mesh.points;
       },
       static_settings, &settled);
   body->gravity.setFactor(1.0);
+  body->surroundings.setFactor(1.0);
   const bool turned_over = body->elasticity->minJacobian(settled) <= 0.0;
   if (report.status != solver::SolveStatus::kConverged || turned_over) {
-    throw std::runtime_error("no equilibrium under gravity: the body collapses at " +
-                             std::to_string(report.load_factor) +
-                             " of its weight; is it too soft or too heavy?");
+    const bool presses = body->surroundings.actsAtRest();
+    throw std::runtime_error(
+        std::string("no equilibrium under gravity") +
+        (presses ? " and pressure: the body bursts or collapses at " : ": the body collapses at ") +
+        std::to_string(report.load_factor) +
+        (presses ? " of both; is it too soft, or the pressure too high?"
+                 : " of its weight; is it too soft or too heavy?"));
   }
   return settled;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "body_surroundings.h"
 #include "palpate/base/state_bytes.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
@@ -26,8 +27,9 @@ struct InteractionForce {
 /// on.
 struct FemBody {
   /// `surface`: of the mesh, where it is known already; without columns it is found.
-  FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition, fem::FreeMask free_mask,
-          const FemSettings& fem_settings, ThreadPool* thread_pool, Drive what_drives = {},
+  FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition,
+          const Surroundings& what_surrounds, const FemSettings& fem_settings,
+          ThreadPool* thread_pool, Drive what_drives = {},
           std::shared_ptr<fem::Elasticity> own_elasticity = nullptr,
           const Eigen::Matrix3Xi& surface = {});
 
@@ -36,12 +38,15 @@ struct FemBody {
   double tolerance() const;
   /// Collects the contacts at x into `out`, and their nodal norm.
   void reportContacts(TissueStep* out);
-  /// Gravity's and the loads' energy at `at` [J]; g += its gradient, 3 x n [N].
+  /// Energy of gravity, the loads and the surroundings at `at` [J]; g += its gradient, 3 x n [N].
   double addLoads(const Points& at, Points* g) const;
   /// The way that the held components have still to go at part s of the cycle, 3 x n [m], zero
   /// where free. False: they are there.
   bool heldWay(double s, Points* way) const;
-  /// Sums what the supports exert, given the gradient of all energies at x (3 x n [N]).
+  /// Whether held components move at all.
+  bool heldMoves() const { return drive.held || surroundings.carries(); }
+  /// Sums what the supports and all else that surrounds it exert, given the gradient of all
+  /// energies at x (3 x n [N]).
   void reportSupport(const Points& gradient, TissueStep* out);
 
   /// Takes over where `old` is, which is the same body on another mesh, of which this one's came
@@ -61,6 +66,7 @@ struct FemBody {
   std::shared_ptr<fem::Elasticity> elasticity;
   Drive drive;
   fem::DeadLoad gravity;
+  BodySurroundings surroundings;
   Touch touch;
   contact::ContactPotential& contact;  ///< Of `touch`,
   ToolSweep& sweep;                    ///< likewise.
@@ -80,13 +86,15 @@ struct FemBody {
   Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
 
  private:
-  double weight_norm_;  // of the nodal forces of gravity and loads [N]
-  double least_force_;  // worth being balanced [N]
+  double weight_norm_;                          // of the nodal forces of gravity and loads [N]
+  double least_force_;                          // worth being balanced [N]
+  std::vector<const fem::EnergyTerm*> around_;  // the surroundings' terms
+  Points around_gradient_;
 };
 
-/// The equilibrium under the body's gravity, 3 x n [m].
+/// The equilibrium under the body's gravity and surroundings, 3 x n [m].
 /// @throws std::invalid_argument if the supports do not hold the body, std::runtime_error if there
 /// is no equilibrium.
-Points settleUnderGravity(FemBody* body);
+Points settleUnderLoads(FemBody* body);
 
 }  // namespace palpate::tissue

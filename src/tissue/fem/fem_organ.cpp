@@ -14,16 +14,17 @@ constexpr double kKeptVolume = 0.5;
 }  // namespace
 
 FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
-                   const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool,
+                   const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
                    const Eigen::Matrix3Xi& surface)
-    : body_(mesh, composition, free, settings, pool, {}, nullptr, surface),
+    : body_(mesh, composition, surroundings, settings, pool, {}, nullptr, surface),
       method_(makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
-            settings.skip.sleeping),
+            settings.skip.sleeping && !body_.surroundings.moves()),
       settled_(body_.mesh.points) {}
 
 void FemOrgan::settle() {
-  settled_ = settleUnderGravity(&body_);
+  settled_ = settleUnderLoads(&body_);
+  body_.surroundings.seal(settled_);
   method_->settle(&settled_);
   reset();
 }
@@ -48,7 +49,10 @@ std::vector<std::string> FemOrgan::notes() const {
   return {body_.method_note};
 }
 
-void FemOrgan::reset() { place(0, settled_, Points::Zero(3, settled_.cols())); }
+void FemOrgan::reset() {
+  body_.surroundings.reset();
+  place(0, settled_, Points::Zero(3, settled_.cols()));
+}
 
 void FemOrgan::place(int, const Points& positions, const Points& velocities) {
   body_.x = positions;
@@ -82,6 +86,7 @@ void FemOrgan::restore(const State& state) {
 
 void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
+  body_.surroundings.beginCycle(dt);
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
 }
 
@@ -95,6 +100,7 @@ void FemOrgan::goAlone(double dt) {
   } else {
     stop();
   }
+  body_.surroundings.endCycle();
   reportState();
 }
 
@@ -106,12 +112,14 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
   out_.interaction_force = others.sum;
   body_.contact_force = std::hypot(body_.contact_force, others.norm);
   reportSolved();
+  body_.surroundings.endCycle();
   reportState();
 }
 
 void FemOrgan::failTogether(const TissueStep& together) {
   takeFigures(together);
   stop();
+  body_.surroundings.endCycle();
   reportState();
 }
 
@@ -172,18 +180,18 @@ std::string stateKind(const FemSettings& settings, Eigen::Index num_points) {
 
 std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const fem::Composition& composition,
-                                       const fem::FreeMask& free, const FemSettings& settings,
-                                       ThreadPool* pool) {
-  auto organ = std::make_unique<FemOrgan>(mesh, composition, free, settings, pool);
+                                       const Surroundings& surroundings,
+                                       const FemSettings& settings, ThreadPool* pool) {
+  auto organ = std::make_unique<FemOrgan>(mesh, composition, surroundings, settings, pool);
   organ->settle();
   return organ;
 }
 
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
-                                           const fem::FreeMask& free, const FemSettings& settings,
-                                           ThreadPool* pool) {
-  return makeFemOrgan(mesh, composition, free, settings, pool);
+                                           const Surroundings& surroundings,
+                                           const FemSettings& settings, ThreadPool* pool) {
+  return makeFemOrgan(mesh, composition, surroundings, settings, pool);
 }
 
 }  // namespace palpate::tissue

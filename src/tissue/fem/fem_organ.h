@@ -20,7 +20,7 @@ class FemOrgan final : public OrganBodies {
  public:
   /// At rest in its mesh, as yet without gravity.
   FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
-           const fem::FreeMask& free, const FemSettings& settings, ThreadPool* pool,
+           const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
            const Eigen::Matrix3Xi& surface = {});
 
   /// Begins at the equilibrium under gravity, which reset() goes back to from now on.
@@ -99,7 +99,7 @@ class FemOrgan final : public OrganBodies {
 /// As makeFemTissue().
 std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const fem::Composition& composition,
-                                       const fem::FreeMask& free, const FemSettings& settings,
-                                       ThreadPool* pool);
+                                       const Surroundings& surroundings,
+                                       const FemSettings& settings, ThreadPool* pool);
 
 }  // namespace palpate::tissue

@@ -2,6 +2,7 @@
 #include "implicit_steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/solver/line_search.h"
 
@@ -59,10 +60,10 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
 
 // One step of `h`, in which the tools go from `begin` to `end` of their way.
 bool ImplicitSteps::timeStep(double begin, double end, double h) {
-  if (bodies_.beginStep(h)) forget();
+  if (bodies_.beginStep(begin, h)) forget();
   if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
   prepared_ = true;
-  startFromPredictor(begin, h);
+  startFromPredictor(begin, end, h);
   solveStages(begin, end, h);
   if (!acceptable()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kForces);
@@ -72,20 +73,32 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
 }
 
 // From where the velocities lead if they go on changing as they did, if that is better than from
-// where the body is.
-void ImplicitSteps::startFromPredictor(double s, double h) {
+// where the bodies are; carried nodes are where they will be in both, or lifting them would look
+// like a loss.
+void ImplicitSteps::startFromPredictor(double begin, double end, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   Points& x = bodies_.x();
   const solver::Potential& potential = bodies_.potential();
-  bodies_.placeTools(s);
+  bodies_.placeTools(begin);
   bodies_.beginTouches();
   begin_x_ = x;
-  const double value_here = bodies_.valueHere();
   bodies_.extrapolate(h, &way_);
   predicted_ = x + potential.maxStep(x, way_) * way_;
+  bodies_.placeSurroundings(end);
+  if (bodies_.carries()) {
+    bodies_.carryTo(end, &predicted_);
+    bodies_.carryHere(end);
+  }
+  const double value_here = bodies_.valueHere();
   // Of all that is computed here most is kept for the first iteration, which begins at one of both.
   const double value_there = potential.gradient(predicted_, &gradient_there_);
-  if (value_there < value_here) x.swap(predicted_);  // false for NaN
+  const bool better = value_there < value_here;  // false for NaN
+  if (!better && !std::isfinite(value_here)) {
+    x = begin_x_;  // the tangent brings the others along
+    return;
+  }
+  if (better) x.swap(predicted_);
+  if (bodies_.carries()) bodies_.carryTo(end, &begin_x_);
 }
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
@@ -100,7 +113,7 @@ void ImplicitSteps::solveStages(double begin, double end, double h) {
       ++out_->sweep_stages;
     }
     followTools(from, s, from == begin ? begin_x_ : bodies_.x());
-    solved.status = moveHeld(s);
+    solved.status = moveHeld(s, end);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
     if (s < end) continue;
@@ -148,9 +161,10 @@ void ImplicitSteps::add(const solver::NewtonReport& report) {
   out_->phases += report.phases;
 }
 
-// Held nodes that move take the others along as the tangent says.
-solver::SolveStatus ImplicitSteps::moveHeld(double s) {
-  if (!bodies_.heldWay(s, &way_)) return solver::SolveStatus::kConverged;
+// Held nodes that move take the others along as the tangent says. What surroundings carry has been
+// where the step ends since it began, so that stages of a tool cost no more for it.
+solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
+  if (!bodies_.heldWay(bodies_.carries() ? end : s, &way_)) return solver::SolveStatus::kConverged;
   const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
   return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
 }

@@ -33,12 +33,12 @@ class ImplicitSteps {
 
  private:
   bool timeStep(double begin, double end, double h);
-  void startFromPredictor(double s, double h);
+  void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end, double h);
   bool settled(double h);
   void followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);
-  solver::SolveStatus moveHeld(double s);
+  solver::SolveStatus moveHeld(double s, double end);
   solver::NewtonReport solveStage(bool on_the_way);
   bool acceptable();
 

@@ -174,15 +174,15 @@ std::string nameOf(std::size_t index, std::size_t count, const Points& points) {
 
 std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
                                              const fem::Composition& composition,
-                                             const fem::FreeMask& free, const FemSettings& settings,
-                                             ThreadPool* pool) {
+                                             const Surroundings& surroundings,
+                                             const FemSettings& settings, ThreadPool* pool) {
   std::vector<mesh::TetPart> parts;
   if (settings.skip.islands) parts = mesh::splitParts(mesh);
   std::size_t used = 0;
   for (const mesh::TetPart& part : parts) used += part.nodes.size();
   const bool stray_nodes = used < static_cast<std::size_t>(mesh.numPoints());
   if (parts.size() < 2 || stray_nodes) {
-    return makeFemOrgan(mesh, composition, free, settings, pool);
+    return makeFemOrgan(mesh, composition, surroundings, settings, pool);
   }
   std::vector<Island> islands;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -191,7 +191,7 @@ std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
     try {
       islands.push_back({name, part.nodes,
                          makeFemOrgan(part.mesh, compositionOf(composition, part.tets),
-                                      gather(free, part.nodes), settings, pool)});
+                                      partOf(surroundings, part.nodes), settings, pool)});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(name + error.what());
     } catch (const std::runtime_error& error) {
@@ -203,9 +203,9 @@ std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
 
 std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
                                          const fem::Composition& composition,
-                                         const fem::FreeMask& free, const FemSettings& settings,
-                                         ThreadPool* pool) {
-  return makeOrganBodies(mesh, composition, free, settings, pool);
+                                         const Surroundings& surroundings,
+                                         const FemSettings& settings, ThreadPool* pool) {
+  return makeOrganBodies(mesh, composition, surroundings, settings, pool);
 }
 
 }  // namespace palpate::tissue

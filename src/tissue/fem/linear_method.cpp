@@ -13,7 +13,8 @@ constexpr int kMaxSettlings = 3;
 
 LinearMethod::LinearMethod(FemBody* body)
     : body_(*body),
-      compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles),
+      compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles,
+                  &body->surroundings),
       contact_(body, &compliance_),
       force_(Points::Zero(3, body->x.cols())) {
   loads_ = body_.gravity.forces();
@@ -37,7 +38,7 @@ void LinearMethod::restart() {
     if (compliance_.find(static_cast<int>(i)) < 0) force_.col(i).setZero();
   }
   compliance_.multiply(u_, &g_);
-  energy_ = 0.5 * u_.cwiseProduct(g_).sum();
+  energy_ = elasticEnergy(u_, g_);
 }
 
 void LinearMethod::save(StateWriter* out) const {
@@ -95,13 +96,40 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   return true;
 }
 
-// Displacements without contact: those under the loads, and what held nodes that move take along.
+// Displacements without contact: those under the loads, and what held nodes and anchors that move
+// take along.
 void LinearMethod::moveHeld(double s) {
-  if (!body_.drive.held) return;
-  const Points way = (body_.drive.held(s) - body_.mesh.points).array() * (1.0 - body_.free.array());
+  body_.surroundings.place(s);
+  if (!body_.heldMoves() && !body_.surroundings.moves()) return;
+  Points way = Points::Zero(3, body_.x.cols());
+  if (body_.drive.held) {
+    way = (body_.drive.held(s) - body_.mesh.points).array() * (1.0 - body_.free.array());
+  } else {
+    body_.surroundings.carry(s, body_.mesh.points, &way);
+  }
   compliance_.multiply(way, &g_);
+  addAnchorForces(&g_);
   compliance_.solve(-g_, &u0_);
   u0_ += u_loads_ + way;
+}
+
+// What anchors that moved draw at a body at rest: the springs' stiffness is in the compliance.
+void LinearMethod::addAnchorForces(Points* g) const {
+  if (!body_.surroundings.moves()) return;
+  for (const fem::EnergyTerm* t : body_.surroundings.terms()) t->addGradient(body_.mesh.points, g);
+}
+
+// Of the displacements u, under which all stiffness has the gradient g.
+double LinearMethod::elasticEnergy(const Points& u, const Points& g) const {
+  double twice = u.cwiseProduct(g).sum();
+  if (body_.surroundings.empty()) return 0.5 * twice;
+  Points there = Points::Zero(3, u.cols()), here = there;
+  for (const fem::EnergyTerm* t : body_.surroundings.terms()) {
+    t->addGradient(body_.mesh.points + u, &there);
+    t->addGradient(body_.mesh.points, &here);
+  }
+  twice -= u.cwiseProduct(there - here).sum();
+  return 0.5 * twice;
 }
 
 solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) {
@@ -128,8 +156,9 @@ solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) 
 void LinearMethod::balance() {
   u_ = body_.x - body_.mesh.points;
   compliance_.multiply(u_, &g_);
-  energy_ = 0.5 * u_.cwiseProduct(g_).sum();
+  energy_ = elasticEnergy(u_, g_);
   g_ -= loads_;
+  addAnchorForces(&g_);
   body_.contact.addGradient(body_.x, &g_);
   residual_ = g_.cwiseProduct(body_.free).norm();
 }

@@ -34,6 +34,8 @@ class LinearMethod final : public StepMethod {
  private:
   solver::NewtonReport solveStage(bool on_the_way, TissueStep* out);
   void moveHeld(double s);
+  void addAnchorForces(Points* g) const;
+  double elasticEnergy(const Points& u, const Points& g) const;
   void balance();
 
   FemBody& body_;
@@ -41,7 +43,7 @@ class LinearMethod final : public StepMethod {
   CompliantContact contact_;
   Points loads_;    // gravity and loads at rest, 3 x n [N]
   Points u_loads_;  // under them
-  Points u0_;       // without contact: u_loads_, and what held nodes take along
+  Points u0_;       // without contact: u_loads_, and what held nodes and anchors take along
   Points force_;    // of contact on the nodes [N]
   Points x_begin_, force_begin_, u_, g_;
   double residual_ = 0.0, energy_ = 0.0;

@@ -14,7 +14,7 @@ namespace {
 std::unique_ptr<OrganBodies> makeOrgan(const OrganDescription& organ,
                                        const ModelDescription& description) {
   mesh::TetMesh mesh = fem::meshFor(organ.element, organ.tetrahedra());
-  const fem::FreeMask free = organ.free(mesh.points);
+  const Surroundings surroundings = organ.surroundings(mesh);
   const fem::Composition composition = organ.composition(mesh);
   mesh.points = (organ.X_WO * mesh.points.colwise().homogeneous()).eval();
   FemSettings settings{description.settings};
@@ -22,9 +22,10 @@ std::unique_ptr<OrganBodies> makeOrgan(const OrganDescription& organ,
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;
   if (organ.adapt.on()) {
-    return makeAdaptiveTissue(mesh, composition, free, settings, organ.adapt, description.pool);
+    return makeAdaptiveTissue(mesh, composition, surroundings, settings, organ.adapt,
+                              description.pool);
   }
-  return makeOrganBodies(mesh, composition, free, settings, description.pool);
+  return makeOrganBodies(mesh, composition, surroundings, settings, description.pool);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::unique_ptr<StepMethod> automatic(FemBody* body) {
 MethodFacts tledFacts() {
   MethodFacts facts;
   facts.for_auto = facts.explicit_steps = true;
-  facts.stiffness_damping = false;
+  facts.stiffness_damping = facts.spring_damping = false;
   facts.integrators = {solver::integratorNames().front()};
   facts.own_integration = "has its own, central differences";
   return facts;
@@ -55,6 +55,7 @@ MethodFacts tledFacts() {
 MethodFacts quasiStatic(solver::LinearSystems linear_systems) {
   MethodFacts facts;
   facts.linear_systems = linear_systems;
+  facts.spring_damping = false;
   facts.integrators = {solver::integratorNames().front(), "static"};
   facts.own_integration = "is quasi-static and has none";
   return facts;
@@ -62,11 +63,15 @@ MethodFacts quasiStatic(solver::LinearSystems linear_systems) {
 
 MethodFacts linearPrecomputedFacts() {
   MethodFacts facts = quasiStatic(solver::LinearSystems::kOldFactor);
-  facts.viscous = false;
+  facts.viscous = facts.pressures = facts.fluids = false;
   return facts;
 }
 
-MethodFacts newtonBicgstabFacts() { return quasiStatic(solver::LinearSystems::kIterations); }
+MethodFacts newtonBicgstabFacts() {
+  MethodFacts facts = quasiStatic(solver::LinearSystems::kIterations);
+  facts.fluids = false;
+  return facts;
+}
 
 MethodFacts automaticFacts() { return {}; }
 
@@ -116,8 +121,7 @@ MethodFacts methodFacts(const std::string& name) {
 }
 
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body) {
-  const std::string refusal =
-      methodRefusal(methodFacts(name), body->settings, body->elasticity->viscous());
+  const std::string refusal = methodRefusal(methodFacts(name), *body);
   if (!refusal.empty()) throw std::invalid_argument(refusal);
   body->method = name;  // `automatic` makes another one, which writes its own
   return isMinimizer(name) ? implicit(name, body) : find(name).make(body);

@@ -5,7 +5,8 @@
 
 namespace palpate::tissue {
 
-std::string methodRefusal(const MethodFacts& method, const FemSettings& settings, bool viscous) {
+std::string methodRefusal(const MethodFacts& method, const FemBody& body) {
+  const FemSettings& settings = body.settings;
   const auto refusal = [&](const std::string& what, const std::string& why,
                            const std::string& remedy) {
     return what + "method " + method.name + " " + why + "; " + remedy +
@@ -21,8 +22,22 @@ std::string methodRefusal(const MethodFacts& method, const FemSettings& settings
     return refusal("damping.stiffness = " + std::to_string(settings.stiffness_damping) + ": ",
                    "damps in proportion to mass only", "set it to zero");
   }
-  if (!method.viscous && viscous) {
+  if (!method.viscous && body.elasticity->viscous()) {
     return refusal("", "has no memory for a viscoelastic material", "leave viscoelastic out");
+  }
+  if (!method.spring_damping && body.surroundings.damps()) {
+    return refusal("", "knows no damping of supports",
+                   "leave normal_damping, tangential_damping out");
+  }
+  if (!method.pressures && body.surroundings.presses()) {
+    return refusal("",
+                   "computes its answers before it begins and knows no pressure that follows the "
+                   "deformed faces",
+                   "leave pressure out");
+  }
+  if (!method.fluids && body.surroundings.resistsVolumes()) {
+    return refusal("", "knows no content that resists a change of its volume",
+                   "leave volume_stiffness out");
   }
   return "";
 }

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "palpate/tissue/fem/fem_tissue.h"
+#include "fem_body.h"
 #include "palpate/tissue/method_facts.h"
 
 namespace palpate::tissue {
 
-/// Why a method with these facts cannot treat a body with these settings, and what to change; empty
-/// if it can.
-std::string methodRefusal(const MethodFacts& method, const FemSettings& settings, bool viscous);
+/// Why a method with these facts cannot treat a body, its settings and surroundings, and what to
+/// change; empty if it can.
+std::string methodRefusal(const MethodFacts& method, const FemBody& body);
 
 }  // namespace palpate::tissue

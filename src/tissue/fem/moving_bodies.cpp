@@ -92,8 +92,8 @@ void MovingBodies::endCycle() {
   for (BodyMotion* member : members_) member->endCycle();
 }
 
-bool MovingBodies::beginStep(double h) {
-  for (BodyMotion* member : members_) member->beginStep(h);
+bool MovingBodies::beginStep(double begin, double h) {
+  for (BodyMotion* member : members_) member->beginStep(begin, h);
   return joint_ && joint_->takeScales(&scales_);
 }
 
@@ -115,6 +115,37 @@ void MovingBodies::extrapolate(double h, Points* way) const {
   }
 }
 
+bool MovingBodies::carries() const {
+  return std::any_of(members_.begin(), members_.end(), [](const BodyMotion* member) {
+    return member->body().surroundings.carries();
+  });
+}
+
+void MovingBodies::placeSurroundings(double s) {
+  for (BodyMotion* member : members_) member->body().surroundings.place(s);
+}
+
+void MovingBodies::carryTo(double s, Points* all) const {
+  if (!joint_) return members_.front()->body().surroundings.carryTo(s, all);
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const BodySurroundings& surroundings = members_[k]->body().surroundings;
+    if (!surroundings.carries()) continue;
+    part_way_ = part(k, *all);
+    surroundings.carryTo(s, &part_way_);
+    all->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
+  }
+}
+
+void MovingBodies::carryHere(double s) {
+  if (joint_) carryTo(s, &x_);
+  for (BodyMotion* member : members_) {
+    FemBody& body = member->body();
+    if (!body.surroundings.carries()) continue;
+    body.surroundings.carryTo(s, &body.x);
+    body.elastic_energy.reset();
+  }
+}
+
 double MovingBodies::valueHere() {
   double sum = 0.0;
   for (BodyMotion* member : members_) sum += member->valueHere();
@@ -127,7 +158,7 @@ bool MovingBodies::heldWay(double s, Points* way) const {
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    if (!body.drive.held) continue;
+    if (!body.drive.held && !body.surroundings.carries()) continue;
     body.x = part(k, x_);
     if (!body.heldWay(s, &part_way_)) continue;
     if (!any) way->setZero(3, x_.cols());

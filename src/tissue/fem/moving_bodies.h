@@ -50,11 +50,17 @@ class MovingBodies {
   void beginCycle();
   void goBack();
   void endCycle();
-  /// A step of `h` [s] begins at x. True: the elastic part of the matrix is scaled otherwise than
-  /// it was by a group's last step.
-  bool beginStep(double h);
+  /// A step of `h` [s] begins at x, at part `begin` of the cycle. True: the elastic part of the
+  /// matrix is scaled otherwise than it was by a group's last step.
+  bool beginStep(double begin, double h);
   void endStep();
   void extrapolate(double h, Points* way) const;
+  /// Whether surroundings carry nodes; they, and anchors, go to part `s` of the cycle.
+  bool carries() const;
+  void placeSurroundings(double s);
+  /// Puts the carried nodes of `all` there, or of x, where a step begins.
+  void carryTo(double s, Points* all) const;
+  void carryHere(double s);
   /// The potential at x, where a step begins.
   double valueHere();
   /// See FemBody::heldWay().

@@ -10,10 +10,10 @@
 namespace palpate::tissue {
 
 NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
-                   const fem::FreeMask& free, const FemSettings& settings,
+                   const Surroundings& surroundings, const FemSettings& settings,
                    const AdaptSettings& adapt, ThreadPool* pool)
     : composition_(composition),
-      free_(free),
+      surroundings_(surroundings),
       settings_(settings),
       adapt_(adapt),
       pool_(pool),
@@ -38,17 +38,45 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
     if (!composition_.solid_of.empty()) composition.solid_of.push_back(composition_.solid_of[t]);
     if (!composition_.frames.empty()) composition.frames.push_back(composition_.frames[t]);
   }
-  // Between points that are held nothing can move.
-  fem::FreeMask free(3, nested_.mesh().numPoints());
-  for (int i = 0; i < static_cast<int>(free.cols()); ++i) {
-    if (nested_.coarsePoint(i) >= 0) free.col(i) = free_.col(nested_.coarsePoint(i));
-  }
-  for (const mesh::MeshChange::Middle& m : nested_.middles()) {
-    if (nested_.coarsePoint(m.point) >= 0) continue;  // a middle node of the coarse mesh
-    free.col(m.point) = free.col(m.a).cwiseMax(free.col(m.b));
-  }
-  return std::make_unique<FemOrgan>(nested_.mesh(), composition, free, settings_, pool_,
+  return std::make_unique<FemOrgan>(nested_.mesh(), composition, surroundings(), settings_, pool_,
                                     nested_.surface());
+}
+
+// On the present mesh: a point between two others has what they have in common.
+Surroundings NextMesh::surroundings() const {
+  const Eigen::Index n = nested_.mesh().numPoints();
+  const auto forMiddles = [&](const auto& take) {
+    for (const mesh::MeshChange::Middle& m : nested_.middles()) {
+      if (nested_.coarsePoint(m.point) < 0) take(m);  // else a middle node of the coarse mesh
+    }
+  };
+  Surroundings fine;
+  fine.free.resize(3, n);
+  for (int i = 0; i < n; ++i) {
+    const int coarse = nested_.coarsePoint(i);
+    if (coarse >= 0) fine.free.col(i) = surroundings_.free.col(coarse);
+  }
+  forMiddles([&](const mesh::MeshChange::Middle& m) {
+    fine.free.col(m.point) = fine.free.col(m.a).cwiseMax(fine.free.col(m.b));
+  });
+  const auto onThisMesh = [&](auto items) {
+    for (auto& item : items) {
+      std::vector<char> in(static_cast<std::size_t>(n), 0);
+      for (int i = 0; i < n; ++i) {
+        in[i] = std::binary_search(item.nodes.begin(), item.nodes.end(), nested_.coarsePoint(i));
+      }
+      forMiddles([&](const mesh::MeshChange::Middle& m) { in[m.point] = in[m.a] && in[m.b]; });
+      item.nodes.clear();
+      for (int i = 0; i < n; ++i) {
+        if (in[i]) item.nodes.push_back(i);
+      }
+    }
+    return items;
+  };
+  fine.carried = onThisMesh(surroundings_.carried);
+  fine.springs = onThisMesh(surroundings_.springs);
+  fine.pressures = onThisMesh(surroundings_.pressures);
+  return fine;
 }
 
 void NextMesh::restore(const std::string& bisected) {

@@ -18,8 +18,8 @@ namespace palpate::tissue {
 class NextMesh {
  public:
   NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
-           const fem::FreeMask& free, const FemSettings& settings, const AdaptSettings& adapt,
-           ThreadPool* pool);
+           const Surroundings& surroundings, const FemSettings& settings,
+           const AdaptSettings& adapt, ThreadPool* pool);
 
   void useMethod(const std::string& method) { settings_.method = method; }
   /// Farther from a tool than this the coarse mesh is as fine as is asked for [m].
@@ -53,9 +53,10 @@ class NextMesh {
 
  private:
   void work();
+  Surroundings surroundings() const;
 
   fem::Composition composition_;  // of the coarse mesh
-  fem::FreeMask free_;            // likewise
+  Surroundings surroundings_;     // likewise
   FemSettings settings_;
   AdaptSettings adapt_;
   ThreadPool* pool_;

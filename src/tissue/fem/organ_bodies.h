@@ -33,7 +33,7 @@ class OrganBodies : public TissueModel {
 /// See makeIslands().
 std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
                                              const fem::Composition& composition,
-                                             const fem::FreeMask& free, const FemSettings& settings,
-                                             ThreadPool* pool);
+                                             const Surroundings& surroundings,
+                                             const FemSettings& settings, ThreadPool* pool);
 
 }  // namespace palpate::tissue

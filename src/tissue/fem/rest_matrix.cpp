@@ -15,6 +15,7 @@ void assembleAtRest(FemBody* body, fem::Stiffness* A) {
                                 {settings.mass_damping, settings.stiffness_damping});
   solver::Potential potential{body->elasticity.get(), {}, body->free};
   integrator.addTerms(&potential);
+  for (const fem::EnergyTerm* term : body->surroundings.terms()) potential.terms.push_back(term);
   integrator.start(X, Points::Zero(3, X.cols()));
   if (integrator.needsElasticGradient()) {
     Points g;

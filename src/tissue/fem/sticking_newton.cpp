@@ -79,6 +79,7 @@ bool StickingNewton::sweep(int parts, TissueStep* out) {
     ++out->sweep_stages;
     body_.sweep.place(s);
     part_ = s;
+    body_.surroundings.place(s);
     solveStage(out);
     const bool usable = out->ok() || out->status == solver::SolveStatus::kIterationLimit;
     if (!usable || !body_.x.allFinite()) return false;
@@ -152,6 +153,10 @@ bool StickingNewton::iterate(TissueStep* out) {
 Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kAssembly);
   body_.elasticity->hessian(body_.x, fem::Tangent::kExact, &stiffness_);
+  stiffness_.forgetAdded();
+  for (const fem::EnergyTerm* term : body_.surroundings.terms()) {
+    term->addHessian(body_.x, fem::Tangent::kExact, &stiffness_);
+  }
   stiffness_.multiply(move_, &right_);
   right_ = -(g_ + right_).cwiseProduct(contact_.free());
   stiffness_.constrain(contact_.free());

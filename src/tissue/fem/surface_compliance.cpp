@@ -14,11 +14,14 @@ constexpr int kColumns = 48;
 }  // namespace
 
 SurfaceCompliance::SurfaceCompliance(fem::Elasticity* elasticity, const fem::FreeMask& free,
-                                     const Points& X, const Eigen::Matrix3Xi& triangles)
+                                     const Points& X, const Eigen::Matrix3Xi& triangles,
+                                     const BodySurroundings* surroundings)
     : position_(static_cast<std::size_t>(X.cols()), -1),
       free_(free),
       stiffness_(elasticity->makeMatrix()) {
-  const std::string motions = fem::freeRigidMotions(X, free);
+  std::vector<fem::HeldDirection> held_by_springs;
+  if (surroundings) held_by_springs = surroundings->heldDirections();
+  const std::string motions = fem::freeRigidMotions(X, free, held_by_springs);
   if (!motions.empty()) {
     throw std::invalid_argument(
         "method linear_precomputed needs a body that its supports hold, "
@@ -39,6 +42,11 @@ SurfaceCompliance::SurfaceCompliance(fem::Elasticity* elasticity, const fem::Fre
         " (288 MB); enlarge edge_length, hold more of the body, or choose implicit_pcg");
   }
   elasticity->hessian(X, fem::Tangent::kExact, &stiffness_);
+  if (surroundings) {
+    for (const fem::EnergyTerm* term : surroundings->terms()) {
+      term->addHessian(X, fem::Tangent::kExact, &stiffness_);
+    }
+  }
   fem::Stiffness held = stiffness_;
   held.constrain(free);
   factor_ = std::make_unique<solver::StiffnessFactor>(held);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "body_surroundings.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/solver/stiffness_factor.h"
@@ -16,11 +17,13 @@ constexpr int kMaxComplianceNodes = 2000;
 /// which the rows of these nodes are kept [Green's functions: James, Pai 1999].
 class SurfaceCompliance {
  public:
-  /// `X`: rest, 3 x n [m]; `triangles`: the surface.
+  /// `X`: rest, 3 x n [m]; `triangles`: the surface; `surroundings`: of the body, whose springs
+  /// hold it, too; null: there are none.
   /// @throws std::invalid_argument if the supports do not hold the body or the surface has more
   /// than kMaxComplianceNodes nodes that can move.
   SurfaceCompliance(fem::Elasticity* elasticity, const fem::FreeMask& free, const Points& X,
-                    const Eigen::Matrix3Xi& triangles);
+                    const Eigen::Matrix3Xi& triangles,
+                    const BodySurroundings* surroundings = nullptr);
 
   /// The displacements u of all nodes under the forces f, 3 x n, [m] and [N].
   void solve(const Points& f, Points* u) const;

@@ -26,7 +26,8 @@ TledMethod::TledMethod(FemBody* body)
       masses_(body->elasticity->masses()),
       inverse_masses_(body->free * masses_.cwiseInverse().asDiagonal()),
       element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(masses_.size()))),
-      critical_(body->elasticity.get(), body->free),
+      critical_(body->elasticity.get(), body->free,
+                body->surroundings.largestSquare(body->mesh.points, masses_)),
       update_(body) {
   critical_.begin(body->mesh.points);
   u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
@@ -52,6 +53,7 @@ void TledMethod::save(StateWriter* out) const {
   out->put(potential_);
   out->put(caution_);
   critical_.save(out);
+  if (body_.heldMoves()) out->put(held_velocity_);
 }
 
 void TledMethod::restore(StateReader* in) {
@@ -60,6 +62,7 @@ void TledMethod::restore(StateReader* in) {
   in->get(&potential_);
   in->get(&caution_);
   critical_.restore(in);
+  if (body_.heldMoves()) in->getSame(&held_velocity_);
 }
 
 // Gradient and energy of all but contact, at body_.x.
@@ -169,11 +172,10 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   body_.contact.endStep(body_.x);
 }
 
-// Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
-// tool that itself has just gone on.
-// Held nodes that move go as they are told.
+// Anchors and held nodes that move go as they are told.
 void TledMethod::moveHeld(double h, double s) {
-  if (!body_.drive.held) return;
+  body_.surroundings.place(s);
+  if (!body_.heldMoves()) return;
   body_.heldWay(s, &held_way_);
   held_before_ = held_velocity_;
   held_velocity_ = held_way_ / h;
@@ -186,7 +188,7 @@ void TledMethod::moveHeld(double h, double s) {
 
 // The force that accelerates held nodes that move, which their supports exert.
 void TledMethod::addHeldInertia(double h) {
-  if (!body_.drive.held) return;
+  if (!body_.heldMoves()) return;
   const Points held = 1.0 - body_.free.array();
   inertia_ = inertia_.cwiseProduct(body_.free) -
              held.cwiseProduct((held_velocity_ - held_before_) / h +
@@ -194,6 +196,8 @@ void TledMethod::addHeldInertia(double h) {
                  masses_.asDiagonal();
 }
 
+// Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
+// tool that itself has just gone on.
 bool TledMethod::mayJump() const {
   if (!body_.contact.hasCandidates()) return false;
   const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
@@ -235,7 +239,7 @@ double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(bod
 void TledMethod::reportForces(TissueStep* out) {
   out->inertia_force = inertia_.rowwise().sum();
   next_ = g_ + contact_g_;
-  if (body_.drive.held) next_ -= inertia_;  // read on held components only
+  if (body_.heldMoves()) next_ -= inertia_;  // read on held components only
   body_.reportSupport(next_, out);
   body_.reportContacts(out);
 }

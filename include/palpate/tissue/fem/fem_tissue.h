@@ -8,10 +8,10 @@
 #include "palpate/base/thread_pool.h"
 #include "palpate/fem/composition.h"
 #include "palpate/fem/elasticity.h"
-#include "palpate/fem/supports.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/surroundings.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::tissue {
@@ -36,15 +36,15 @@ std::string stateKind(const FemSettings& settings, Eigen::Index num_points);
 /// cycle, the motion is swept in stages short against the thinnest tool, each solved before the
 /// next, so that no tool passes through (sweep.h).
 ///
-/// `mesh` is in world and as the element needs it (fem::meshFor()), `free` says what the supports
-/// leave (3 x n). `pool` may be null and must outlive the model. Starts from the equilibrium under
-/// gravity.
+/// `mesh` is in world and as the element needs it (fem::meshFor()), `surroundings` what holds
+/// it; a mask alone will do. `pool` may be null and must outlive the model. Starts from the
+/// equilibrium under gravity.
 /// @throws std::invalid_argument for an unknown element, method or response, a bad mesh, or a body
 /// that gravity would drag away because the supports do not hold it; std::runtime_error if there is
 /// no equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
-                                           const fem::FreeMask& free, const FemSettings& settings,
-                                           ThreadPool* pool = nullptr);
+                                           const Surroundings& surroundings,
+                                           const FemSettings& settings, ThreadPool* pool = nullptr);
 
 }  // namespace palpate::tissue

@@ -12,7 +12,7 @@ namespace palpate::tissue {
 /// @throws as makeFemTissue(); the message says which part.
 std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
                                          const fem::Composition& composition,
-                                         const fem::FreeMask& free, const FemSettings& settings,
-                                         ThreadPool* pool = nullptr);
+                                         const Surroundings& surroundings,
+                                         const FemSettings& settings, ThreadPool* pool = nullptr);
 
 }  // namespace palpate::tissue
