@@ -14,7 +14,7 @@ if [ $# -eq 0 ]; then set -- all; fi
 
 # One source, CGAL's meshing, needs 3.4 GB to compile: not more jobs than memory carries.
 if [ -z "${JOBS:-}" ]; then
-  JOBS=$(nproc)
+  JOBS=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)  # which heeds them
   memory_jobs=$(awk '/MemAvailable/ {print int($2 / 3145728)}' /proc/meminfo 2>/dev/null || echo 1)
   if [ "${memory_jobs:-1}" -lt "$JOBS" ]; then JOBS=$memory_jobs; fi
   if [ "$JOBS" -lt 1 ]; then JOBS=1; fi

@@ -72,7 +72,7 @@ TEST(FemOrgans, AreReportedOrganByOrganAndTogether) {
     EXPECT_EQ(all.residual, std::max(a.residual, b.residual));
     EXPECT_EQ(all.min_jacobian, std::min(a.min_jacobian, b.min_jacobian));
     EXPECT_EQ(all.contacts.size(), a.contacts.size() + b.contacts.size());
-    for (const TissueContact& c : all.contacts) EXPECT_EQ(c.organ, c.instrument);
+    for (const TissueContact& c : all.contacts) EXPECT_EQ(c.organ, c.owner.index);
     for (const TissueStep& organ : {a, b}) {
       const Vec3 sum = organ.support_force + organ.gravity_force + organ.inertia_force +
                        organ.interaction_force - test::onTool(organ);

@@ -31,6 +31,9 @@ struct OrganSketch {
     organ.free = [this](const Points& X) {
       return X.cols() == free.cols() ? free : fem::FreeMask::Ones(3, X.cols());
     };
+    organ.surroundings = [this, of = organ.free](const mesh::TetMesh& m) {
+      return tissue::Surroundings(of(m.points));
+    };
     organ.composition = [this](const mesh::TetMesh&) { return fem::Composition{{solid}, {}, {}}; };
     organ.solid = [this] { return solid; };
     return organ;
