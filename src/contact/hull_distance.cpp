@@ -9,41 +9,6 @@ namespace {
 /// Nearer than this the direction to the nearest point is rounding; the plane's normal is not [m].
 constexpr double kOnSurface = 1e-12;
 
-struct TrianglePoint {
-  Vec3 point;
-  Feature feature;
-  Vec3 edge;  ///< Not normalised.
-};
-
-/// Nearest point of the triangle a, b, c: the seven Voronoi regions of its corners, edges and face
-/// (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
-TrianglePoint nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double ab_ap = ab.dot(ap), ac_ap = ac.dot(ap);
-  if (ab_ap <= 0.0 && ac_ap <= 0.0) return {a, Feature::kVertex, Vec3::Zero()};
-  const double ab_bp = ab.dot(bp), ac_bp = ac.dot(bp);
-  if (ab_bp >= 0.0 && ac_bp <= ab_bp) return {b, Feature::kVertex, Vec3::Zero()};
-  const double ab_cp = ab.dot(cp), ac_cp = ac.dot(cp);
-  if (ac_cp >= 0.0 && ab_cp <= ac_cp) return {c, Feature::kVertex, Vec3::Zero()};
-
-  // Barycentric coordinates of the projection, times twice the area squared.
-  const double wc = ab_ap * ac_bp - ab_bp * ac_ap;
-  if (wc <= 0.0 && ab_ap >= 0.0 && ab_bp <= 0.0) {
-    return {a + ab_ap / (ab_ap - ab_bp) * ab, Feature::kEdge, ab};
-  }
-  const double wb = ab_cp * ac_ap - ab_ap * ac_cp;
-  if (wb <= 0.0 && ac_ap >= 0.0 && ac_cp <= 0.0) {
-    return {a + ac_ap / (ac_ap - ac_cp) * ac, Feature::kEdge, ac};
-  }
-  const double wa = ab_bp * ac_cp - ab_cp * ac_bp;
-  const double along_b = ac_bp - ab_bp, along_c = ab_cp - ac_cp;
-  if (wa <= 0.0 && along_b >= 0.0 && along_c >= 0.0) {
-    return {b + along_b / (along_b + along_c) * (c - b), Feature::kEdge, c - b};
-  }
-  const double sum = wa + wb + wc;
-  return {a + (wb / sum) * ab + (wc / sum) * ac, Feature::kFace, Vec3::Zero()};
-}
-
 }  // namespace
 
 Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p) {
@@ -62,7 +27,7 @@ Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p) {
   // The nearest feature belongs to a triangle whose plane is between p and the hull, and a
   // triangle is never nearer than its plane.
   double best = std::numeric_limits<double>::infinity();
-  TrianglePoint nearest{p, Feature::kFace, Vec3::Zero()};
+  TrianglePoint nearest{p, Vec3::Zero(), Feature::kFace, 0};
   Eigen::Index triangle = deepest;
   const auto consider = [&](Eigen::Index t) {
     const double h = hull.normals.col(t).dot(p) - hull.offsets[t];
@@ -92,7 +57,10 @@ Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p) {
     return {best, face_normal, Feature::kFace, Vec3::Zero()};
   }
   if (nearest.feature == Feature::kVertex) return {best, normal, Feature::kVertex, Vec3::Zero()};
-  return {best, normal, Feature::kEdge, nearest.edge.normalized()};
+  const Eigen::Vector3i corner = hull.surface.triangles.col(triangle);
+  const Vec3 edge = hull.surface.points.col(corner[(nearest.corner + 1) % 3]) -
+                    hull.surface.points.col(corner[nearest.corner]);
+  return {best, normal, Feature::kEdge, edge.normalized()};
 }
 
 }  // namespace palpate::contact

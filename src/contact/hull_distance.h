@@ -2,11 +2,9 @@
 #pragma once
 
 #include "palpate/instrument/geometry.h"
+#include "triangle_distance.h"
 
 namespace palpate::contact {
-
-/// What of a polyhedron is nearest to a point.
-enum class Feature { kFace, kEdge, kVertex };
 
 struct Nearest {
   double value;     ///< Signed distance [m].
