@@ -225,9 +225,13 @@ void ContactPotential::beginStep(const Points& x) {
   for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
   if (response_->followsMotion()) x_begin_ = x;
   if (!response_->remembers()) return;
+  gather(x);
+  response_->beginStep(touches_);
+}
+
+void ContactPotential::gather(const Points& x) {
   touches_.clear();
   forEach(x, true, true, [&](const Touch& touch) { touches_.push_back(touch); });
-  response_->beginStep(touches_);
 }
 
 void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses) {
@@ -267,6 +271,10 @@ void ContactPotential::settle(const Points& x, double h) {
 
 void ContactPotential::endStep(const Points& x) {
   if (!response_->remembers()) return;
+  if (response_->hasFriction()) {
+    gather(x);
+    response_->confine(touches_);
+  }
   collect(x, &at_end_);
   touches_.clear();
   for (const Contact& contact : at_end_) touches_.push_back(contact.touch);

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "augmented_response.h"
+#include "friction_response.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/response.h"
 #include "penalty_response.h"
@@ -32,7 +33,9 @@ std::vector<std::string> responseNames() { return namesOf(responses()); }
 std::unique_ptr<Response> makeResponse(const ResponseSettings& settings,
                                        const std::vector<ResponseEntry>& table) {
   for (const ResponseEntry& entry : table) {
-    if (settings.model == entry.name) return entry.make(settings);
+    if (settings.model != entry.name) continue;
+    if (!settings.friction_with.any()) return entry.make(settings);
+    return withFriction(entry.make(settings), settings);
   }
   throw std::invalid_argument("contact.model = " + settings.model + ": must be one of " +
                               joinNames(namesOf(table)));

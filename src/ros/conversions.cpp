@@ -86,6 +86,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.skipped_satisfied_solves = static_cast<int>(report.skipped.satisfied_solves);
   m.skipped_distant_samples = static_cast<int>(report.skipped.distant_samples);
   m.skipped_inactive_samples = static_cast<int>(report.skipped.inactive_samples);
+  m.skipped_frictionless_touches = static_cast<int>(report.skipped.frictionless_touches);
   m.skipped_inviscid_solids = static_cast<int>(report.skipped.inviscid_solids);
   m.skipped_kept_stiffnesses = static_cast<int>(report.skipped.kept_stiffnesses);
   m.skipped_apart_organs = static_cast<int>(report.skipped.apart_organs);

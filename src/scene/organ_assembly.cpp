@@ -142,14 +142,14 @@ mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ
   return options;
 }
 
-std::unique_ptr<tissue::TissueModel> assembleModel(const Scene& scene,
-                                                   const std::vector<int>& organs,
-                                                   double sample_spacing, ThreadPool* pool,
-                                                   const Progress& progress,
-                                                   std::vector<std::string>* warnings) {
+std::unique_ptr<tissue::TissueModel> assembleModel(
+    const Scene& scene, const std::vector<int>& organs, double sample_spacing,
+    const std::vector<contact::FrictionTable>& frictions, ThreadPool* pool,
+    const Progress& progress, std::vector<std::string>* warnings) {
   tissue::ModelDescription description;
   for (int i : organs) {
     description.organs.push_back(describeOrgan(scene, i, progress, warnings));
+    description.organs.back().friction = frictions[static_cast<std::size_t>(i)];
   }
   description.settings = settingsOf(scene, sample_spacing);
   description.pool = pool;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "friction_keys.h"
 #include "palpate/contact/response.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/haptics/device_models.h"
@@ -166,6 +167,10 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
             "Largest distance between the points of the tissue surface that can touch; 0: half the "
             "inscribed radius of the thinnest tool shape or part of the anatomy."},
            contact.sample_spacing, keys::Range::closed(0.0, 1.0));
+  v.section({"friction", "",
+             "What keeps organs from sliding along instruments and anatomy. Not of method "
+             "`newton_bicgstab`."},
+            contact.friction);
   describe(v, static_cast<tissue::TouchingOrgans&>(contact));
 }
 
@@ -273,6 +278,7 @@ void describe(keys::FieldVisitor& v, Scene& scene) {
   v.section({"contact", "", "Contact of organs with instruments and with each other."},
             scene.contact);
   checkPairs(v, scene);
+  checkFrictionPairs(v, scene);
   v.section({"solver", "", "Time steps and accuracy."}, scene.solver);
   v.section({"rates", "", "How often the node does what, and when input is too old."}, scene.rates);
   v.section({"haptics", "", "Limits of what the hand gets."}, scene.haptics);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "anatomy_assembly.h"
+#include "friction_tables.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/contact/signed_distance.h"
@@ -78,12 +79,13 @@ std::string nameOf(const Scene& scene, int organ) {
 
 void assembleModels(const Scene& scene, const Progress& progress, SceneParts* parts) {
   const double spacing = sampleSpacing(scene, *parts);
+  const std::vector<contact::FrictionTable> frictions = frictionTables(scene, *parts);
   parts->organs.resize(scene.organs.size(), {nullptr, 0});
   for (std::size_t i = 0; i < scene.organs.size(); ++i) {
     if (parts->organs[i].tissue) continue;
     ModelPart model{nullptr, organsOfModel(scene, i)};
-    model.tissue =
-        assembleModel(scene, model.organs, spacing, parts->pool.get(), progress, &parts->warnings);
+    model.tissue = assembleModel(scene, model.organs, spacing, frictions, parts->pool.get(),
+                                 progress, &parts->warnings);
     for (std::size_t k = 0; k < model.organs.size(); ++k) {
       parts->organs[static_cast<std::size_t>(model.organs[k])] = {model.tissue.get(),
                                                                   static_cast<int>(k)};

@@ -24,6 +24,8 @@ const std::vector<Skip>& skips() {
       {"inactive_samples", &On::inactive_samples,
        "Derivatives of the contact of surface points that do not touch.", "inactive_samples",
        &Of::inactive_samples, &Step::inactive_samples, false},
+      {nullptr, nullptr, "Friction of touches where it cannot act.", "frictionless_touches",
+       &Of::frictionless_touches, &Step::frictionless_touches, false},
       {"viscous_terms", &On::viscous_terms, "Viscous memory of solids that are not viscous.",
        "inviscid_solids", &Of::inviscid_solids, &Step::inviscid_solids, false},
       {"unchanged_stiffness", &On::unchanged_stiffness,

@@ -19,9 +19,23 @@ namespace {
 const instrument::Geometry kShapes[] = {instrument::Sphere{0.03}, instrument::Capsule{0.02, 0.01},
                                         instrument::Box{Vec3(0.02, 0.03, 0.025)}, sampledLargeU()};
 
+std::unique_ptr<Response> makeRubbing(const std::string& normal, double teeth,
+                                      ResponseSettings settings) {
+  settings.model = normal;
+  settings.friction_with.usual = {0.5, 0.3, teeth};
+  return makeResponse(settings);
+}
+
 std::vector<ResponseEntry> allEntries() {
   std::vector<ResponseEntry> all = responses();
   all.push_back(test::kHold);
+  all.push_back(
+      {"rubbing", [](const ResponseSettings& s) { return makeRubbing("penalty", 0.0, s); }});
+  all.push_back({"rubbing_augmented", [](const ResponseSettings& s) {
+                   return makeRubbing("augmented_lagrangian", 0.0, s);
+                 }});
+  all.push_back(
+      {"biting", [](const ResponseSettings& s) { return makeRubbing("penalty", 1e6, s); }});
   return all;
 }
 

@@ -69,6 +69,28 @@ TEST_F(SceneErrors, SeveralDocuments) {
                          "several YAML documents"));
 }
 
+TEST_F(SceneErrors, FrictionIsOfWhatThereIsAndDoesNotGrowBySlipping) {
+  const auto problemsOf = [&](const std::string& friction) {
+    return problemsWith("solver:", "contact: {friction: " + friction + "}\nsolver:");
+  };
+  EXPECT_TRUE(hasProblem(problemsOf("{static: 0.2, kinetic: 0.3}"), "contact.friction.kinetic",
+                         "must not be larger than static"));
+  EXPECT_TRUE(hasProblem(problemsOf("{pairs: [{instrument: knife, static: 0.2}]}"),
+                         "contact.friction.pairs[0]", "must name organs, instruments"));
+  EXPECT_TRUE(hasProblem(problemsOf("{pairs: [{link: tip, static: 0.2}]}"),
+                         "contact.friction.pairs[0].link", "needs the key instrument"));
+  EXPECT_TRUE(hasProblem(problemsOf("{static: -0.1}"), "contact.friction.static", ""));
+}
+
+TEST_F(SceneErrors, FrictionThatSlipsIsTheStaticOneWhereItIsLeftOut) {
+  std::string text = kGood;
+  text += "contact: {friction: {static: 0.4, pairs: [{organ: liver, static: 0.5, kinetic: 0.1}]}}";
+  const FrictionConfig friction = readScene(folder_.write("scene.yaml", text)).contact.friction;
+  EXPECT_EQ(friction.sliding, 0.4);
+  ASSERT_EQ(friction.pairs.size(), 1U);
+  EXPECT_EQ(friction.pairs[0].sliding, 0.1);
+}
+
 TEST_F(SceneErrors, OrgansThatAreNotThereCannotBeApart) {
   const auto problems =
       problemsWith("solver:", "contact: {apart: [{organ: liver, other: spleen}]}\nsolver:");

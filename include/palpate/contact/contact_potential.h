@@ -100,6 +100,9 @@ class ContactPotential final : public fem::EnergyTerm {
   bool settled(const Points& x);
   /// `h`: of the step [s].
   void settle(const Points& x, double h);
+  bool hasFriction() const { return response_->hasFriction(); }
+  /// Whether friction is evaluated for a contact.
+  bool rubs(const Contact& contact) const { return response_->rubs(contact.touch); }
   /// It has ended at x.
   void endStep(const Points& x);
   /// The contacts at x, where the last step ended, as they were before that became memory.
@@ -121,6 +124,7 @@ class ContactPotential final : public fem::EnergyTerm {
     Eigen::Vector3i nodes;
     int begin, end;
   };
+  void gather(const Points& x);
   void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;

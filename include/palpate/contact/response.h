@@ -45,6 +45,13 @@ class Response {
     return stiffness(touch, fem::Tangent::kConvexTerms);
   }
 
+  /// Whether forces beside the normal are bounded by what presses.
+  virtual bool hasFriction() const { return false; }
+  /// Whether friction is evaluated for this touch.
+  virtual bool rubs(const Touch& /*touch*/) const { return false; }
+  /// No more friction than the forces of these touches allow, at a solution that stays.
+  virtual void confine(const std::vector<Touch>& /*touches*/) {}
+
   // Of a response with a memory; the others are not asked.
   virtual bool remembers() const { return false; }
   /// A step begins or has ended with these touches, those that answer, in a fixed order.
@@ -77,7 +84,7 @@ struct ResponseEntry {
 const std::vector<ResponseEntry>& responses();
 std::vector<std::string> responseNames();
 
-/// The entry of `table` that `settings.model` names.
+/// The entry of `table` that `settings.model` names, with friction where the settings have some.
 /// @throws std::invalid_argument for a name that is not in it.
 std::unique_ptr<Response> makeResponse(const ResponseSettings& settings,
                                        const std::vector<ResponseEntry>& table = responses());

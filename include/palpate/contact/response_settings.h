@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "palpate/contact/friction.h"
+
 namespace palpate::contact {
 
 /// What the responses know from a scene.
@@ -11,6 +13,7 @@ struct ResponseSettings {
   double stiffness = 3.0e8;             ///< Pressure per penetration [Pa/m].
   double smoothing = 1.0e-4;            ///< Width of the blend between no contact and linear [m].
   double allowed_penetration = 1.0e-4;  ///< Deeper, a cycle is solved on [m].
+  FrictionTable friction_with = {};
 };
 
 }  // namespace palpate::contact

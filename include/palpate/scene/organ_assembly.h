@@ -33,11 +33,11 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
 mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ);
 
 /// The tissue model of the organs at these places in the scene, which all name the same one.
+/// `frictions`: of each organ of the scene with all that may touch it.
 /// @throws InputError
-std::unique_ptr<tissue::TissueModel> assembleModel(const Scene& scene,
-                                                   const std::vector<int>& organs,
-                                                   double sample_spacing, ThreadPool* pool,
-                                                   const Progress& progress,
-                                                   std::vector<std::string>* warnings);
+std::unique_ptr<tissue::TissueModel> assembleModel(
+    const Scene& scene, const std::vector<int>& organs, double sample_spacing,
+    const std::vector<contact::FrictionTable>& frictions, ThreadPool* pool,
+    const Progress& progress, std::vector<std::string>* warnings);
 
 }  // namespace palpate::scene

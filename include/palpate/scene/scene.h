@@ -98,9 +98,19 @@ struct AnatomyConfig {
   MeshShapeConfig shape;
 };
 
+/// Friction of what is named, where not everything is alike; empty: of any.
+struct FrictionPairConfig : contact::Friction {
+  std::string organ, instrument, link, anatomy;
+};
+
+struct FrictionConfig : contact::Friction {
+  std::vector<FrictionPairConfig> pairs;  ///< The most specific holds, of two alike the later.
+};
+
 struct ContactConfig : contact::ResponseSettings, tissue::TouchingOrgans {
   double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
                                 ///< the inscribed radius of the thinnest shape.
+  FrictionConfig friction;
 };
 
 struct SkipConfig : tissue::SkipSwitches {

@@ -20,6 +20,7 @@ struct MethodFacts : solver::MinimizerFacts {
   bool stiffness_damping = true;  ///< It takes damping in proportion to stiffness.
   bool spring_damping = true;     ///< It takes supports that damp.
   bool pressures = true;          ///< It takes pressures on faces.
+  bool friction = true;           ///< It takes friction in contact.
   bool fluids = true;             ///< And contents of cavities that resist a change of volume.
   /// What it takes as the settings' integrator.
   std::vector<std::string> integrators = solver::integratorNames();

@@ -43,7 +43,8 @@ struct OrganDescription {
   std::string element =
       fem::elementNames().front();  ///< One of fem::elementNames(), for models of finite elements.
   solver::RayleighDamping damping;
-  AdaptSettings adapt;  ///< For models whose mesh can change.
+  contact::FrictionTable friction;  ///< With what it touches.
+  AdaptSettings adapt;              ///< For models whose mesh can change.
 };
 
 /// What the maker of a tissue model gets.

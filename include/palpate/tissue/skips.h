@@ -21,6 +21,7 @@ struct SkipCounters {
       0;  ///< Surface points, times near tool shapes, that were out of reach.
   std::int64_t inactive_samples =
       0;  ///< Those within reach that did not touch at the end: no derivative.
+  std::int64_t frictionless_touches = 0;  ///< Contacts that have no friction: none was evaluated.
   std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
   std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
   std::int64_t apart_organs = 0;      ///< Pairs of bodies that could not act on each other.

@@ -33,14 +33,15 @@ struct TissueStep : StepFigures {
   Vec3 inertia_force = Vec3::Zero();      ///< Of inertia and of damping by mass.
   Vec3 interaction_force = Vec3::Zero();  ///< Of other organs.
   // What was left out, see skips.h.
-  int far_bodies = 0;        ///< Bodies that could not touch in this cycle.
-  bool slept = false;        ///< At rest and untouched: nothing was solved.
-  bool satisfied = false;    ///< The predictor was within tolerance: no iteration was needed.
-  int sleeping_islands = 0;  ///< Parts that slept, of a body that consists of several.
-  int distant_samples = 0;   ///< Surface points, times near bodies, that were out of reach.
-  int inactive_samples = 0;  ///< Those within reach that did not touch at the end.
-  int inviscid_solids = 0;   ///< Without viscous terms, in a cycle that was solved.
-  int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  int far_bodies = 0;            ///< Bodies that could not touch in this cycle.
+  bool slept = false;            ///< At rest and untouched: nothing was solved.
+  bool satisfied = false;        ///< The predictor was within tolerance: no iteration was needed.
+  int sleeping_islands = 0;      ///< Parts that slept, of a body that consists of several.
+  int distant_samples = 0;       ///< Surface points, times near bodies, that were out of reach.
+  int inactive_samples = 0;      ///< Those within reach that did not touch at the end.
+  int frictionless_touches = 0;  ///< Contacts whose friction was not evaluated: they have none.
+  int inviscid_solids = 0;       ///< Without viscous terms, in a cycle that was solved.
+  int kept_stiffnesses = 0;      ///< Elastic stiffnesses that were not assembled again.
   int apart_organs =
       0;  ///< Others that one of its bodies could not act on, each pair counted once.
 

@@ -10,6 +10,8 @@ namespace {
 constexpr int kMaxIterations = 30;
 constexpr int kMaxLinearIterations = 30;
 constexpr double kLinearTolerance = 0.03;
+constexpr int kMaxHalvings = 10;
+constexpr double kSufficientDecrease = 1e-4;
 // Of c, the curvature that may enter.
 constexpr double kCurvature = 0.5;
 
@@ -62,9 +64,36 @@ void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance,
     if (!(residual_ > tolerance) || k == kMaxIterations) return;
     linearise(coefficients);
     solve(coefficients);
-    for (int i : nodes_) x->col(i) += step_.col(i);
+    go(coefficients, x);
     collect(*x);
   }
+}
+
+// By the step, or a part of it where friction, whose stiffness jumps, would make it go uphill.
+void ContactUpdate::go(const Eigen::VectorXd& coefficients, Points* x) {
+  if (!body_.contact.hasFriction()) {
+    for (int i : nodes_) x->col(i) += step_.col(i);
+    return;
+  }
+  const double here = energy(coefficients, *x);
+  double slope = 0.0, gone = 0.0;
+  for (int i : nodes_) slope -= step_.col(i).dot(right_.col(i));
+  double part = 1.0;
+  for (int k = 0; k <= kMaxHalvings; ++k, part *= 0.5) {
+    for (int i : nodes_) x->col(i) += (part - gone) * step_.col(i);
+    gone = part;
+    if (energy(coefficients, *x) <= here + kSufficientDecrease * part * slope) return;
+  }
+}
+
+// What apply() minimises [J].
+double ContactUpdate::energy(const Eigen::VectorXd& coefficients, const Points& x) const {
+  double sum = body_.contact.value(x);
+  for (int i : nodes_) {
+    sum += 0.5 * coefficients[i] *
+           (x.col(i) - free_x_.col(i)).cwiseProduct(body_.free.col(i)).squaredNorm();
+  }
+  return sum;
 }
 
 bool ContactUpdate::limit(const Eigen::VectorXd& coefficients, const Points& begin, double longest,

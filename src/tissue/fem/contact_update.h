@@ -45,6 +45,8 @@ class ContactUpdate {
   void linearise(const Eigen::VectorXd& coefficients);
   double unbalanced(const Eigen::VectorXd& coefficients, const Points& x);
   void solve(const Eigen::VectorXd& coefficients);
+  void go(const Eigen::VectorXd& coefficients, Points* x);
+  double energy(const Eigen::VectorXd& coefficients, const Points& x) const;
   void multiply(const Eigen::VectorXd& coefficients, const Points& d, Points* Ad) const;
 
   FemBody& body_;

@@ -14,8 +14,9 @@ constexpr double kStageTolerance = 100.0;
 constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
-// Solutions in a step that contact asks for after the first.
+// Solutions in a step that contact asks for after the first, without friction and with it.
 constexpr int kMaxSettlings = 3;
+constexpr int kMaxSettlingsOfFriction = 6;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
 // step or two.
 constexpr double kWorthFollowing = 100.0;
@@ -117,7 +118,8 @@ void ImplicitSteps::solveStages(double begin, double end, double h) {
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
     if (s < end) continue;
-    for (int k = 0; k < kMaxSettlings && solved.status == solver::SolveStatus::kConverged; ++k) {
+    const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       if (settled(h)) break;
       solved = solveStage(false);
     }

@@ -8,6 +8,7 @@ namespace {
 constexpr double kStageTolerance = 100.0;
 constexpr int kMaxSearches = 4;
 constexpr int kMaxSettlings = 3;
+constexpr int kMaxSettlingsOfFriction = 6;
 
 }  // namespace
 
@@ -72,7 +73,8 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
-    for (int k = 0; s == 1.0 && k < kMaxSettlings; ++k) {
+    const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    for (int k = 0; s == 1.0 && k < most; ++k) {
       if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
       body_.contact.settle(body_.x, dt);
       solved = solveStage(false, out);

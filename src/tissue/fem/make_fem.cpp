@@ -18,6 +18,7 @@ std::unique_ptr<OrganBodies> makeOrgan(const OrganDescription& organ,
   const fem::Composition composition = organ.composition(mesh);
   mesh.points = (organ.X_WO * mesh.points.colwise().homogeneous()).eval();
   FemSettings settings{description.settings};
+  settings.contact.friction_with = organ.friction;
   settings.element = organ.element;
   settings.mass_damping = organ.damping.mass;
   settings.stiffness_damping = organ.damping.stiffness;

@@ -69,7 +69,7 @@ MethodFacts linearPrecomputedFacts() {
 
 MethodFacts newtonBicgstabFacts() {
   MethodFacts facts = quasiStatic(solver::LinearSystems::kIterations);
-  facts.fluids = false;
+  facts.fluids = facts.friction = false;
   return facts;
 }
 

@@ -35,6 +35,10 @@ std::string methodRefusal(const MethodFacts& method, const FemBody& body) {
                    "deformed faces",
                    "leave pressure out");
   }
+  if (!method.friction && settings.contact.friction_with.any()) {
+    return refusal("contact.friction: ", "has what touches stick, whatever its friction",
+                   "leave the key out");
+  }
   if (!method.fluids && body.surroundings.resistsVolumes()) {
     return refusal("", "knows no content that resists a change of its volume",
                    "leave volume_stiffness out");

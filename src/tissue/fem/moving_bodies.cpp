@@ -208,6 +208,11 @@ bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
   return any;
 }
 
+bool MovingBodies::hasFriction() const {
+  return std::any_of(members_.begin(), members_.end(),
+                     [](const BodyMotion* member) { return member->body().contact.hasFriction(); });
+}
+
 bool MovingBodies::settled() {
   bool all = true;
   for (std::size_t m = 0; m < members_.size(); ++m) {

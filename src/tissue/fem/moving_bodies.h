@@ -75,6 +75,7 @@ class MovingBodies {
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
   bool candidatesHold() const;
+  bool hasFriction() const;
   /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().
   bool settled();
   /// `h`: of the step [s].

@@ -43,6 +43,7 @@ double Touch::report(const Points& x, TissueStep* out) {
     const contact::Touch& touch = c.touch;
     out->contacts.push_back(
         {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W, organ_});
+    out->frictionless_touches += contact.rubs(c) ? 0 : 1;
     const contact::SurfaceSample& s = contact.samples()[touch.sample];
     for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
     if (!excess_ || !sweep.owner(touch.obstacle).isInstrument()) continue;

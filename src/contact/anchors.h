@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/contact/touch.h"
+
+namespace palpate::contact {
+
+/// Whether teeth hold a touch: not yet, or they do, or they did and it was torn off, until it ends.
+enum class Bite : int { kNone, kHeld, kTorn };
+
+/// Where a touch clings to its obstacle: a spring's stretch from there to the sample.
+struct Anchor {
+  int number = 0, sample = 0;  ///< Obstacle::number, Touch::sample.
+  double rise = 0.0;           ///< Of the normal force in the step that ended [N].
+  bool slides = false;         ///< It slipped when the step ended.
+  Bite bite = Bite::kNone;
+  Vec3 stretch_G = Vec3::Zero();  ///< In the obstacle's frame [m].
+
+  bool before(const Anchor& other) const {
+    return number != other.number ? number < other.number : sample < other.sample;
+  }
+};
+
+/// The anchors of all touches where a step ended, sorted.
+class Anchors {
+ public:
+  /// Null: it did not touch.
+  const Anchor* find(const Touch& touch) const;
+  bool empty() const { return anchors_.empty(); }
+
+  /// Takes the place of those before.
+  void take(const std::vector<Anchor>& anchors);
+  void clear() { anchors_.clear(); }
+  /// Takes over those of another surface, `now(i)` being sample i in this one, or -1.
+  void goOnFrom(const Anchors& old, const std::function<int(int)>& now);
+  void save(StateWriter* to) const;
+  /// @throws std::invalid_argument as StateReader does; the anchors are then as they were.
+  void restore(StateReader* from);
+
+ private:
+  std::vector<Anchor> anchors_;
+};
+
+}  // namespace palpate::contact

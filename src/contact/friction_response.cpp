@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "friction_response.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "grips.h"
+
+namespace palpate::contact {
+namespace {
+
+// Of the smoothing width: how far a touch that clings may rise from its obstacle and be found.
+constexpr double kReach = 10.0;
+
+class FrictionResponse final : public Response {
+ public:
+  FrictionResponse(std::unique_ptr<Response> normal, const ResponseSettings& settings)
+      : normal_(std::move(normal)),
+        table_(settings.friction_with),
+        reach_(std::max(kReach * settings.smoothing,
+                        2.0 * settings.friction_with.strongestTeeth() / settings.stiffness)),
+        grips_(normal_.get(), &table_, settings.stiffness) {}
+
+  double reach() const override { return normal_->reach() + reach_; }
+  bool active(const Touch& touch) const override { return pressed(touch) || grips_.clings(touch); }
+  bool followsMotion() const override { return true; }
+  bool hasFriction() const override { return true; }
+  bool rubs(const Touch& touch) const override { return table_.of(touch.number).any(); }
+
+  double energy(const Touch& touch) const override {
+    const double own = pressed(touch) ? normal_->energy(touch) : 0.0;
+    const Grip* grip = grips_.find(touch);
+    return grip ? own + grips_.energy(*grip, touch) : own;
+  }
+  TouchForce force(const Touch& touch) const override {
+    TouchForce sum;
+    if (pressed(touch)) sum = normal_->force(touch);
+    if (const Grip* grip = grips_.find(touch)) {
+      sum.normal += grips_.tension(*grip, touch) * touch.steepness;
+      sum.other_W += grips_.force(*grip, touch);
+    }
+    return sum;
+  }
+  Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
+    Mat3 sum = Mat3::Zero();
+    if (pressed(touch)) sum = normal_->stiffness(touch, tangent);
+    if (const Grip* grip = grips_.find(touch)) sum += grips_.stiffness(*grip, touch, tangent);
+    return sum;
+  }
+
+  bool remembers() const override { return true; }
+  void beginStep(const std::vector<Touch>& touches) override {
+    if (normal_->remembers()) normal_->beginStep(touches);
+    grips_.begin(touches);
+  }
+  void endStep(const std::vector<Touch>& touches) override {
+    if (normal_->remembers()) normal_->endStep(touches);
+    grips_.end(touches);
+  }
+  bool settled(const std::vector<Touch>& touches) override {
+    const bool normally = !normal_->remembers() || normal_->settled(touches);
+    return grips_.settled(touches) && normally;
+  }
+  void settle(const std::vector<Touch>& touches) override {
+    if (normal_->remembers()) normal_->settle(touches);
+    grips_.settle(touches);
+  }
+  void confine(const std::vector<Touch>& touches) override { grips_.confine(touches); }
+
+  void goOnFrom(const Response& old, const Places& now) override {
+    const auto& other = dynamic_cast<const FrictionResponse&>(old);
+    if (normal_->remembers()) normal_->goOnFrom(*other.normal_, now);
+    grips_.goOnFrom(other.grips_, now.sample);
+  }
+  void forget() override {
+    normal_->forget();
+    grips_.forget();
+  }
+  void save(StateWriter* to) const override {
+    if (normal_->remembers()) normal_->save(to);
+    grips_.save(to);
+  }
+  void restore(StateReader* from) override {
+    if (normal_->remembers()) normal_->restore(from);
+    grips_.restore(from);
+  }
+
+ private:
+  bool pressed(const Touch& touch) const {
+    return touch.gap < normal_->reach() && normal_->active(touch);
+  }
+
+  std::unique_ptr<Response> normal_;
+  FrictionTable table_;
+  double reach_;
+  Grips grips_;
+};
+
+}  // namespace
+
+std::unique_ptr<Response> withFriction(std::unique_ptr<Response> normal,
+                                       const ResponseSettings& settings) {
+  return std::make_unique<FrictionResponse>(std::move(normal), settings);
+}
+
+}  // namespace palpate::contact
