@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/types.h"
+
+namespace palpate::contact {
+
+/// Triangles of a surface in a binary tree of boxes, halved along the longest side at rest until
+/// four are left. What the surface does does not change the tree, only its boxes, which are kept
+/// beside it by who moves the surface.
+class TriangleTree {
+ public:
+  using Box = Eigen::AlignedBox3d;
+
+  /// `X` 3 x n [m], `triangles` 3 x m, m > 0.
+  TriangleTree(const Points& X, const Eigen::Matrix3Xi& triangles);
+
+  /// The boxes of all nodes of the tree, the whole surface's first, at x.
+  void fit(const Eigen::Ref<const Points>& x, const Eigen::Matrix3Xi& triangles,
+           std::vector<Box>* boxes) const;
+
+  /// visit(triangle) of all whose box is no farther from `box` than `reach()` [m], which may become
+  /// less on the way. Of two branches the nearer one comes first.
+  template <class Reach, class Visit>
+  void forNear(const std::vector<Box>& boxes, const Box& box, const Reach& reach,
+               const Visit& visit) const {
+    std::array<std::pair<int, double>, kDeepest> left;
+    std::size_t size = 0;
+    left[size++] = {0, squaredDistance(boxes[0], box)};
+    while (size > 0) {
+      const auto [at, squared] = left[--size];
+      const double r = reach();
+      if (!(r >= 0.0 && squared <= r * r)) continue;
+      const Node& node = nodes_[static_cast<std::size_t>(at)];
+      if (node.second < 0) {
+        for (int k = node.begin; k < node.end; ++k) visit(order_[static_cast<std::size_t>(k)]);
+        continue;
+      }
+      const std::pair<int, double> first{at + 1, squaredDistance(boxes[at + 1], box)};
+      const std::pair<int, double> second{node.second, squaredDistance(boxes[node.second], box)};
+      const bool nearer = first.second <= second.second;
+      left[size++] = nearer ? second : first;
+      left[size++] = nearer ? first : second;
+    }
+  }
+
+  /// visit(triangle) of all whose box the ray from `from` along `direction` meets.
+  template <class Visit>
+  void forRay(const std::vector<Box>& boxes, const Vec3& from, const Vec3& direction,
+              const Visit& visit) const {
+    const Vec3 inverse = direction.cwiseInverse();
+    for (std::size_t k = 0; k < nodes_.size();) {
+      const Node& node = nodes_[k];
+      const Vec3 one = (boxes[k].min() - from).cwiseProduct(inverse);
+      const Vec3 other = (boxes[k].max() - from).cwiseProduct(inverse);
+      const bool meets =
+          one.cwiseMax(other).minCoeff() >= std::max(0.0, one.cwiseMin(other).maxCoeff());
+      if (!meets) {
+        k = static_cast<std::size_t>(node.next);
+        continue;
+      }
+      if (node.second < 0) {
+        for (int t = node.begin; t < node.end; ++t) visit(order_[static_cast<std::size_t>(t)]);
+      }
+      ++k;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kDeepest = 64;  // halves: of 2^64 triangles
+  struct Node {
+    int second;      ///< The second half; the first one follows. -1: none.
+    int begin, end;  ///< Of `order_`.
+    int next = 0;    ///< The one after all below this one.
+  };
+  static double squaredDistance(const Box& a, const Box& b) { return a.squaredExteriorDistance(b); }
+  void split(int begin, int end, const Points& middles);
+
+  std::vector<Node> nodes_;
+  std::vector<int> order_;
+};
+
+}  // namespace palpate::contact
