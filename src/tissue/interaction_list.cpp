@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/tissue/interaction.h"
+#include "touch/organ_contact.h"
 
 namespace palpate::tissue {
 
 // To add one: write its header and source, add it here.
 const std::vector<InteractionEntry>& interactions() {
-  static const std::vector<InteractionEntry> kInteractions;
+  static const std::vector<InteractionEntry> kInteractions = {
+      {"contact", makeOrganContact},
+  };
   return kInteractions;
 }
 

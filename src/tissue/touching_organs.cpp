@@ -23,6 +23,11 @@ void describe(keys::FieldVisitor& v, TouchingOrgans& touching) {
           "Organs of model `fem` touch each other, and those that may are solved together; false: "
           "they pass through each other."},
          touching.organs);
+  v.flag(
+      {"self", "",
+       "Parts of an organ that were apart at rest touch each other where it folds; only together "
+       "with `organs`. All organs are then searched for folds in every cycle."},
+      touching.self);
   v.list({"apart", "", "Pairs of organs that do not touch all the same."}, touching.apart, 0);
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/allocations.h"
 #include "two_organs.h"
 
 namespace palpate::tissue {
 namespace {
 
-// A group that lasts takes no memory: two organs that lean on each other, one of them pressed.
-TEST(GroupAllocations, AreNoneWhileAGroupLasts) {
-  const auto tissue = test::makeOrgans(test::twoBlocks(0.005), test::organSettings());
+// Of two organs a gap [m] apart, one of them pressed.
+void expectNone(const ModelSettings& settings, double gap) {
+  const auto tissue = test::makeOrgans(test::twoBlocks(gap), settings);
   double most = 0.0;
   for (const bool counted : {false, true}) {
     tissue->reset();
@@ -26,6 +28,15 @@ TEST(GroupAllocations, AreNoneWhileAGroupLasts) {
   }
   EXPECT_GT(most, 0.05);
   EXPECT_EQ(test::allocations(), 0U);
+}
+
+// A group that lasts takes no memory.
+TEST(GroupAllocations, AreNoneWhileAGroupLasts) { expectNone(test::organSettings(), 0.005); }
+
+TEST(GroupAllocations, AreNoneWhileOrgansTouch) {
+  ModelSettings settings = test::organSettings();
+  settings.interactions = interactions();
+  expectNone(settings, 0.0005);
 }
 
 }  // namespace

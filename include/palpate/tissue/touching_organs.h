@@ -15,7 +15,8 @@ struct OrganPair {
 
 /// Which organs may touch.
 struct TouchingOrgans {
-  bool organs = true;            ///< Organs touch each other, and themselves.
+  bool organs = true;            ///< Organs touch each other.
+  bool self = false;             ///< Where they fold, themselves.
   std::vector<OrganPair> apart;  ///< But for these.
 
   bool mayTouch(const std::string& a, const std::string& b) const;
