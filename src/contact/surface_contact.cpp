@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surface_pass.h"
+#include "touch_sum.h"
 
 namespace palpate::contact {
 
@@ -53,9 +54,9 @@ struct SurfaceContact::Parts {
     return all;
   }
   void search(const Points& x, double far) {
+    known = known && measured_at == x && farthest(x) <= way;  // where the last cycle ended
     searched_at = x;
     way = far;
-    known = false;
     for (MovingSurface* surface : {&a, &b}) {
       if (!surface->fixed) continue;
       surface->fixed->tree().fit(surface->part(x), surface->fixed->triangles(), &surface->boxes);
@@ -124,83 +125,8 @@ struct SurfaceContact::Parts {
 
 namespace {
 
-// Of the twelve derivatives of a gap, those by the sample first, then by the triangle's corners.
-using Vec12 = Eigen::Matrix<double, 12, 1>;
-using Mat12 = Eigen::Matrix<double, 12, 12>;
-
-Vec12 gapGradient(const SurfaceTouch& touch) {
-  Vec12 g;
-  g.head<3>() = touch.normal;
-  for (int k = 0; k < 3; ++k) g.segment<3>(3 + 3 * k) = -touch.near.weights[k] * touch.normal;
-  return g;
-}
-
-// What moves all alike changes nothing.
-Mat12 gapHessian(const SurfaceTouch& touch, const Mat3& corners) {
-  Mat12 H = Mat12::Zero();
-  H.bottomRightCorner<9, 9>() =
-      triangleDistanceHessian(corners, touch.near, touch.normal, touch.gap);
-  for (int k = 1; k < 4; ++k) {
-    for (int l = 1; l < 4; ++l) {
-      const Mat3 block = H.block<3, 3>(3 * k, 3 * l);
-      H.block<3, 3>(3 * k, 0) -= block;
-      H.block<3, 3>(0, 3 * l) -= block;
-      H.topLeftCorner<3, 3>() += block;
-    }
-  }
-  return H;
-}
-
-// Second derivatives of touches of samples of one triangle with one other triangle, added up: the
-// matrix is searched for their nodes once.
-class TouchSum {
- public:
-  explicit TouchSum(fem::Stiffness* K) : K_(K) {}
-  ~TouchSum() { flush(); }
-  TouchSum(const TouchSum&) = delete;
-  TouchSum& operator=(const TouchSum&) = delete;
-
-  void add(const SurfacePass& pass, const SurfaceTouch& touch, const SurfaceSample& sample,
-           const Mat12& H) {
-    Eigen::Matrix<int, 6, 1> nodes;
-    nodes.head<3>() = sample.nodes.array() + pass.feels().first;
-    nodes.tail<3>() =
-        pass.other().fixed->triangles().col(touch.triangle).array() + pass.other().first;
-    if (nodes != nodes_) {
-      flush();
-      nodes_ = nodes;
-    }
-    // How much of the twelve moves with each node.
-    Eigen::Matrix<double, 6, 1> weights;
-    weights << sample.weights, (touch.near.weights.array() != 0.0).cast<double>();
-    weights_ = weights_.cwiseMax(weights);
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) {
-        const double w = weights[i] * weights[j];
-        if (w == 0.0) continue;
-        H_.block<3, 3>(3 * i, 3 * j) +=
-            w * H.block<3, 3>(i < 3 ? 0 : 3 * (i - 2), j < 3 ? 0 : 3 * (j - 2));
-      }
-    }
-  }
-
- private:
-  void flush() {
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) {
-        if (weights_[i] == 0.0 || weights_[j] == 0.0) continue;
-        K_->add(nodes_[i], nodes_[j], H_.block<3, 3>(3 * i, 3 * j));
-      }
-    }
-    weights_.setZero();
-    H_.setZero();
-  }
-
-  fem::Stiffness* K_;
-  Eigen::Matrix<int, 6, 1> nodes_ = Eigen::Matrix<int, 6, 1>::Constant(-1);
-  Eigen::Matrix<double, 6, 1> weights_ = Eigen::Matrix<double, 6, 1>::Zero();
-  Eigen::Matrix<double, 18, 18> H_ = Eigen::Matrix<double, 18, 18>::Zero();
-};
+// Of what overlaps at rest, the way to the middle is no less than this part of the radius.
+constexpr double kLeastMiddle = 0.25;
 
 }  // namespace
 
@@ -276,24 +202,30 @@ double SurfaceContact::maxStep(const Points& x, const Points& d) const {
   if (!parts.any()) return 1.0;
   const double farthest = std::sqrt(d.colwise().squaredNorm().maxCoeff());
   double largest = farthest > parts.way && parts.way > 0.0 ? parts.way / farthest : 1.0;
+  const auto limit = [&](const SurfacePass& pass, const SurfaceTouch& touch,
+                         const SurfaceSample& sample) {
+    Vec3 way = pass.position(sample, d);
+    const auto corners = pass.other().fixed->triangles().col(touch.triangle);
+    for (int k = 0; k < 3; ++k) {
+      way -= touch.near.weights[k] * d.col(pass.other().first + corners[k]);
+    }
+    const double radius = pass.other().fixed->radius(), inside = pass.overlap(touch.sample);
+    const double gap = touch.gap + inside;
+    const double middle = std::max(radius - inside, kLeastMiddle * radius);
+    const double allowed = gap >= 0.0 ? gap + 0.5 * middle : 0.5 * std::max(gap + middle, 0.0);
+    const double approach = -touch.normal.dot(way);
+    if (approach * largest > allowed) largest = allowed / approach;
+  };
+  parts_->forPressing(x, [&](const SurfacePass& pass, const SurfaceTouch& touch,
+                             const SurfaceSample& sample, double) { limit(pass, touch, sample); });
   const Moved moved = parts.moved(x);
   for (const SurfacePass& pass : parts.passes) {
-    const double radius = pass.other().fixed->radius();
-    // Of those that are farther than all of the step nothing need be known.
-    pass.forTouches(x, moved, 2.0 * farthest * largest,
-                    [&](const SurfaceTouch& touch, const SurfaceSample& sample) {
-                      Vec3 way = pass.position(sample, d);
-                      const auto corners = pass.other().fixed->triangles().col(touch.triangle);
-                      for (int k = 0; k < 3; ++k) {
-                        way -= touch.near.weights[k] * d.col(pass.other().first + corners[k]);
-                      }
-                      const double inside = pass.overlap(touch.sample), gap = touch.gap + inside;
-                      const double middle = std::max(radius - inside, 0.25 * radius);
-                      const double allowed =
-                          gap >= 0.0 ? gap + 0.5 * middle : 0.5 * std::max(gap + middle, 0.0);
-                      const double approach = -touch.normal.dot(way);
-                      if (approach * largest > allowed) largest = allowed / approach;
-                    });
+    // Those outside may go half of what is left to the middle in, whatever their gap.
+    const double reach = 2.0 * farthest * largest;
+    if (reach <= 0.5 * kLeastMiddle * pass.other().fixed->radius()) continue;
+    pass.forTouches(x, moved, reach, [&](const SurfaceTouch& touch, const SurfaceSample& sample) {
+      limit(pass, touch, sample);
+    });
   }
   // A sample that is already in the middle must not bring the solve to a stand.
   return std::max(largest, 1e-3);
