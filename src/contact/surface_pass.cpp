@@ -10,7 +10,7 @@ namespace {
 constexpr double kNeighbours = 2.0;
 // Nearer than that to an edge or a corner [m], the direction from there is that of the surface.
 constexpr double kOnIt = 1e-9;
-
+// Boxes and triangles round distances apart.
 constexpr double kRounding = 1.0 + 1e-12;
 
 TriangleTree::Box around(const Vec3& p) { return TriangleTree::Box(p, p); }

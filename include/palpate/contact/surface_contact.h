@@ -40,9 +40,9 @@ class SurfaceContact final : public fem::EnergyTerm {
   SurfaceContact(const SurfaceContact&) = delete;
   SurfaceContact& operator=(const SurfaceContact&) = delete;
 
-  /// Finds the samples that may be inside while no point goes farther from x than `way` [m], with
-  /// the triangles that may be nearest to them. What is deeper inside already than half a mean edge
-  /// of the other surface, or one if that body's radius is no less, is not found.
+  /// Finds the samples that may be inside while no point goes farther from x than `way` [m]. What
+  /// is deeper inside already than half a mean edge of the other surface, or one if that body's
+  /// radius is no less, is not found.
   void search(const Points& x, double way);
   /// Whether all points are that near.
   bool holds(const Points& x) const;
