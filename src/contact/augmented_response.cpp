@@ -22,7 +22,7 @@ class AugmentedResponse final : public Response {
 
   double energy(const Touch& touch) const override {
     const double p = touch.penetration();
-    return touch.area * (law_.softEnergy(p + shift_.at(touch)) + law_.hardEnergy(p, touch.radius));
+    return touch.area * (law_.softEnergy(p + shift_.at(touch)) + law_.hardEnergy(p, touch.room));
   }
   TouchForce force(const Touch& touch) const override {
     return {-touch.area * pressure(touch) * touch.steepness, Vec3::Zero()};
@@ -54,11 +54,11 @@ class AugmentedResponse final : public Response {
  private:
   double pressure(const Touch& touch) const {
     const double p = touch.penetration();
-    return law_.softPressure(p + shift_.at(touch)) + law_.hardPressure(p, touch.radius);
+    return law_.softPressure(p + shift_.at(touch)) + law_.hardPressure(p, touch.room);
   }
   double slope(const Touch& touch) const {
     const double p = touch.penetration();
-    return law_.softSlope(p + shift_.at(touch)) + law_.hardSlope(p, touch.radius);
+    return law_.softSlope(p + shift_.at(touch)) + law_.hardSlope(p, touch.room);
   }
 
   Penalty law_;

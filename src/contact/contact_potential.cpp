@@ -6,10 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "face_points.h"
 #include "palpate/contact/signed_distance.h"
 
 namespace palpate::contact {
 namespace {
+
+// In so many stages a ball goes through a cycle without its centre's getting behind the surface.
+constexpr double kCarefulStages = 8.0;
 
 // How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
 // next look: up to the surface, and half of what is left from there to the middle. With a smaller r
@@ -25,9 +29,23 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
     : samples_(std::move(samples)), response_(std::move(response)) {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (patches_.empty() || samples_[s].nodes != patches_.back().nodes) {
-      patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0});
+      patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0, -1});
     }
     patches_.back().end = static_cast<int>(s) + 1;
+  }
+}
+
+ContactPotential::~ContactPotential() = default;
+
+void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                 double spacing) {
+  faces_ = std::make_unique<FacePoints>();
+  faces_->setSurface(X, triangles, spacing);
+  // Both go through the triangles in the same order.
+  Eigen::Index t = 0;
+  for (Patch& patch : patches_) {
+    while (t < triangles.cols() && triangles.col(t) != patch.nodes) ++t;
+    if (t < triangles.cols()) patch.triangle = static_cast<int>(t);
   }
 }
 
@@ -44,38 +62,51 @@ void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
       placed_.emplace_back(obstacles[b]);
     }
   }
+  if (faces_ && !same) faces_->setObstacles(placed_);
 }
 
 void ContactPotential::findCandidates(const Points& x, const std::vector<double>& reach) {
   candidates_.clear();
-  for (std::size_t b = 0; b < placed_.size(); ++b) {
-    if (!skip_distant_) {
-      for (std::size_t s = 0; s < samples_.size(); ++s) {
-        candidates_.push_back({static_cast<int>(s), static_cast<int>(b)});
-      }
-      continue;
-    }
-    const instrument::Geometry& geometry = *placed_[b].obstacle().geometry;
-    const double ball = boundingRadius(geometry) + reach[b];
-    for (const Patch& patch : patches_) {
+  if (faces_) faces_->clear();
+  for (int b = 0; b < numObstacles(); ++b) {
+    addSamples(x, b, reach[b]);
+    if (faces_) faces_->findCandidates(x, placed_, b, reach[b]);
+  }
+}
+
+void ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
+  const PlacedObstacle& placed = placed_[obstacle];
+  const instrument::Geometry& geometry = *placed.obstacle().geometry;
+  const double ball = boundingRadius(geometry) + reach;
+  for (const Patch& patch : patches_) {
+    if (skip_distant_) {
       // The distance changes by at most the way: skip triangles that are too far as a whole.
       const Vec3 corner = x.col(patch.nodes[0]);
       const double size = std::max((x.col(patch.nodes[1]) - corner).norm(),
                                    (x.col(patch.nodes[2]) - corner).norm());
-      const Vec3 corner_G = placed_[b].toObstacle(corner);
+      const Vec3 corner_G = placed.toObstacle(corner);
       if (corner_G.norm() > ball + size) continue;
-      if (signedDistanceValue(geometry, corner_G) > reach[b] + size) continue;
-      for (int s = patch.begin; s < patch.end; ++s) {
-        if (placed_[b].gap(samples_[s].position(x)) > reach[b]) continue;
-        candidates_.push_back({s, static_cast<int>(b)});
-      }
+      if (signedDistanceValue(geometry, corner_G) > reach + size) continue;
+    }
+    if (patch.triangle >= 0 &&
+        faces_->meetsAlone(obstacle, faces_->sampleSpacing(patch.triangle, x))) {
+      continue;
+    }
+    for (int s = patch.begin; s < patch.end; ++s) {
+      if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
+      candidates_.push_back({s, obstacle});
     }
   }
 }
 
 bool ContactPotential::hasCandidates(int obstacle) const {
   return std::any_of(candidates_.begin(), candidates_.end(),
-                     [&](const Candidate& c) { return c.obstacle == obstacle; });
+                     [&](const Candidate& c) { return c.obstacle == obstacle; }) ||
+         (faces_ && faces_->hasCandidates(obstacle));
+}
+
+int ContactPotential::numCandidates() const {
+  return static_cast<int>(candidates_.size()) + (faces_ ? faces_->numCandidates() : 0);
 }
 
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
@@ -86,15 +117,16 @@ void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
       if (s.weights[k] != 0.0) nodes->push_back(s.nodes[k]);
     }
   }
+  if (faces_) faces_->forNodes([&](int node) { nodes->push_back(node); });
   std::sort(nodes->begin(), nodes->end());
   nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
 }
 
-// visit(touch) for all candidates, or those that may answer, at x. Only as much of the touch is
-// measured as Response::energy() needs, or `with_frame` the others.
+// visit(touch) for all samples among the candidates, or those that may answer, at x. Only as much
+// of the touch is measured as Response::energy() needs, or `with_frame` the others.
 template <class Visit>
-void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
-                               const Visit& visit) const {
+void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with_frame,
+                                  const Visit& visit) const {
   const double reach = response_->reach();
   const bool motion = response_->followsMotion();
   Touch touch;
@@ -116,6 +148,26 @@ void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_fr
   }
 }
 
+// All candidates likewise.
+template <class Visit>
+void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
+                               const Visit& visit) const {
+  forSamples(x, skip_inactive, with_frame, visit);
+  forFaces(x, [&](Touch& touch, const FacePoints::Meeting&) { visit(touch); });
+}
+
+// visit(touch, meeting) for those that may answer.
+template <class Visit>
+void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
+  if (!faces_) return;
+  const bool motion = response_->followsMotion() && x_begin_.cols() > 0;
+  faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
+    if (!response_->active(*touch)) return;
+    if (motion) placed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
+    visit(*touch, meeting);
+  });
+}
+
 double ContactPotential::value(const Points& x) const {
   double sum = 0.0;
   forEach(x, skip_inactive_, false, [&](const Touch& touch) { sum += response_->energy(touch); });
@@ -125,19 +177,28 @@ double ContactPotential::value(const Points& x) const {
 double ContactPotential::addGradient(const Points& x, Points* g) const {
   double sum = 0.0;
   forEach(x, skip_inactive_, true, [&](const Touch& touch) {
-    const SurfaceSample& s = samples_[touch.sample];
     const TouchForce f = response_->force(touch);
     const Vec3 force = f.normal * touch.normal_W + f.other_W;
-    for (int k = 0; k < 3; ++k) g->col(s.nodes[k]) += s.weights[k] * force;
+    for (int k = 0; k < 3; ++k) g->col(touch.nodes[k]) += touch.weights[k] * force;
     sum += response_->energy(touch);
   });
   return sum;
 }
 
 void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
-  forEach(x, skip_inactive_, true, [&](const Touch& touch) {
-    const SurfaceSample& s = samples_[touch.sample];
-    K->addPoint<3>(s.nodes, s.weights, response_->stiffness(touch, tangent));
+  forSamples(x, skip_inactive_, true, [&](const Touch& touch) {
+    K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
+  });
+  forFaces(x, [&](const Touch& touch, const FacePoints::Meeting& meeting) {
+    K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
+    if (tangent != fem::Tangent::kExact) return;
+    // Where the point of the triangle that is nearest is another one.
+    Mat3 corners;
+    for (int k = 0; k < 3; ++k) corners.col(k) = x.col(touch.nodes[k]);
+    const Eigen::Matrix<double, 9, 9> H =
+        response_->force(touch).normal *
+        triangleDistanceHessian(corners, meeting.near, meeting.direction, meeting.distance);
+    K->add(touch.nodes, H);
   });
 }
 
@@ -145,15 +206,14 @@ bool ContactPotential::addPush(const Points& x, const std::vector<Pose>& motions
                                Points* push) const {
   bool any = false;
   forEach(x, skip_inactive_, true, [&](const Touch& touch) {
-    const SurfaceSample& s = samples_[touch.sample];
-    const Vec3 p = s.position(x);
+    const Vec3& p = touch.p_W;
     const Pose& motion = motions[static_cast<std::size_t>(touch.obstacle)];
     // As if the sample went the other way, and the force turned with the obstacle.
     const TouchForce f = response_->force(touch);
     const Vec3 now = -(f.normal * touch.normal_W + f.other_W);
     const Vec3 force = response_->stiffness(touch, fem::Tangent::kExact) * (motion * p - p) +
                        (motion.linear() * now - now);
-    for (int k = 0; k < 3; ++k) push->col(s.nodes[k]) += s.weights[k] * force;
+    for (int k = 0; k < 3; ++k) push->col(touch.nodes[k]) += touch.weights[k] * force;
     any |= force != Vec3::Zero();
   });
   return any;
@@ -173,11 +233,13 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     const double approach = -touch.normal_W.dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
   }
+  if (faces_) largest = faces_->maxStep(x, d, placed_, largest);
   // A sample that is already in the middle must not bring the solve to a stand.
   return std::max(largest, 1e-3);
 }
 
-void ContactPotential::allowedMotions(const Points& x, std::vector<double>* allowed) const {
+void ContactPotential::allowedMotions(const Points& x, const std::vector<double>& ways,
+                                      std::vector<double>* allowed) const {
   allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
   for (const Candidate& c : candidates_) {
     const PlacedObstacle& obstacle = placed_[c.obstacle];
@@ -188,6 +250,17 @@ void ContactPotential::allowedMotions(const Points& x, std::vector<double>* allo
     const double size = std::min(obstacle.radius(), s.meanEdge(x));
     least = std::min(least, allowedApproach(distance, size));
   }
+  if (!faces_) return;
+  faces_->forBalls(x, placed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
+    const auto b = static_cast<std::size_t>(obstacle);
+    // A fast one may get behind the surface, which is then brought back.
+    const double follow = FacePoints::kFollow * m.edge;
+    const double deep =
+        std::clamp(ways[b] / kCarefulStages, 0.5 * radius, std::max(0.5 * radius, follow));
+    const double room = m.distance < 0.0 ? std::max(deep + m.distance, 0.25 * deep)
+                                         : std::max(m.distance - radius, 0.0) + deep;
+    (*allowed)[b] = std::min((*allowed)[b], room);
+  });
 }
 
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {
@@ -235,23 +308,29 @@ void ContactPotential::gather(const Points& x) {
 }
 
 void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses) {
-  mobility_.setZero(static_cast<Eigen::Index>(samples_.size()));
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    for (int k = 0; k < 3; ++k) {
-      const int i = samples_[s].nodes[k];
-      const double w = samples_[s].weights[k];
-      if (!free.col(i).isZero()) mobility_[static_cast<Eigen::Index>(s)] += w * w / masses[i];
-    }
+  masses_ = masses;
+  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+    if (free.col(i).isZero()) masses_[i] = std::numeric_limits<double>::infinity();
   }
+}
+
+// [1/kg]
+double ContactPotential::mobilityOf(const Touch& touch) const {
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    sum += touch.weights[k] * touch.weights[k] / masses_[touch.nodes[k]];
+  }
+  return sum;
 }
 
 void ContactPotential::gatherLearnable(const Points& x, double h) {
   touches_.clear();
   forEach(x, true, true, [&](Touch& touch) {
     touch.inertia = 0.0;
-    if (mobility_.size() > 0) {
-      if (mobility_[touch.sample] == 0.0) return;
-      touch.inertia = 1.0 / (mobility_[touch.sample] * h * h);
+    if (masses_.size() > 0) {
+      const double mobility = mobilityOf(touch);
+      if (mobility == 0.0) return;
+      touch.inertia = 1.0 / (mobility * h * h);
     }
     touches_.push_back(touch);
   });

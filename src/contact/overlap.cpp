@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
+#include <vector>
 
+#include "face_balls.h"
 #include "palpate/contact/signed_distance.h"
+#include "triangle_distance.h"
 
 namespace palpate::contact {
 namespace {
@@ -39,6 +43,21 @@ bool comesNearer(const instrument::Geometry& geometry, const Mat3& corners, doub
     if (comesNearer(geometry, part, margin, enough)) return true;
   }
   return false;
+}
+
+// So deep the point of a ball may be behind a surface on which it presses [m].
+constexpr double kPressed = 1e-3;
+// Balls of a shape that are asked.
+constexpr std::size_t kAsked = 32;
+
+double distanceTo(const Points& x, const Eigen::Matrix3Xi& triangles, const Vec3& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const TrianglePoint near = nearestOnTriangle(p, x.col(triangles(0, t)), x.col(triangles(1, t)),
+                                                 x.col(triangles(2, t)));
+    least = std::min(least, (near.point - p).norm());
+  }
+  return least;
 }
 
 }  // namespace
@@ -79,6 +98,29 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
   }
   // The surfaces are apart: all of the shape is on one side.
   return windingNumber(x, triangles, X_WG * middle(geometry)) > 0.5;
+}
+
+bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
+               const Eigen::Matrix3Xi& triangles) {
+  if (!overlaps(geometry, X_WG, x, triangles)) return false;
+  const double radius = inscribedRadius(geometry);
+  if (radius >= kThin) {
+    const Pose X_GW = X_WG.inverse();
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 p = X_GW * Vec3(x.col(triangles(k, t)));
+        if (signedDistanceValue(geometry, p) < -0.5 * radius) return true;
+      }
+    }
+  }
+  const std::vector<TouchBall> balls = faceBalls(geometry);
+  const std::size_t stride = std::max<std::size_t>(1, balls.size() / kAsked);
+  for (std::size_t k = 0; k < balls.size(); k += stride) {
+    const Vec3 center = X_WG * balls[k].center_G;
+    if (windingNumber(x, triangles, center) < 0.5) continue;
+    if (distanceTo(x, triangles, center) > kPressed - balls[k].radius) return true;
+  }
+  return false;
 }
 
 }  // namespace palpate::contact

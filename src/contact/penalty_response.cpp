@@ -11,18 +11,18 @@ class PenaltyResponse final : public Response {
   explicit PenaltyResponse(const Penalty& law) : law_(law) {}
 
   double energy(const Touch& touch) const override {
-    return touch.area * law_.energy(touch.penetration(), touch.radius);
+    return touch.area * law_.energy(touch.penetration(), touch.room);
   }
   TouchForce force(const Touch& touch) const override {
-    const double pressure = law_.pressure(touch.penetration(), touch.radius);
+    const double pressure = law_.pressure(touch.penetration(), touch.room);
     return {-touch.area * pressure * touch.steepness, Vec3::Zero()};
   }
   /// The shape's curvature is the only part that is not semidefinite.
   Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
     const double p = touch.penetration();
-    const double along = law_.slope(p, touch.radius) * touch.steepness * touch.steepness;
+    const double along = law_.slope(p, touch.room) * touch.steepness * touch.steepness;
     Mat3 H_G = along * touch.normal_G * touch.normal_G.transpose();
-    if (tangent == fem::Tangent::kExact) H_G -= law_.pressure(p, touch.radius) * touch.curvature_G;
+    if (tangent == fem::Tangent::kExact) H_G -= law_.pressure(p, touch.room) * touch.curvature_G;
     return touch.area * touch.R_WG * H_G * touch.R_WG.transpose();
   }
   /// The same along the force: but for the last bit, which tled and linear_precomputed keep. Not

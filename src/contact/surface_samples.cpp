@@ -17,12 +17,6 @@ struct Edge {
   int first = -1;  ///< Of its divisions - 1 samples between the nodes, which follow one another.
 };
 
-int divisions(double length, double spacing) {
-  if (!(spacing > 0.0)) return 1;
-  return static_cast<int>(
-      std::clamp(std::ceil(length / spacing), double{kLeastDivisions}, double{kMaxDivisions}));
-}
-
 class Sampler {
  public:
   Sampler(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing)
@@ -74,7 +68,7 @@ class Sampler {
     const auto [low, high] = std::minmax(a, b);
     const auto key = static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
     const auto [at, fresh] = edge_number_.emplace(key, static_cast<int>(edges_.size()));
-    if (fresh) edges_.push_back({divisions((X_.col(high) - X_.col(low)).norm(), spacing_)});
+    if (fresh) edges_.push_back({sampleDivisions((X_.col(high) - X_.col(low)).norm(), spacing_)});
     return at->second;
   }
 
@@ -117,6 +111,12 @@ class Sampler {
 };
 
 }  // namespace
+
+int sampleDivisions(double length, double spacing) {
+  if (!(spacing > 0.0)) return 1;
+  return static_cast<int>(
+      std::clamp(std::ceil(length / spacing), double{kLeastDivisions}, double{kMaxDivisions}));
+}
 
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing) {

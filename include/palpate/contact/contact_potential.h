@@ -11,6 +11,8 @@
 
 namespace palpate::contact {
 
+class FacePoints;
+
 /// A touch that is answered.
 struct Contact {
   Contact(const Touch& t, const Vec3& f_W) : touch(t), force_W(f_W) {}
@@ -25,6 +27,12 @@ struct Contact {
 class ContactPotential final : public fem::EnergyTerm {
  public:
   ContactPotential(std::vector<SurfaceSample> samples, std::unique_ptr<Response> response);
+  ~ContactPotential() override;
+
+  /// Has instruments that are thinner than samples are apart, or have corners and edges, meet the
+  /// surface's triangles, too: see FacePoints. `X`: points at rest, 3 x n [m]; `triangles`: the
+  /// surface, outward; `spacing`: of the samples, as for sampleSurface().
+  void meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
   /// See Response::reach().
@@ -36,11 +44,11 @@ class ContactPotential final : public fem::EnergyTerm {
 
   /// Takes as candidates of obstacle b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
-  bool hasCandidates() const { return !candidates_.empty(); }
+  bool hasCandidates() const { return numCandidates() > 0; }
   /// Of one of the placed obstacles.
   bool hasCandidates(int obstacle) const;
   int numObstacles() const { return static_cast<int>(placed_.size()); }
-  int numCandidates() const { return static_cast<int>(candidates_.size()); }
+  int numCandidates() const;
   /// Samples, times obstacles, that the last findCandidates() did not take.
   int numDistant() const {
     return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
@@ -73,10 +81,11 @@ class ContactPotential final : public fem::EnergyTerm {
   /// which it came.
   double maxStep(const Points& x, const Points& d) const override;
 
-  /// How far each obstacle may move at once [m] until its nearest candidate at x is as deep
-  /// as that, or as half an edge of the triangle around it is long: elements that are pushed
-  /// farther in one go fold.
-  void allowedMotions(const Points& x, std::vector<double>* allowed) const;
+  /// How far each obstacle, which goes `ways` [m] in a cycle, may move at once [m] until its
+  /// nearest candidate at x is as deep as that, or as half an edge of the triangle around it is
+  /// long: elements that are pushed farther in one go fold.
+  void allowedMotions(const Points& x, const std::vector<double>& ways,
+                      std::vector<double>* allowed) const;
 
   /// All candidates that answer at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;
@@ -123,16 +132,24 @@ class ContactPotential final : public fem::EnergyTerm {
   struct Patch {  // samples of one triangle, which follow one another
     Eigen::Vector3i nodes;
     int begin, end;
+    int triangle;  // of the surface; known where faces are met
   };
   void gather(const Points& x);
+  void addSamples(const Points& x, int obstacle, double reach);
+  template <class Visit>
+  void forSamples(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
+  template <class Visit>
+  void forFaces(const Points& x, const Visit& visit) const;
+  double mobilityOf(const Touch& touch) const;
   void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
 
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
+  std::unique_ptr<FacePoints> faces_;
   std::unique_ptr<Response> response_;
-  Eigen::VectorXd mobility_;  // of the samples [1/kg]; empty: they weigh nothing
+  Eigen::VectorXd masses_;  // of the nodes, infinite where held [kg]; empty: they weigh nothing
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;

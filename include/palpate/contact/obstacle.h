@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/base/types.h"
+#include "palpate/contact/needle.h"
 #include "palpate/instrument/geometry.h"
 
 namespace palpate::contact {
@@ -29,6 +30,8 @@ struct Obstacle {
   Pose X_WG_begin;  ///< The shape's frame in world, where the way begins,
   Pose X_WG_end;    ///< and where it ends.
   int number = 0;   ///< Among all obstacles of a cycle; a memory of touches knows it by this.
+  /// How it goes into tissue, a capsule or a cylinder; null: not at all.
+  const NeedleSettings* needle = nullptr;
 };
 
 }  // namespace palpate::contact

@@ -20,4 +20,9 @@ double windingNumber(const Points& x, const Eigen::Matrix3Xi& triangles, const V
 bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
               const Eigen::Matrix3Xi& triangles, double margin = 0.0);
 
+/// Whether a shape at X_WG is deeper in the body than contact would have let it: its faceBalls()
+/// behind the surface, or the surface deeper in it than half of its inscribed radius.
+bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
+               const Eigen::Matrix3Xi& triangles);
+
 }  // namespace palpate::contact

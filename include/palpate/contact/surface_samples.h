@@ -34,6 +34,9 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 
+/// Into how many parts an edge is parted.
+int sampleDivisions(double length, double spacing);
+
 constexpr int kLeastDivisions = 3;
 constexpr int kMaxDivisions = 32;
 

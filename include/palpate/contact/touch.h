@@ -15,13 +15,14 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& n);
 /// What a point of the tissue's surface and an obstacle are to each other: geometry and motion
 /// alone. What answers it is a Response.
 struct Touch {
-  int sample;             ///< Of the tissue's surface.
+  int sample;             ///< Of the tissue's surface; below 0 a ball of the obstacle, -1 - ball.
   int obstacle;           ///< Among those that are placed,
   int number;             ///< and among all of the cycle: Obstacle::number.
   Eigen::Vector3i nodes;  ///< The sample lies between them,
   Vec3 weights;           ///< with these barycentric coordinates.
   double area;            ///< Rest area that it stands for [m^2].
   double radius;          ///< Inscribed, of the obstacle [m].
+  double room;            ///< A depth that is never to be reached [m]: the radius, for samples.
   /// Mass that the sample moves, over the square of the step [N/m]; known where a response learns.
   double inertia = 0.0;
 
@@ -41,6 +42,17 @@ struct Touch {
   Vec3 motion_W;
 
   double penetration() const { return -gap; }
+  /// Of the nodes' d, 3 x n, what it is at the sample.
+  Vec3 of(const Points& d) const {
+    return weights[0] * d.col(nodes[0]) + weights[1] * d.col(nodes[1]) +
+           weights[2] * d.col(nodes[2]);
+  }
+  /// Of the triangle [m].
+  double meanEdge(const Points& x) const {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += (x.col(nodes[(k + 1) % 3]) - x.col(nodes[k])).norm();
+    return sum / 3.0;
+  }
   Eigen::Matrix<double, 3, 2> frameTangents() const { return tangents(normal_W); }
   /// The tangential part of the motion: in world, and along frameTangents() [m].
   Vec3 slipInWorld() const { return motion_W - normal_W * normal_W.dot(motion_W); }
@@ -65,12 +77,12 @@ class PlacedObstacle {
   double gap(const Vec3& p_W) const {
     return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W);
   }
-  /// Fills p_W, p_G, gap, radius and number.
+  /// Fills p_W, p_G, gap, radius, room and number.
   void measureGap(const Vec3& p_W, Touch* touch) const {
     touch->p_W = p_W;
     touch->p_G = X_GW_ * p_W;
     touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G);
-    touch->radius = radius_;
+    touch->radius = touch->room = radius_;
     touch->number = obstacle_.number;
   }
   /// Fills the frame; the gap is measured.

@@ -37,11 +37,24 @@ int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Poin
   return static_cast<int>(obstacles.size() - near_.size());
 }
 
+void ToolSweep::leaveOut(const std::vector<int>& numbers) {
+  if (numbers.empty()) return;
+  near_.erase(std::remove_if(near_.begin(), near_.end(),
+                             [&](const contact::Obstacle& obstacle) {
+                               return std::binary_search(numbers.begin(), numbers.end(),
+                                                         obstacle.number);
+                             }),
+              near_.end());
+  placed_ = near_;
+}
+
 void ToolSweep::search(const Points& x) {
   reach_.clear();
+  ways_.clear();
   for (const contact::Obstacle& obstacle : near_) {
     const double way =
         contact::sweepLength(*obstacle.geometry, obstacle.X_WG_begin, obstacle.X_WG_end);
+    ways_.push_back(way);
     reach_.push_back(margin_ + way + contact_.reach());
   }
   contact_.findCandidates(x, reach_);
@@ -80,7 +93,7 @@ int ToolSweep::find(int number) const {
 
 double ToolSweep::next(const Points& x, double s, double end) {
   if (!contact_.hasCandidates()) return end;
-  contact_.allowedMotions(x, &allowed_);
+  contact_.allowedMotions(x, ways_, &allowed_);
   return std::min(end, nextSweepStage(near_, allowed_, s));
 }
 

@@ -18,6 +18,10 @@ class ToolSweep {
   /// Begins a cycle with the tissue at x, 3 x n [m], of which no node goes farther than about
   /// `way` [m] if nothing pushes it. Returns how many obstacles cannot touch.
   int begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way);
+  /// Those that can touch, on their way through the cycle.
+  const std::vector<contact::Obstacle>& near() const { return near_; }
+  /// The obstacles with these numbers, ascending, do not touch in this cycle.
+  void leaveOut(const std::vector<int>& numbers);
   /// Finds the candidates for contact at x, for the whole way, and sees that they hold while no
   /// node moves farther than a margin.
   void search(const Points& x);
@@ -51,11 +55,11 @@ class ToolSweep {
   contact::ContactPotential& contact_;
   double size_;
   bool skip_far_;
-  double margin_ = 0.0;                    // [m]
-  std::vector<contact::Obstacle> near_;    // on their way through the cycle
-  std::vector<contact::Obstacle> placed_;  // from where the step began to where they are
-  std::vector<double> reach_, allowed_;    // of each near one [m]
-  std::vector<Pose> motions_;              // likewise
+  double margin_ = 0.0;                         // [m]
+  std::vector<contact::Obstacle> near_;         // on their way through the cycle
+  std::vector<contact::Obstacle> placed_;       // from where the step began to where they are
+  std::vector<double> ways_, reach_, allowed_;  // of each near one [m]
+  std::vector<Pose> motions_;                   // likewise
   Points searched_at_;
 };
 

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "face_balls.h"
+#include "palpate/contact/signed_distance.h"
+#include "palpate/contact/surface_samples.h"
+
+namespace palpate::contact {
+namespace {
+
+// Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
+constexpr double kNoDirection = 1e-12;
+
+Vec3 normalOf(const Mat3& corners) {
+  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+}
+
+double meanEdge(const Mat3& corners) {
+  return ((corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(1)).norm() +
+          (corners.col(0) - corners.col(2)).norm()) /
+         3.0;
+}
+
+}  // namespace
+
+void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing) {
+  triangles_ = triangles;
+  areas_.resize(triangles.cols());
+  divisions_.resize(triangles.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Mat3 at = corners(X, static_cast<int>(t));
+    areas_[t] = 0.5 * (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0)).norm();
+    const double longest = std::max({(at.col(1) - at.col(0)).norm(), (at.col(2) - at.col(1)).norm(),
+                                     (at.col(0) - at.col(2)).norm()});
+    divisions_[t] = sampleDivisions(longest, spacing);
+  }
+}
+
+void FacePoints::setObstacles(const std::vector<PlacedObstacle>& placed) {
+  clear();
+  shapes_.clear();
+  if (empty()) return;
+  for (const PlacedObstacle& obstacle : placed) shapes_.push_back(shapeOf(obstacle.obstacle()));
+}
+
+// Bones are met by samples: they are not as thin as these are far apart.
+const FacePoints::Shape* FacePoints::shapeOf(const Obstacle& obstacle) {
+  const bool tool = obstacle.owner.isInstrument();
+  const instrument::Geometry& geometry = *obstacle.geometry;
+  const instrument::Geometry* of = tool ? &geometry : nullptr;
+  const double inscribed = inscribedRadius(geometry), bounding = boundingRadius(geometry);
+  for (const std::unique_ptr<const Shape>& shape : known_) {
+    if (shape->of != of) continue;
+    if (!tool) return shape.get();
+    if (shape->kind == geometry.index() && shape->inscribed == inscribed &&
+        shape->bounding == bounding) {
+      return shape.get();
+    }
+  }
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  Shape shape{of, geometry.index(), inscribed, bounding, {}, 0, 0.0, kNever, kNever};
+  if (tool) shape.balls = faceBalls(geometry);
+  if (!shape.balls.empty()) {
+    shape.resolution = resolutionOf(geometry);
+    if (coverAll(geometry)) shape.too_coarse = 2.0 * inscribed;
+    Vec3 low = shape.balls.front().center_G, high = low;
+    for (const TouchBall& ball : shape.balls) {
+      low = low.cwiseMin(ball.center_G);
+      high = high.cwiseMax(ball.center_G);
+      shape.largest = std::max(shape.largest, ball.radius);
+    }
+    (high - low).maxCoeff(&shape.axis);
+    std::stable_sort(shape.balls.begin(), shape.balls.end(),
+                     [axis = shape.axis](const TouchBall& a, const TouchBall& b) {
+                       return a.center_G[axis] < b.center_G[axis];
+                     });
+  }
+  known_.push_back(std::make_unique<const Shape>(std::move(shape)));
+  return known_.back().get();
+}
+
+Mat3 FacePoints::corners(const Points& x, int triangle) const {
+  Mat3 corners;
+  for (int k = 0; k < 3; ++k) corners.col(k) = x.col(triangles_(k, triangle));
+  return corners;
+}
+
+double FacePoints::sampleSpacing(int triangle, const Points& x) const {
+  const Mat3 at = corners(x, triangle);
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    longest = std::max(longest, (at.col((k + 1) % 3) - at.col(k)).squaredNorm());
+  }
+  return std::sqrt(longest) / divisions_[triangle];
+}
+
+void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+                                double reach) {
+  const Shape& shape = *shapes_[b];
+  if (shape.balls.empty()) return;
+  const instrument::Geometry& geometry = *placed[b].obstacle().geometry;
+  const double bounding = boundingRadius(geometry) + reach;
+  near_.clear();
+  bool any = false;  // where the samples are too far apart
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const int triangle = static_cast<int>(t);
+    const Mat3 at = corners(x, triangle);
+    const Vec3 middle = at.rowwise().mean();
+    const double radius = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
+    const Vec3 middle_G = placed[b].toObstacle(middle);
+    if (middle_G.norm() > bounding + radius) continue;
+    if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
+    near_.push_back({triangle, middle_G, radius});
+    any = any || meets(b, sampleSpacing(triangle, x));
+  }
+  if (!any) return;
+  found_.clear();
+  for (const Near& t : near_) {
+    // The balls in the slice of the shape that the triangle may touch.
+    const double far = t.radius + reach + shape.largest;
+    const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
+    auto ball = std::lower_bound(
+        shape.balls.begin(), shape.balls.end(), begin,
+        [&](const TouchBall& of, double at) { return of.center_G[shape.axis] < at; });
+    for (; ball != shape.balls.end() && ball->center_G[shape.axis] <= end; ++ball) {
+      if ((ball->center_G - t.middle_G).squaredNorm() > far * far) continue;
+      found_.emplace_back(static_cast<int>(ball - shape.balls.begin()), t.triangle);
+    }
+  }
+  std::sort(found_.begin(), found_.end());
+  double nearest = 0.0;
+  for (const auto& [of_ball, triangle] : found_) {
+    const TouchBall& ball = shape.balls[of_ball];
+    const Vec3 center = placed[b].obstacle().X_WG_end * ball.center_G;
+    const Mat3 at = corners(x, triangle);
+    const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
+    const double distance = (center - near.point).norm();
+    if (distance > reach + ball.radius) continue;
+    if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
+      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0});
+      nearest = std::numeric_limits<double>::infinity();
+    }
+    candidates_.push_back({triangle, normalOf(at), meanEdge(at)});
+    groups_.back().end = numCandidates();
+    if (distance < nearest) groups_.back().area = areas_[triangle] / 3.0;
+    nearest = std::min(nearest, distance);
+  }
+}
+
+bool FacePoints::hasCandidates(int obstacle) const {
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [&](const Group& group) { return group.obstacle == obstacle; });
+}
+
+// Fills meetings_ and returns the nearest. Of triangles that are equally near, as those around an
+// edge or a corner are, the one that the centre is most in front of, or behind, knows the side.
+const FacePoints::Meeting& FacePoints::measure(const Points& x,
+                                               const std::vector<PlacedObstacle>& placed,
+                                               const Group& group) const {
+  const Vec3 center = placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
+  meetings_.clear();
+  std::size_t nearest = 0;
+  double most_across = 0.0;
+  for (int c = group.begin; c < group.end; ++c) {
+    const Mat3 at = corners(x, candidates_[c].triangle);
+    const Vec3 n = normalOf(at);
+    Meeting m{};
+    m.near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
+    const Vec3 way = center - m.near.point;
+    m.distance = way.norm();
+    m.direction = m.distance > kNoDirection ? Vec3(way / m.distance) : n;
+    double across = n.dot(way);
+    if (m.near.feature == Feature::kFace) {  // exact however near
+      m.direction = across < 0.0 ? Vec3(-n) : n;
+      m.distance = std::abs(across);
+    }
+    m.edge = candidates_[c].edge;
+    meetings_.push_back(m);
+    const double least = meetings_[nearest].distance;
+    const bool as_near = m.distance <= least * (1.0 + 1e-9) + kNoDirection;
+    if (meetings_.size() == 1 || m.distance < least * (1.0 - 1e-9) - kNoDirection ||
+        (as_near && std::abs(across) > std::abs(most_across))) {
+      nearest = meetings_.size() - 1;
+      most_across = across;
+    }
+  }
+  const bool behind = most_across < 0.0;
+  for (std::size_t k = 0; k < meetings_.size(); ++k) {
+    const double cosine =
+        candidates_[group.begin + k].normal.dot(candidates_[group.begin + nearest].normal);
+    meetings_[k].share = behind ? 0.0 : std::clamp((1.0 - cosine) / kPit, 0.0, 1.0);
+  }
+  Meeting& m = meetings_[nearest];
+  m.share = 1.0;
+  if (behind) {
+    m.distance = -m.distance;
+    m.direction = -m.direction;
+  }
+  return m;
+}
+
+void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group, int triangle,
+                      const Meeting& meeting, double gap, Touch* touch) const {
+  const Obstacle& obstacle = placed[group.obstacle].obstacle();
+  touch->sample = -1 - group.ball;
+  touch->obstacle = group.obstacle;
+  touch->number = obstacle.number;
+  touch->nodes = triangles_.col(triangle);
+  touch->weights = meeting.near.weights;
+  touch->area = meeting.share * group.area;
+  touch->radius = placed[group.obstacle].radius();
+  touch->room = std::max(ball(group).radius, kFollow * meeting.edge);
+  touch->gap = gap;
+  touch->p_W = meeting.near.point;
+  touch->p_G = placed[group.obstacle].toObstacle(touch->p_W);
+  touch->R_WG = obstacle.X_WG_end.linear();
+  touch->normal_W = -meeting.direction;
+  touch->normal_G = touch->R_WG.transpose() * touch->normal_W;
+  touch->steepness = 1.0;
+  touch->curvature_G.setZero();
+  touch->motion_W.setZero();
+}
+
+double FacePoints::maxStep(const Points& x, const Points& d,
+                           const std::vector<PlacedObstacle>& placed, double largest) const {
+  for (const Group& group : groups_) {
+    measure(x, placed, group);
+    for (int c = group.begin; c < group.end; ++c) {
+      const Meeting& m = meetings_[c - group.begin];
+      const Mat3 motion = corners(d, candidates_[c].triangle);
+      const double allowed = std::max(m.distance, 0.0) + kFollow * m.edge;
+      if (std::sqrt(motion.colwise().squaredNorm().maxCoeff()) * largest <= allowed) continue;
+      const double approach = m.direction.dot(motion * m.near.weights);
+      if (approach * largest > allowed) largest = allowed / approach;
+    }
+  }
+  return largest;
+}
+
+}  // namespace palpate::contact

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/types.h"
+#include "palpate/contact/touch.h"
+#include "palpate/contact/touch_balls.h"
+#include "triangle_distance.h"
+
+namespace palpate::contact {
+
+/// Balls of thin and sharp tools (faceBalls()) against the triangles of a tissue's surface: what
+/// samples of the surface do not meet that are farther apart than the tool is thick. A ball of
+/// radius r with its centre at the distance D from the surface has the gap D - r. D is that of the
+/// nearest triangle, negative behind it. In a pit others hold the ball as well: those whose
+/// normals differ from the nearest one's by kPit, and with a part of their force those between, so
+/// that it neither is pushed sideways on a flat surface nor has an edge to rest on in a pit.
+class FacePoints {
+ public:
+  /// `x`: points at rest, 3 x n [m]; `triangles`: the surface, outward; `spacing`: of the samples,
+  /// as sampleSurface() has it.
+  void setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+  bool empty() const { return triangles_.cols() == 0; }
+
+  /// The obstacles are others now.
+  void setObstacles(const std::vector<PlacedObstacle>& placed);
+
+  /// How far apart the samples are now on a triangle, at most [m].
+  double sampleSpacing(int triangle, const Points& x) const;
+  /// Samples that far apart [m] are met by the balls of an obstacle as well,
+  bool meets(int obstacle, double spacing) const {
+    return spacing > shapes_[static_cast<std::size_t>(obstacle)]->resolution;
+  }
+  /// and by them alone.
+  bool meetsAlone(int obstacle, double spacing) const {
+    return spacing > shapes_[obstacle]->too_coarse;
+  }
+
+  void clear() { candidates_.clear(), groups_.clear(); }
+  /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
+  /// x, if on any triangle near it the samples are too far apart for it.
+  void findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+                      double reach);
+  int numCandidates() const { return static_cast<int>(candidates_.size()); }
+  bool hasCandidates(int obstacle) const;
+  /// visit(node) of all triangles of candidates.
+  template <class Visit>
+  void forNodes(const Visit& visit) const {
+    for (const Candidate& c : candidates_) {
+      for (int k = 0; k < 3; ++k) visit(triangles_(k, c.triangle));
+    }
+  }
+
+  /// A ball near a triangle.
+  struct Meeting {
+    TrianglePoint near;  ///< Of the triangle, to the ball's centre.
+    double distance;     ///< To there, negative behind the nearest triangle [m].
+    double share;        ///< Of the force between the ball and a triangle, 1 for the nearest.
+    Vec3 direction;      ///< Unit, from there to the centre, or opposite behind it.
+    double edge;         ///< Of the triangle, on average, when it was found [m].
+  };
+  /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
+  /// whole but for its motion.
+  template <class Visit>
+  void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
+               const Visit& visit) const {
+    for (const Group& group : groups_) {
+      measure(x, placed, group);
+      for (int c = group.begin; c < group.end; ++c) {
+        const Meeting& meeting = meetings_[static_cast<std::size_t>(c - group.begin)];
+        const double gap = meeting.distance - ball(group).radius;
+        if (!(gap < reach) || meeting.share == 0.0) continue;
+        Touch touch;
+        fill(placed, group, candidates_[static_cast<std::size_t>(c)].triangle, meeting, gap,
+             &touch);
+        visit(&touch, meeting);
+      }
+    }
+  }
+  /// Of each ball with candidates: visit(obstacle, radius [m], meeting) with the nearest triangle.
+  template <class Visit>
+  void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
+                const Visit& visit) const {
+    for (const Group& group : groups_) {
+      visit(group.obstacle, ball(group).radius, measure(x, placed, group));
+    }
+  }
+  /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
+  /// kFollow of its edge; at most `largest`.
+  double maxStep(const Points& x, const Points& d, const std::vector<PlacedObstacle>& placed,
+                 double largest) const;
+
+  /// Of a triangle's edge: so far a ball may be behind it for the surface to be brought back.
+  static constexpr double kFollow = 0.25;
+  /// 1 - the cosine of the angle, 25 degrees, between faces that make a pit.
+  static constexpr double kPit = 0.094;
+
+ private:
+  struct Shape {
+    const instrument::Geometry* of;  // an instrument's; null: bone,
+    std::size_t kind;                // and what it is, if another one took its place
+    double inscribed, bounding;
+    std::vector<TouchBall> balls;  // by their place along `axis`
+    int axis;
+    double largest;                 // radius of a ball [m]
+    double resolution, too_coarse;  // distances of samples [m], see meets(), meetsAlone()
+  };
+  struct Near {  // a triangle, with a ball around it
+    int triangle;
+    Vec3 middle_G;
+    double radius;
+  };
+  struct Candidate {
+    int triangle;
+    Vec3 normal;  // when it was found,
+    double edge;  // and its mean edge then [m]
+  };
+  struct Group {
+    int obstacle, ball, begin, end;  // of its candidates
+    double area;                     // that it stands for [m^2]
+  };
+
+  const Shape* shapeOf(const Obstacle& obstacle);
+  const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
+  Mat3 corners(const Points& x, int triangle) const;
+  const Meeting& measure(const Points& x, const std::vector<PlacedObstacle>& placed,
+                         const Group& group) const;
+  void fill(const std::vector<PlacedObstacle>& placed, const Group& group, int triangle,
+            const Meeting& meeting, double gap, Touch* touch) const;
+
+  Eigen::Matrix3Xi triangles_;
+  Eigen::VectorXd areas_;      // at rest [m^2]
+  Eigen::VectorXi divisions_;  // of the longest edge, by samples
+  std::vector<std::unique_ptr<const Shape>> known_;
+  std::vector<const Shape*> shapes_;  // of the obstacles
+  std::vector<Candidate> candidates_;
+  std::vector<Group> groups_;
+  std::vector<Near> near_;
+  std::vector<std::pair<int, int>> found_;  // balls and triangles
+  mutable std::vector<Meeting> meetings_;   // of one group
+};
+
+}  // namespace palpate::contact
