@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/fem/inversion_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate::fem {
+namespace {
+
+constexpr double kFrom = InversionGuard::kLeast;
+constexpr double kParabolaFrom = 0.1 * kFrom;
+
+// b and its derivatives by J.
+struct Barrier {
+  double value, slope, curvature;
+};
+
+Barrier ofLogarithm(double J) {
+  const double t = kFrom - J, log = std::log(J / kFrom);
+  return {-t * t * log, 2.0 * t * log - t * t / J, -2.0 * log + 4.0 * t / J + t * t / (J * J)};
+}
+
+Barrier barrier(double J) {
+  if (J >= kParabolaFrom) return ofLogarithm(J);
+  const Barrier from = ofLogarithm(kParabolaFrom);
+  const double d = J - kParabolaFrom;
+  return {from.value + d * (from.slope + 0.5 * d * from.curvature), from.slope + d * from.curvature,
+          from.curvature};
+}
+
+Mat3 cross(const Vec3& v) {
+  Mat3 m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+// Columns: the derivative of the determinant by the three edges.
+Mat3 cofactors(const Mat3& e) {
+  Mat3 c;
+  c << e.col(1).cross(e.col(2)), e.col(2).cross(e.col(0)), e.col(0).cross(e.col(1));
+  return c;
+}
+
+// By the edges, with edge i from corner 0 to corner i + 1, to by the corners.
+Eigen::Matrix<double, 3, 4> byCorners(const Mat3& by_edges) {
+  Eigen::Matrix<double, 3, 4> g;
+  g << -by_edges.rowwise().sum(), by_edges;
+  return g;
+}
+
+// Into eight: at the corners, and around the octahedron's diagonal between the middles of edges
+// 01 and 23.
+constexpr int kParts[8][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
+                              {4, 9, 6, 7}, {4, 9, 7, 8}, {4, 9, 8, 5}, {4, 9, 5, 6}};
+
+}  // namespace
+
+InversionGuard::InversionGuard(const mesh::TetMesh& mesh, double stiffness)
+    : stiffness_(stiffness) {
+  if (mesh.midnodes.cols() == 0) {
+    tets_ = mesh.tets;
+  } else {
+    tets_.resize(4, 8 * mesh.tets.cols());
+    for (Eigen::Index e = 0; e < mesh.tets.cols(); ++e) {
+      for (int part = 0; part < 8; ++part) {
+        for (int k = 0; k < 4; ++k) {
+          const int node = kParts[part][k];
+          tets_(k, 8 * e + part) = node < 4 ? mesh.tets(node, e) : mesh.midnodes(node - 4, e);
+        }
+      }
+    }
+  }
+  volumes_.resize(tets_.cols());
+  for (Eigen::Index e = 0; e < tets_.cols(); ++e) {
+    volumes_[e] = edges(mesh.points, e).determinant();
+    if (volumes_[e] >= 0.0) continue;
+    std::swap(tets_(2, e), tets_(3, e));
+    volumes_[e] = -volumes_[e];
+  }
+}
+
+Mat3 InversionGuard::edges(const Points& x, Eigen::Index e) const {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k) edges.col(k) = x.col(tets_(k + 1, e)) - x.col(tets_(0, e));
+  return edges;
+}
+
+double InversionGuard::least(const Points& x) const {
+  double least = 1.0;
+  for (Eigen::Index e = 0; e < tets_.cols(); ++e) {
+    if (volumes_[e] > 0.0) least = std::min(least, edges(x, e).determinant() / volumes_[e]);
+  }
+  return least;
+}
+
+template <class Visit>
+void InversionGuard::forFlat(const Points& x, const Visit& visit) const {
+  if (!active_) return;
+  for (Eigen::Index e = 0; e < tets_.cols(); ++e) {
+    const Mat3 at = edges(x, e);
+    const double determinant = at.determinant();
+    if (determinant < kFrom * volumes_[e]) visit(e, at, determinant / volumes_[e]);
+  }
+}
+
+// The volume is a sixth of the determinant.
+double InversionGuard::value(const Points& x) const {
+  double sum = 0.0;
+  forFlat(x, [&](Eigen::Index e, const Mat3&, double J) {
+    sum += stiffness_ * volumes_[e] / 6.0 * barrier(J).value;
+  });
+  return sum;
+}
+
+double InversionGuard::addGradient(const Points& x, Points* g) const {
+  double sum = 0.0;
+  forFlat(x, [&](Eigen::Index e, const Mat3& at, double J) {
+    const Barrier b = barrier(J);
+    sum += stiffness_ * volumes_[e] / 6.0 * b.value;
+    const Eigen::Matrix<double, 3, 4> f = stiffness_ / 6.0 * b.slope * byCorners(cofactors(at));
+    for (int k = 0; k < 4; ++k) g->col(tets_(k, e)) += f.col(k);
+  });
+  return sum;
+}
+
+void InversionGuard::addHessian(const Points& x, Tangent tangent, Stiffness* K) const {
+  forFlat(x, [&](Eigen::Index e, const Mat3& at, double J) {
+    const Barrier b = barrier(J);
+    const Mat3 by_edges = cofactors(at);
+    const Eigen::Matrix<double, 12, 1> g = byCorners(by_edges).reshaped();
+    Eigen::Matrix<double, 12, 12> H =
+        stiffness_ / 6.0 * b.curvature / volumes_[e] * g * g.transpose();
+    if (tangent == Tangent::kExact) {
+      Eigen::Matrix<double, 9, 9> second;
+      second.setZero();
+      second.block<3, 3>(0, 3) = -cross(at.col(2));
+      second.block<3, 3>(0, 6) = cross(at.col(1));
+      second.block<3, 3>(3, 6) = -cross(at.col(0));
+      second = (second + second.transpose()).eval();
+      Eigen::Matrix<double, 9, 12> to_corners;
+      to_corners.leftCols<3>() = -Mat3::Identity().replicate<3, 1>();
+      to_corners.rightCols<9>().setIdentity();
+      H += stiffness_ / 6.0 * b.slope * to_corners.transpose() * second * to_corners;
+    }
+    K->add(tets_.col(e), H);
+  });
+}
+
+}  // namespace palpate::fem
