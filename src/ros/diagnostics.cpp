@@ -70,6 +70,15 @@ void Diagnostics::simulation(Status& status) {
   if (slow && frame_.state == NodeState::kRunning) {
     status.mergeSummary(DiagnosticStatus::WARN, slowAdvice(s));
   }
+  if (report.tools_inside > 0) {
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        "a tool is inside an organ and feels nothing until it is clear of it: draw "
+                        "it out, or ~reset with the tool outside");
+  }
+  if (report.status == solver::SolveStatus::kInverted) {
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        "elements are turned inside out: press less deep, or with a finer mesh");
+  }
   if (!blas_warning_.empty()) status.mergeSummary(DiagnosticStatus::WARN, blas_warning_);
   status.add("state", toString(frame_.state));
   status.add("rate held [Hz]", s.rate_reached);
@@ -96,6 +105,7 @@ void Diagnostics::simulation(Status& status) {
   status.add("contacts", report.contacts);
   status.add("imbalance [N]", report.imbalance);
   status.add("min jacobian", report.min_jacobian);
+  status.add("tools inside", report.tools_inside);
 }
 
 void Diagnostics::input(Status& status) {

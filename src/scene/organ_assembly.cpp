@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/scene/organ_assembly.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -75,6 +76,8 @@ tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
   settings.touching = scene.contact;
   settings.sample_spacing = sample_spacing;
   settings.skip = scene.solver.skip;
+  settings.needles = std::any_of(scene.instruments.begin(), scene.instruments.end(),
+                                 [](const InstrumentConfig& i) { return !i.needle.link.empty(); });
   return settings;
 }
 

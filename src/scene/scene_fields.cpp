@@ -108,6 +108,18 @@ void describe(keys::FieldVisitor& v, LimitsConfig& limits) {
            limits.max_force_rate, keys::Range::closed(0.0, 1.0e6));
 }
 
+void describe(keys::FieldVisitor& v, NeedleConfig& needle) {
+  v.text({"link", "",
+          "Its collision shapes are cylinders; their axis is the needle's. Empty: there is none."},
+         needle.link);
+  v.number({"puncture_force", "N", "Along the axis, with which the tip gets through a surface."},
+           needle.puncture_force, keys::Range::closed(0.0, 100.0));
+  v.number({"cutting_force", "N", "That the tip needs to go on."}, needle.cutting_force,
+           keys::Range::closed(0.0, 100.0));
+  v.number({"shaft_friction", "N/m", "Along the shaft, per length that is inside."},
+           needle.shaft_friction, keys::Range::closed(0.0, 1.0e4));
+}
+
 void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
   v.name({"name", "", "Names the instrument in topics and result files.", keys::Need::kRequired},
          instrument.name);
@@ -137,6 +149,7 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
              "Collision meshes that are not convex. One that is, within a thousandth of its "
              "diagonal, is its convex hull, exactly."},
             instrument.collision_meshes);
+  v.section({"needle", "", "A link that goes into tissue."}, instrument.needle);
   v.section({"proxy", "",
              "How fast the simulated tool may follow: it goes where the input says, but never by a "
              "jump, and comes only where it touches nothing."},
@@ -163,10 +176,14 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
             "Of `augmented_lagrangian`: a cycle is solved on, a few times, while the surface is "
             "deeper in a tool."},
            contact.allowed_penetration, keys::Range::above(0.0, 0.1));
-  v.number({"sample_spacing", "m",
-            "Largest distance between the points of the tissue surface that can touch; 0: half the "
-            "inscribed radius of the thinnest tool shape or part of the anatomy."},
-           contact.sample_spacing, keys::Range::closed(0.0, 1.0));
+  v.number(
+      {"sample_spacing", "m",
+       "Largest distance between the points of the tissue surface that can touch; 0: half the "
+       "inscribed radius of the thinnest tool shape or part of the anatomy, at least 0.5 mm. An "
+       "edge has 3 to 32 parts. Where they are farther apart than a tool is thick, or than 1.5 "
+       "mm and it has edges, the tool's own points, with edges rounded off by 0.1 mm, meet the "
+       "triangles."},
+      contact.sample_spacing, keys::Range::closed(0.0, 1.0));
   v.section({"friction", "",
              "What keeps organs from sliding along instruments and anatomy. Not of method "
              "`newton_bicgstab`."},

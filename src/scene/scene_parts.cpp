@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
+#include <variant>
 
 #include "anatomy_assembly.h"
 #include "friction_tables.h"
@@ -15,6 +16,31 @@
 
 namespace palpate::scene {
 namespace {
+
+void checkNeedle(const Scene& scene, const std::string& key, const InstrumentConfig& config,
+                 const instrument::Instrument& tool) {
+  const NeedleConfig& needle = config.needle;
+  if (needle.link.empty()) return;
+  if (!(needle.puncture_force > 0.0)) {
+    throw InputError(scene.file, key + ".puncture_force", std::to_string(needle.puncture_force),
+                     "must be above 0: a needle needs some force to get in");
+  }
+  const int link = tool.linkIndex(needle.link);
+  bool any = false;
+  for (const instrument::CollisionBody& body : tool.bodies()) {
+    if (body.link != link) continue;
+    any = true;
+    if (std::holds_alternative<instrument::Capsule>(body.geometry)) continue;
+    if (std::holds_alternative<instrument::Cylinder>(body.geometry)) continue;
+    any = false;
+    break;
+  }
+  if (any) return;
+  throw InputError(scene.file, key + ".link", needle.link,
+                   "must be a link of " + config.urdf +
+                       " whose collision shapes are cylinders; its links are " +
+                       joinNames(tool.linkNames()));
+}
 
 void readInstruments(const Scene& scene, const Progress& progress, SceneParts* parts) {
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
@@ -45,8 +71,12 @@ void readInstruments(const Scene& scene, const Progress& progress, SceneParts* p
                            "; it has " + joinNames(tool.linkNames()));
     }
     parts->control_links.push_back(link);
+    checkNeedle(scene, key + ".needle", config, tool);
   }
 }
+
+// Closer than that samples need not be: what is thinner meets faces by itself [m].
+constexpr double kFinestSpacing = 5e-4;
 
 // Samples so close that neither the thinnest tool nor a thinner bone can push its way between them.
 double sampleSpacing(const Scene& scene, const SceneParts& parts) {
@@ -60,7 +90,7 @@ double sampleSpacing(const Scene& scene, const SceneParts& parts) {
   for (const AnatomyPart& part : parts.anatomy) {
     spacing = std::min(spacing, 0.5 * contact::inscribedRadius(part.geometry));
   }
-  return std::isfinite(spacing) ? spacing : 0.0;
+  return std::isfinite(spacing) ? std::max(spacing, kFinestSpacing) : 0.0;
 }
 
 // The organs that the model of the `first` organ of the scene owns.

@@ -42,6 +42,10 @@ struct Simulator::Impl {
       std::vector<std::size_t> links;
       for (std::size_t b = 0; b < shapes.size(); ++b) {
         bodies.push_back({&shapes[b].geometry, static_cast<int>(i), Pose(), Pose()});
+        const scene::NeedleConfig& needle = scene.instruments[i].needle;
+        if (shapes[b].link == parts.instruments[i].linkIndex(needle.link)) {
+          bodies.back().needle = &needle;
+        }
         body_source.emplace_back(i, b);
         links.push_back(static_cast<std::size_t>(shapes[b].link));
       }

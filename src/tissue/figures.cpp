@@ -35,6 +35,9 @@ const std::vector<Figure<StepFigures>>& stepFigures() {
        &F::mesh_error, M::kSum, M::kSum, M::kLast},
       {"cavity_pressure", "float64", "largest pressure in a cavity of an organ, or 0 [Pa]",
        &F::cavity_pressure, M::kLargest, M::kLargest, M::kLast},
+      {"tools_inside", "int32",
+       "tool shapes that began or got inside an organ: no force until they are clear of it",
+       &F::tools_inside, M::kSum, M::kSum, M::kLast},
   };
   return kAll;
 }

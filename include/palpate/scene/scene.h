@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/contact/needle.h"
 #include "palpate/contact/response_settings.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/haptics/device.h"
@@ -70,6 +71,11 @@ struct LimitsConfig {
 /// How a mesh becomes a rigid shape.
 struct MeshShapeConfig : instrument::MeshShapeSettings {};
 
+/// Of an instrument: which of its links goes into tissue, and how.
+struct NeedleConfig : contact::NeedleSettings {
+  std::string link;  ///< Its collision shapes are capsules or cylinders; empty: none.
+};
+
 struct InstrumentConfig {
   std::string name;
   std::string urdf;
@@ -80,6 +86,7 @@ struct InstrumentConfig {
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
   MeshShapeConfig collision_meshes;
+  NeedleConfig needle;
   ProxyConfig proxy;
   DeviceConfig device;
   LimitsConfig limits;

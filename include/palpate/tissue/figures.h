@@ -27,7 +27,8 @@ struct StepFigures {
   double elastic_energy = 0.0;   ///< [J]
   double mesh_error = 0.0;       ///< [N]
   double cavity_pressure = 0.0;  ///< [Pa]
-  PhaseTimes phases;             ///< Wall time; the one part that differs between equal runs.
+  int tools_inside = 0;
+  PhaseTimes phases;  ///< Wall time; the one part that differs between equal runs.
 
   bool ok() const { return status == solver::SolveStatus::kConverged; }
 };

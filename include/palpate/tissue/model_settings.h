@@ -21,6 +21,7 @@ struct ModelSettings : solver::StepSettings {
   TouchingOrgans touching;  ///< For models that own several organs.
   std::vector<InteractionEntry> interactions = tissue::interactions();  ///< That act between them.
   double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
+  bool needles = false;         ///< Some instrument goes into tissue.
   SkipSwitches skip;
 };
 

@@ -8,7 +8,9 @@ BodyMotion::BodyMotion(FemBody* body)
       integrator_(body->settings.integrator, body->elasticity->masses(),
                   {body->settings.mass_damping, body->settings.stiffness_damping}),
       begin_(integrator_),
-      potential_{body->elasticity.get(), {&body->gravity, &body->contact}, body->free} {
+      potential_{body->elasticity.get(),
+                 {&body->gravity, &body->contact, &body->touch.needles, &body->guard},
+                 body->free} {
   integrator_.addTerms(&potential_);
   for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
   for (const fem::EnergyTerm* t : body->surroundings.terms()) potential_.terms.push_back(t);
@@ -31,7 +33,7 @@ void BodyMotion::beginCycle() {
   begin_ = integrator_;
   viscous_ = body_.elasticity->saveViscousState();
   touched_.clear();
-  body_.contact.save(&touched_);
+  body_.touch.save(&touched_);
 }
 
 void BodyMotion::goBack() {
@@ -41,7 +43,7 @@ void BodyMotion::goBack() {
   body_.v = begin_.velocities();
   body_.elasticity->restoreViscousState(viscous_.get());
   StateReader before(touched_.bytes());
-  body_.contact.restore(&before);
+  body_.touch.restore(&before);
 }
 
 void BodyMotion::endCycle() {
@@ -60,7 +62,7 @@ void BodyMotion::endStep() {
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
   integrator_.endStep(body_.x, elastic_gradient_);
   body_.elasticity->endStep(body_.x);
-  body_.contact.endStep(body_.x);
+  body_.touch.endStep(body_.x);
 }
 
 // Held components: only rounding, which would grow.

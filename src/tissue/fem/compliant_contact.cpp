@@ -68,7 +68,7 @@ void CompliantContact::linearise(const Points& x, bool exact) {
   touched_.clear();
   touched_at_.assign(nodes_.size(), -1);
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    const contact::Touch& s = c.touch;
     for (int k = 0; k < 3; ++k) {
       const int a = s.weights[k] != 0.0 ? local_[s.nodes[k]] : -1;
       if (a < 0) continue;
@@ -82,7 +82,7 @@ void CompliantContact::linearise(const Points& x, bool exact) {
   const auto size = 3 * static_cast<Eigen::Index>(touched_.size());
   H_.setZero(size, size);
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    const contact::Touch& s = c.touch;
     Mat3 stiffness = body_.contact.stiffness(c);
     if (!exact) stiffness = body_.contact.convexStiffness(c, stiffness);
     for (int k = 0; k < 3; ++k) {

@@ -118,7 +118,7 @@ void ContactUpdate::collect(const Points& x) {
   deepest_ = 0.0;
   for (const contact::Contact& c : contacts_) {
     deepest_ = std::max(deepest_, c.touch.penetration());
-    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    const contact::Touch& s = c.touch;
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] == 0.0) continue;
       const int i = s.nodes[k];
@@ -145,14 +145,14 @@ void ContactUpdate::linearise(const Eigen::VectorXd& coefficients) {
   for (int i : nodes_) curvature_[i] = 0.0;
   exact_.clear();
   for (const contact::Contact& c : contacts_) {
-    const contact::SurfaceSample& s = body_.contact.samples()[c.touch.sample];
+    const contact::Touch& s = c.touch;
     exact_.push_back(body_.contact.stiffness(c));
     stiffness_.push_back(body_.contact.convexStiffness(c, exact_.back()));
     const double curvature = (stiffness_.back() - exact_.back()).trace();
     for (int k = 0; k < 3; ++k) curvature_[s.nodes[k]] += s.weights[k] * curvature;
   }
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
+    const contact::Touch& s = contacts_[c].touch;
     bool small = true;
     for (int k = 0; k < 3; ++k) {
       const int i = s.nodes[k];
@@ -167,8 +167,8 @@ void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& 
                              Points* Ad) const {
   for (int i : nodes_) Ad->col(i) = coefficients[i] * d.col(i);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
-    const Vec3 force = stiffness_[c] * s.position(d);
+    const contact::Touch& s = contacts_[c].touch;
+    const Vec3 force = stiffness_[c] * s.of(d);
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] != 0.0) Ad->col(s.nodes[k]) += s.weights[k] * force;
     }
@@ -180,7 +180,7 @@ void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& 
 void ContactUpdate::solve(const Eigen::VectorXd& coefficients) {
   for (int i : nodes_) inverse_diagonal_.col(i).setConstant(coefficients[i]);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const contact::SurfaceSample& s = body_.contact.samples()[contacts_[c].touch.sample];
+    const contact::Touch& s = contacts_[c].touch;
     for (int k = 0; k < 3; ++k) {
       const Vec3 diagonal = stiffness_[c].diagonal().cwiseMax(0.0);
       inverse_diagonal_.col(s.nodes[k]) += s.weights[k] * s.weights[k] * diagonal;

@@ -16,6 +16,19 @@ int numInviscid(const fem::Composition& composition) {
                                         [](const material::Solid& s) { return s.prony.empty(); }));
 }
 
+// Of what is needed to press a solid flat, so that the guard is strong.
+constexpr double kGuard = 10.0;
+
+// Of a strain along one axis alone, of any solid at rest [Pa].
+double stiffestModulus(const fem::Composition& composition) {
+  double stiffest = 0.0;
+  for (const material::Solid& solid : composition.solids) {
+    const material::Moduli m = material::moduli(solid.law);
+    stiffest = std::max(stiffest, m.kappa + 4.0 / 3.0 * m.mu);
+  }
+  return stiffest;
+}
+
 double largestPoissonRatio(const fem::Composition& composition) {
   double largest = -1.0;
   for (const material::Solid& solid : composition.solids) {
@@ -64,10 +77,11 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
                                                           ? composition
                                                           : withViscousTerms(composition),
                                                       pool)),
+      guard(mesh, kGuard * stiffestModulus(composition)),
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       surroundings(what_surrounds, mesh),
-      touch(mesh.points, triangles, settings, 0, excessOf(settings.element)),
+      touch(mesh, triangles, settings, 0, excessOf(settings.element)),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),
@@ -134,8 +148,8 @@ void FemBody::goOnFrom(const FemBody& old, const mesh::MeshChange& change) {
       surroundings.movable(free).array();
   surroundings.goOnFrom(old.surroundings);
   elasticity->goOnFrom(*old.elasticity, change);
-  contact.forget();
-  contact.goOnFrom(old.contact, mesh.points, old.mesh.points);
+  touch.goOnFrom(old.touch, mesh.points, old.mesh.points);
+  guard.setActive(old.guard.active());
   elastic_energy.reset();
   contact_force = old.contact_force;
   support_force = old.support_force;
@@ -146,12 +160,13 @@ void FemBody::save(StateWriter* out) const {
   out->put(x);
   out->put(v);
   elasticity->save(out);
-  contact.save(out);
+  touch.save(out);
   out->put(elastic_energy.has_value());
   if (elastic_energy) out->put(*elastic_energy);
   out->put(contact_force);
   out->put(support_force);
   surroundings.save(out);
+  out->put(guard.active());
 }
 
 void FemBody::restore(StateReader* in) {
@@ -159,7 +174,7 @@ void FemBody::restore(StateReader* in) {
   in->getSame(&v);
   if (!x.allFinite() || !v.allFinite()) throw std::invalid_argument("the state is not finite");
   elasticity->restore(in);
-  contact.restore(in);
+  touch.restore(in);
   bool known = false;
   in->get(&known);
   elastic_energy.reset();
@@ -167,6 +182,9 @@ void FemBody::restore(StateReader* in) {
   in->get(&contact_force);
   in->get(&support_force);
   surroundings.restore(in);
+  bool guarded = false;
+  in->get(&guarded);
+  guard.setActive(guarded);
 }
 
 Points settleUnderLoads(FemBody* body) {

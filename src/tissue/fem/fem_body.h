@@ -9,6 +9,7 @@
 #include "body_surroundings.h"
 #include "palpate/base/state_bytes.h"
 #include "palpate/fem/elasticity.h"
+#include "palpate/fem/inversion_guard.h"
 #include "palpate/fem/loads.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/drive.h"
@@ -64,6 +65,7 @@ struct FemBody {
   double size;  ///< Diagonal of the bounding box at rest [m].
   Eigen::Matrix3Xi triangles;
   std::shared_ptr<fem::Elasticity> elasticity;
+  fem::InversionGuard guard;  ///< Of implicit methods.
   Drive drive;
   fem::DeadLoad gravity;
   BodySurroundings surroundings;

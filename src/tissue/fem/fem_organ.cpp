@@ -58,7 +58,8 @@ void FemOrgan::place(int, const Points& positions, const Points& velocities) {
   body_.x = positions;
   body_.v = velocities;
   body_.elasticity->relax(positions);
-  body_.contact.forget();
+  body_.touch.forget();
+  body_.guard.setActive(false);
   body_.elastic_energy.reset();
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
@@ -98,7 +99,7 @@ void FemOrgan::goAlone(double dt) {
     method_->reportForces(&out_);
     reportSolved();
   } else {
-    stop();
+    fail();
   }
   body_.surroundings.endCycle();
   reportState();
@@ -118,7 +119,7 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
 
 void FemOrgan::failTogether(const TissueStep& together) {
   takeFigures(together);
-  stop();
+  fail();
   body_.surroundings.endCycle();
   reportState();
 }
@@ -154,6 +155,12 @@ bool FemOrgan::cameToRest() {
 void FemOrgan::fallAsleep() {
   rest_.fallAsleep();
   stop();
+}
+
+// The tools went on; where they are now may be inside.
+void FemOrgan::fail() {
+  stop();
+  body_.touch.sides.doubt();
 }
 
 void FemOrgan::stop() {

@@ -84,6 +84,7 @@ class FemOrgan final : public OrganBodies {
  private:
   bool cameToRest();
   void fallAsleep();
+  void fail();
   void stop();
   void takeFigures(const TissueStep& together);
   void reportSolved();

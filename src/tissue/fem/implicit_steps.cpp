@@ -117,11 +117,13 @@ void ImplicitSteps::solveStages(double begin, double end, double h) {
     solved.status = moveHeld(s, end);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end);
+    if (startGuarding()) solved = solveStage(s < end);
     if (s < end) continue;
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       if (settled(h)) break;
       solved = solveStage(false);
+      if (startGuarding()) solved = solveStage(false);
     }
   }
   out_->status = solved.status;
@@ -179,6 +181,11 @@ bool ImplicitSteps::settled(double h) {
   return false;
 }
 
+bool ImplicitSteps::startGuarding() {
+  const PhaseTimer timer(&out_->phases, Phase::kForces);
+  return bodies_.startGuarding();
+}
+
 solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
   const FemSettings& of_scene = bodies_.settings();
   solver::NewtonSettings settings;
@@ -201,11 +208,12 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
 }
 
 // A state to go on from. One that only ran out of iterations or time is, unless it was asked to
-// converge: each iteration lowered the energy.
+// converge: each iteration lowered the energy. One with elements inside out is the last resort.
 bool ImplicitSteps::acceptable() {
   const bool only_converged = bodies_.settings().only_converged;
   const bool enough = only_converged ? out_->ok() : solver::usable(out_->status);
-  return enough && bodies_.x().allFinite();
+  if (!enough || !bodies_.x().allFinite()) return false;
+  return 2 * out_->time_steps > bodies_.settings().max_time_steps || !bodies_.inverted();
 }
 
 }  // namespace palpate::tissue

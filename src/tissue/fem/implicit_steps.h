@@ -36,6 +36,7 @@ class ImplicitSteps {
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end, double h);
   bool settled(double h);
+  bool startGuarding();
   void followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s, double end);

@@ -45,7 +45,7 @@ std::unique_ptr<StepMethod> automatic(FemBody* body) {
 MethodFacts tledFacts() {
   MethodFacts facts;
   facts.for_auto = facts.explicit_steps = true;
-  facts.stiffness_damping = facts.spring_damping = false;
+  facts.stiffness_damping = facts.spring_damping = facts.needles = false;
   facts.integrators = {solver::integratorNames().front()};
   facts.own_integration = "has its own, central differences";
   return facts;
@@ -55,7 +55,7 @@ MethodFacts tledFacts() {
 MethodFacts quasiStatic(solver::LinearSystems linear_systems) {
   MethodFacts facts;
   facts.linear_systems = linear_systems;
-  facts.spring_damping = false;
+  facts.spring_damping = facts.needles = false;
   facts.integrators = {solver::integratorNames().front(), "static"};
   facts.own_integration = "is quasi-static and has none";
   return facts;

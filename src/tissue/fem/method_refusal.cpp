@@ -43,6 +43,9 @@ std::string methodRefusal(const MethodFacts& method, const FemBody& body) {
     return refusal("", "knows no content that resists a change of its volume",
                    "leave volume_stiffness out");
   }
+  if (!method.needles && settings.needles) {
+    return refusal("", "knows no needle that goes in", "leave the instruments' needle out");
+  }
   return "";
 }
 

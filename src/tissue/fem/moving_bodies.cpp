@@ -6,6 +6,12 @@
 #include <limits>
 
 namespace palpate::tissue {
+namespace {
+
+// Of where the guard begins to act: it is needed soon.
+constexpr double kFlat = 1.5;
+
+}  // namespace
 
 MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
     : members_(members), parts_(members.size()) {
@@ -74,6 +80,36 @@ void MovingBodies::beginCycle() {
     placed->what.term->save(&placed->before);
   }
   searchInteractions();
+  endGuarding();
+}
+
+bool MovingBodies::startGuarding() {
+  bool any = false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    FemBody& body = members_[k]->body();
+    if (body.guard.active()) continue;
+    if (body.guard.least(joint_ ? part(k, x_) : body.x) >= fem::InversionGuard::kLeast) continue;
+    body.guard.setActive(true);
+    any = true;
+  }
+  return any;
+}
+
+void MovingBodies::endGuarding() {
+  for (BodyMotion* member : members_) {
+    FemBody& body = member->body();
+    if (!body.guard.active()) continue;
+    body.guard.setActive(body.guard.least(body.x) < kFlat * fem::InversionGuard::kLeast);
+  }
+}
+
+bool MovingBodies::inverted() const {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const FemBody& body = members_[k]->body();
+    if (!body.guard.active()) continue;
+    if (body.guard.least(joint_ ? part(k, x_) : body.x) <= 0.0) return true;
+  }
+  return false;
 }
 
 void MovingBodies::goBack() {
@@ -177,7 +213,7 @@ double MovingBodies::unbalancedForce(const Points& gradient) {
 }
 
 void MovingBodies::placeTools(double s) {
-  for (BodyMotion* member : members_) member->body().sweep.place(s);
+  for (BodyMotion* member : members_) member->body().touch.place(s);
 }
 
 void MovingBodies::beginTouches() {

@@ -63,6 +63,11 @@ class MovingBodies {
   void carryHere(double s);
   /// The potential at x, where a step begins.
   double valueHere();
+  /// Whether elements are so flat at x that the guards of their bodies have to act and did not:
+  /// solve again. They rest again when a cycle begins with none so flat.
+  bool startGuarding();
+  /// Whether elements are turned inside out at x.
+  bool inverted() const;
   /// See FemBody::heldWay().
   bool heldWay(double s, Points* way) const;
   /// See BodyMotion::squaredUnbalancedForce().
@@ -100,6 +105,7 @@ class MovingBodies {
 
   template <class Visit>
   void forInteractions(const Visit& visit) const;
+  void endGuarding();
   void searchInteractions();
   void sumInteractionForces();
 

@@ -5,15 +5,18 @@
 
 namespace palpate::tissue {
 
-Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-             int organ, std::function<double(double)> excess)
-    : contact(contact::sampleSurface(X, triangles, settings.sample_spacing),
+Touch::Touch(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles,
+             const ModelSettings& settings, int organ, std::function<double(double)> excess)
+    : contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
               contact::makeResponse(settings.contact, settings.responses)),
-      sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
+      sweep(&contact, (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
+      needles(mesh, settings.contact.stiffness),
+      triangles_(triangles),
       organ_(organ),
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
+  contact.meetFaces(mesh.points, triangles, settings.sample_spacing);
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
 
@@ -22,12 +25,53 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
   const PhaseTimer timer(&out->phases, Phase::kContact);
   const double way = dt * v.colwise().norm().maxCoeff();
   out->far_bodies = sweep.begin(obstacles, x, way);
-  sweep.place(1.0);
+  needles.begin(sweep.near(), x);
+  sweep.leaveOut(needles.inside());
+  sides.look(sweep.near(), x, triangles_);
+  sweep.leaveOut(sides.inside());
+  out->tools_inside = static_cast<int>(sides.inside().size());
+  place(1.0);
   sweep.search(x);
   out->distant_samples = contact.numDistant();
 }
 
+void Touch::place(double s) {
+  sweep.place(s);
+  needles.place(s);
+}
+
+void Touch::endStep(const Points& x) {
+  contact.endStep(x);
+  needles.endStep(x);
+}
+
+void Touch::save(StateWriter* to) const {
+  contact.save(to);
+  sides.save(to);
+  needles.save(to);
+}
+
+void Touch::restore(StateReader* from) {
+  contact.restore(from);
+  sides.restore(from);
+  needles.restore(from);
+}
+
+void Touch::forget() {
+  contact.forget();
+  sides.forget();
+  needles.forget();
+}
+
+void Touch::goOnFrom(const Touch& old, const Points& X, const Points& old_X) {
+  contact.forget();
+  contact.goOnFrom(old.contact, X, old_X);
+  sides = old.sides;
+  needles.goOnFrom(old.needles);
+}
+
 bool Touch::possibleByTools() const {
+  if (!needles.inside().empty()) return true;
   for (int k = 0; k < contact.numObstacles(); ++k) {
     if (sweep.owner(k).isInstrument() && contact.hasCandidates(k)) return true;
   }
@@ -44,16 +88,20 @@ double Touch::report(const Points& x, TissueStep* out) {
     out->contacts.push_back(
         {sweep.owner(touch.obstacle), touch.penetration(), touch.p_W, c.force_W, organ_});
     out->frictionless_touches += contact.rubs(c) ? 0 : 1;
-    const contact::SurfaceSample& s = contact.samples()[touch.sample];
-    for (int k = 0; k < 3; ++k) nodal_.col(s.nodes[k]) += s.weights[k] * c.force_W;
+    for (int k = 0; k < 3; ++k) nodal_.col(touch.nodes[k]) += touch.weights[k] * c.force_W;
     if (!excess_ || !sweep.owner(touch.obstacle).isInstrument()) continue;
     const auto owner = static_cast<std::size_t>(sweep.owner(touch.obstacle).index);
     if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
     // As long as it is now: where the surface is stretched around a tool it is as coarse as it
     // looks there.
-    const double excess = excess_(s.meanEdge(x) / touch.radius);
+    const double excess = excess_(touch.meanEdge(x) / touch.radius);
     too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }
+  needles.forForces(x, [&](const contact::Owner& owner, const Vec3& p_W, const Vec3& force) {
+    out->contacts.push_back({owner, 0.0, p_W, force, organ_});
+  });
+  needles.addGradient(x, &nodal_);
+  needles.puncture(sweep.near(), contacts_, x);
   for (const Vec3& force : too_much_) out->mesh_error += force.norm();
   return nodal_.norm();
 }

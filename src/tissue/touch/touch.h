@@ -4,22 +4,23 @@
 #include <functional>
 #include <vector>
 
+#include "needles.h"
 #include "palpate/contact/contact_potential.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
+#include "sides.h"
 #include "tool_sweep.h"
 
 namespace palpate::tissue {
 
 /// The surface of an organ, as tools touch it: its contact potential, the tools' way through a
-/// cycle, and what is reported of both. For models of any kind whose points carry forces. Remembers
-/// nothing from one cycle to the next.
+/// cycle, and what is reported of both. For models of any kind whose points carry forces.
 class Touch {
  public:
-  /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
+  /// `mesh`: at rest in the world; `triangles`: its surface, outward. `organ`: the model's,
   /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
   /// obstacle's inscribed radius; empty: nobody knows.
-  Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
+  Touch(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
         int organ = 0, std::function<double(double r)> excess = {});
   Touch(const Touch&) = delete;  // the sweep refers to the contact
   Touch& operator=(const Touch&) = delete;
@@ -29,9 +30,20 @@ class Touch {
   void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, const Points& v,
              double dt, TissueStep* out);
   /// Whether anything may touch in this cycle.
-  bool possible() const { return contact.hasCandidates(); }
+  bool possible() const { return contact.hasCandidates() || !needles.inside().empty(); }
   /// Whether an instrument may touch, whose motion an organ at rest would feel.
   bool possibleByTools() const;
+  /// Brings tools to part s of their ways.
+  void place(double s);
+  /// A step has ended at x.
+  void endStep(const Points& x);
+  /// All memory from one cycle to the next, and within one.
+  void save(StateWriter* to) const;
+  void restore(StateReader* from);
+  void forget();
+  /// Takes over what `old` remembers, of the same body on another mesh: X and old_X are the points
+  /// of both at rest.
+  void goOnFrom(const Touch& old, const Points& X, const Points& old_X);
   /// Adds the contacts at x, where the cycle ends, and what of their forces is due to the mesh.
   /// Returns the norm of their nodal forces [N].
   double report(const Points& x, TissueStep* out);
@@ -40,8 +52,11 @@ class Touch {
 
   contact::ContactPotential contact;
   ToolSweep sweep;
+  Sides sides;
+  Needles needles;
 
  private:
+  const Eigen::Matrix3Xi triangles_;
   int organ_;
   std::function<double(double)> excess_;
   std::vector<Vec3> too_much_;  // by instrument [N]

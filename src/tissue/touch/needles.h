@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "contact/needle_channel.h"
+#include "palpate/contact/contact_potential.h"
+#include "palpate/contact/obstacle.h"
+#include "palpate/mesh/tet_mesh.h"
+
+namespace palpate::tissue {
+
+/// The needles in a body: which have punctured it, and what it does to them from then on.
+class Needles final : public fem::EnergyTerm {
+ public:
+  /// `stiffness`: of contact [Pa/m].
+  Needles(const mesh::TetMesh& mesh, double stiffness)
+      : X_(mesh.points), tets_(mesh.tets), stiffness_(stiffness) {}
+
+  /// A cycle begins with the tissue at x, 3 x n [m], and these obstacles on their ways.
+  void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x);
+  /// Obstacle::number of those that are inside, ascending: their surface is not touched.
+  const std::vector<int>& inside() const { return inside_; }
+  /// Brings them to part s of their ways.
+  void place(double s);
+  void endStep(const Points& x);
+  /// Where a cycle has ended: needles that press harder than the surface can bear are inside from
+  /// now on. `obstacles`: as contacts number them.
+  void puncture(const std::vector<contact::Obstacle>& obstacles,
+                const std::vector<contact::Contact>& contacts, const Points& x);
+
+  /// visit(owner, p_W, force on the needle [N]).
+  template <class Visit>
+  void forForces(const Points& x, const Visit& visit) const {
+    for (const Inserted& needle : needles_) {
+      needle.channel.forForces(
+          x, [&](const Vec3& p, const Vec3& force) { visit(needle.now.owner, p, force); });
+    }
+  }
+
+  double value(const Points& x) const override;
+  double addGradient(const Points& x, Points* g) const override;
+  void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
+
+  void forget();
+  /// Takes over those of `old`, of the same body on another mesh.
+  void goOnFrom(const Needles& old);
+  void save(StateWriter* to) const;
+  void restore(StateReader* from);
+
+ private:
+  struct Inserted {
+    int number;
+    double end;  // of the shape's z axis is the tip: 1 or -1
+    contact::NeedleSettings settings;
+    double length, radius;
+    contact::NeedleChannel channel;
+    contact::Obstacle now;  // in this cycle
+    bool there;             // in this cycle, too
+  };
+  static contact::NeedleChannel channelOf(const contact::NeedleSettings& settings, double length,
+                                          double radius, double stiffness);
+  static void put(double s, Inserted* needle);
+  bool find(const Points& x, const Vec3& p, contact::NeedleChannel::Place* place) const;
+
+  Points X_;
+  Eigen::Matrix4Xi tets_;
+  double stiffness_;
+  std::vector<Inserted> needles_;
+  std::vector<int> inside_;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sides.h"
+
+#include <algorithm>
+
+#include "palpate/contact/overlap.h"
+#include "palpate/contact/signed_distance.h"
+#include "sweep.h"
+
+namespace palpate::tissue {
+namespace {
+
+bool holds(const std::vector<int>& numbers, int number) {
+  return std::binary_search(numbers.begin(), numbers.end(), number);
+}
+
+// So far in one cycle that the tissue may not have followed.
+bool leaps(const contact::Obstacle& obstacle) {
+  const double way =
+      contact::sweepLength(*obstacle.geometry, obstacle.X_WG_begin, obstacle.X_WG_end);
+  return way > 0.5 * kMaxSweepStages * contact::inscribedRadius(*obstacle.geometry);
+}
+
+}  // namespace
+
+void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
+                 const Eigen::Matrix3Xi& triangles) {
+  next_outside_.clear();
+  next_inside_.clear();
+  for (const contact::Obstacle& obstacle : near) {
+    if (!obstacle.owner.isInstrument()) continue;
+    bool in = false;
+    if (holds(inside_, obstacle.number)) {
+      in = contact::overlaps(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
+    } else if (!holds(outside_, obstacle.number)) {
+      in = contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
+    }
+    if (in) {
+      next_inside_.push_back(obstacle.number);
+    } else if (!leaps(obstacle)) {
+      next_outside_.push_back(obstacle.number);
+    }
+  }
+  outside_.swap(next_outside_);
+  inside_.swap(next_inside_);
+}
+
+void Sides::save(StateWriter* to) const {
+  to->put(outside_);
+  to->put(inside_);
+}
+
+void Sides::restore(StateReader* from) {
+  from->get(&outside_);
+  from->get(&inside_);
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/contact/obstacle.h"
+
+namespace palpate::tissue {
+
+/// Which instruments' shapes are inside a body though they were not pushed in: those that began
+/// there, or got there by a leap or while nothing could be solved. They exert no force until they
+/// are clear of it, so that none lifts the surface from within.
+class Sides {
+ public:
+  /// Looks where the obstacles are that may touch in a cycle that begins, with the surface at x,
+  /// 3 x n [m]. One is asked again when it comes near anew, and as long as it is inside.
+  void look(const std::vector<contact::Obstacle>& near, const Points& x,
+            const Eigen::Matrix3Xi& triangles);
+  /// Obstacle::number of each, ascending.
+  const std::vector<int>& inside() const { return inside_; }
+  /// Nothing is known of any: a cycle failed.
+  void doubt() { outside_.clear(); }
+  /// As new: none is anywhere.
+  void forget() { outside_.clear(), inside_.clear(); }
+
+  void save(StateWriter* to) const;
+  void restore(StateReader* from);
+
+ private:
+  std::vector<int> outside_, inside_;  // numbers, ascending; as of the last look()
+  std::vector<int> next_outside_, next_inside_;
+};
+
+}  // namespace palpate::tissue
