@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "needle_channel.h"
+#include "palpate/contact/needle_channel.h"
 
 #include <algorithm>
 

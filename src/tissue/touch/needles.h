@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "contact/needle_channel.h"
 #include "palpate/contact/contact_potential.h"
+#include "palpate/contact/needle_channel.h"
 #include "palpate/contact/obstacle.h"
 #include "palpate/mesh/tet_mesh.h"
 
