@@ -81,7 +81,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       surroundings(what_surrounds, mesh),
-      touch(mesh, triangles, settings, 0, excessOf(settings.element)),
+      touch(mesh.points, triangles, settings, 0, excessOf(settings.element), mesh.tets),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),

@@ -79,7 +79,7 @@ void Needles::endStep(const Points& x) {
 void Needles::puncture(const std::vector<contact::Obstacle>& obstacles,
                        const std::vector<contact::Contact>& contacts, const Points& x) {
   for (const contact::Obstacle& obstacle : obstacles) {
-    if (!obstacle.needle) continue;
+    if (!obstacle.needle || tets_.cols() == 0) continue;
     const Vec3 origin = obstacle.X_WG_end.translation(), z = obstacle.X_WG_end.linear().col(2);
     const contact::Contact* hardest = nullptr;
     double push = 0.0;  // along z

@@ -6,16 +6,15 @@
 #include "palpate/contact/contact_potential.h"
 #include "palpate/contact/needle_channel.h"
 #include "palpate/contact/obstacle.h"
-#include "palpate/mesh/tet_mesh.h"
 
 namespace palpate::tissue {
 
 /// The needles in a body: which have punctured it, and what it does to them from then on.
 class Needles final : public fem::EnergyTerm {
  public:
-  /// `stiffness`: of contact [Pa/m].
-  Needles(const mesh::TetMesh& mesh, double stiffness)
-      : X_(mesh.points), tets_(mesh.tets), stiffness_(stiffness) {}
+  /// `X`: at rest, 3 x n [m]; `tets`: corners, 4 x m; `stiffness`: of contact [Pa/m].
+  Needles(const Points& X, const Eigen::Matrix4Xi& tets, double stiffness)
+      : X_(X), tets_(tets), stiffness_(stiffness) {}
 
   /// A cycle begins with the tissue at x, 3 x n [m], and these obstacles on their ways.
   void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x);

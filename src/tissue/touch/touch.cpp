@@ -5,18 +5,18 @@
 
 namespace palpate::tissue {
 
-Touch::Touch(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles,
-             const ModelSettings& settings, int organ, std::function<double(double)> excess)
-    : contact(contact::sampleSurface(mesh.points, triangles, settings.sample_spacing),
+Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
+             int organ, std::function<double(double)> excess, const Eigen::Matrix4Xi& tets)
+    : contact(contact::sampleSurface(X, triangles, settings.sample_spacing),
               contact::makeResponse(settings.contact, settings.responses)),
-      sweep(&contact, (mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm(),
+      sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
-      needles(mesh, settings.contact.stiffness),
+      needles(X, tets, settings.contact.stiffness),
       triangles_(triangles),
       organ_(organ),
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
-  contact.meetFaces(mesh.points, triangles, settings.sample_spacing);
+  contact.meetFaces(X, triangles, settings.sample_spacing);
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
 

@@ -17,11 +17,13 @@ namespace palpate::tissue {
 /// cycle, and what is reported of both. For models of any kind whose points carry forces.
 class Touch {
  public:
-  /// `mesh`: at rest in the world; `triangles`: its surface, outward. `organ`: the model's,
+  /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
   /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
   /// obstacle's inscribed radius; empty: nobody knows.
-  Touch(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-        int organ = 0, std::function<double(double r)> excess = {});
+  /// `tets`: between the points, for needles; without columns none gets in.
+  Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
+        int organ = 0, std::function<double(double r)> excess = {},
+        const Eigen::Matrix4Xi& tets = {});
   Touch(const Touch&) = delete;  // the sweep refers to the contact
   Touch& operator=(const Touch&) = delete;
 
