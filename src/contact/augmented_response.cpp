@@ -15,14 +15,17 @@ constexpr double kHighestPressure = 1e7;
 class AugmentedResponse final : public Response {
  public:
   explicit AugmentedResponse(const ResponseSettings& settings)
-      : law_{settings.stiffness, settings.smoothing}, allowed_(settings.allowed_penetration) {}
+      : law_{settings.stiffness, settings.smoothing},
+        of_balls_{std::min(settings.stiffness, Penalty().stiffness), settings.smoothing},
+        allowed_(settings.allowed_penetration) {}
 
   double reach() const override { return shift_.largest(); }
-  bool active(const Touch& touch) const override { return touch.gap < shift_.at(touch); }
+  bool active(const Touch& touch) const override { return touch.gap < shift(touch); }
 
   double energy(const Touch& touch) const override {
     const double p = touch.penetration();
-    return touch.area * (law_.softEnergy(p + shift_.at(touch)) + law_.hardEnergy(p, touch.room));
+    return touch.area *
+           (law(touch).softEnergy(p + shift(touch)) + law(touch).hardEnergy(p, touch.room));
   }
   TouchForce force(const Touch& touch) const override {
     return {-touch.area * pressure(touch) * touch.steepness, Vec3::Zero()};
@@ -54,19 +57,26 @@ class AugmentedResponse final : public Response {
  private:
   double pressure(const Touch& touch) const {
     const double p = touch.penetration();
-    return law_.softPressure(p + shift_.at(touch)) + law_.hardPressure(p, touch.room);
+    return law(touch).softPressure(p + shift(touch)) + law(touch).hardPressure(p, touch.room);
   }
   double slope(const Touch& touch) const {
     const double p = touch.penetration();
-    return law_.softSlope(p + shift_.at(touch)) + law_.hardSlope(p, touch.room);
+    return law(touch).softSlope(p + shift(touch)) + law(touch).hardSlope(p, touch.room);
   }
 
-  Penalty law_;
+  // None where a ball meets a triangle: there the nodes' parts change as the triangle moves.
+  double shift(const Touch& touch) const { return touch.sample < 0 ? 0.0 : shift_.at(touch); }
+
+  // It has a penalty instead, whose stiffness is none to choose.
+  const Penalty& law(const Touch& touch) const { return touch.sample < 0 ? of_balls_ : law_; }
+
+  Penalty law_, of_balls_;
   double allowed_;
   NodalShift shift_;
   const NodalShift::WishOf wish_ = [this](const Touch& touch) -> NodalShift::Wish {
+    if (touch.sample < 0) return {0.0, 0.0, 0.0};
     const double needed = law_.softPenetration(std::min(pressure(touch), kHighestPressure));
-    return {needed - shift_.at(touch), touch.area * slope(touch), touch.inertia};
+    return {needed - shift(touch), touch.area * slope(touch), touch.inertia};
   };
 };
 

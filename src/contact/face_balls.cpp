@@ -152,11 +152,6 @@ Balls ballsOf(const instrument::Geometry& geometry, const mesh::SurfaceMesh& sur
   return balls;
 }
 
-bool isRound(const instrument::Geometry& geometry) {
-  return std::holds_alternative<instrument::Sphere>(geometry) ||
-         std::holds_alternative<instrument::Capsule>(geometry);
-}
-
 }  // namespace
 
 std::vector<TouchBall> faceBalls(const instrument::Geometry& geometry) {
@@ -170,6 +165,11 @@ std::vector<TouchBall> faceBalls(const instrument::Geometry& geometry) {
   if (const auto* capsule = std::get_if<instrument::Capsule>(&geometry)) return ballsOf(*capsule);
   if (const auto* box = std::get_if<instrument::Box>(&geometry)) return ballsOf(*box);
   return ballsOf(std::get<instrument::Cylinder>(geometry));
+}
+
+bool isRound(const instrument::Geometry& geometry) {
+  return std::holds_alternative<instrument::Sphere>(geometry) ||
+         std::holds_alternative<instrument::Capsule>(geometry);
 }
 
 bool coverAll(const instrument::Geometry& geometry) {

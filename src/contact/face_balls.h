@@ -13,9 +13,12 @@ namespace palpate::contact {
 /// radius of kRounding or, where the shape is thinner, its half thickness.
 std::vector<TouchBall> faceBalls(const instrument::Geometry& geometry);
 
-constexpr double kRounding = 1e-4;  ///< [m]
+constexpr double kRounding = 2e-4;  ///< [m]
 /// Shapes whose inscribed radius is less are thin [m].
 constexpr double kThin = 1.5e-3;
+
+/// Whether it is a sphere or a capsule, whose balls are those along its axis.
+bool isRound(const instrument::Geometry& geometry);
 
 /// Whether these balls are all over the surface.
 bool coverAll(const instrument::Geometry& geometry);

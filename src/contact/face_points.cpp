@@ -15,6 +15,12 @@ namespace {
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
 constexpr double kNoDirection = 1e-12;
 
+// That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
+constexpr double kLeastArea = 2e-5;
+
+// Of a triangle's edge: a depth at which a ball's answer is hard, if that is more than its radius.
+constexpr double kHard = 0.125;
+
 Vec3 normalOf(const Mat3& corners) {
   return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
 }
@@ -144,9 +150,9 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
       groups_.push_back({b, of_ball, numCandidates(), 0, 0.0});
       nearest = std::numeric_limits<double>::infinity();
     }
-    candidates_.push_back({triangle, normalOf(at), meanEdge(at)});
+    candidates_.push_back({triangle, meanEdge(at)});
     groups_.back().end = numCandidates();
-    if (distance < nearest) groups_.back().area = areas_[triangle] / 3.0;
+    if (distance < nearest) groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
     nearest = std::min(nearest, distance);
   }
 }
@@ -189,13 +195,9 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
     }
   }
   const bool behind = most_across < 0.0;
-  for (std::size_t k = 0; k < meetings_.size(); ++k) {
-    const double cosine =
-        candidates_[group.begin + k].normal.dot(candidates_[group.begin + nearest].normal);
-    meetings_[k].share = behind ? 0.0 : std::clamp((1.0 - cosine) / kPit, 0.0, 1.0);
-  }
+  for (Meeting& meeting : meetings_) meeting.touched = !behind;
   Meeting& m = meetings_[nearest];
-  m.share = 1.0;
+  m.touched = true;
   if (behind) {
     m.distance = -m.distance;
     m.direction = -m.direction;
@@ -206,14 +208,14 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
 void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group, int triangle,
                       const Meeting& meeting, double gap, Touch* touch) const {
   const Obstacle& obstacle = placed[group.obstacle].obstacle();
-  touch->sample = -1 - group.ball;
+  touch->sample = -1 - (group.ball * static_cast<int>(triangles_.cols()) + triangle);
   touch->obstacle = group.obstacle;
   touch->number = obstacle.number;
   touch->nodes = triangles_.col(triangle);
   touch->weights = meeting.near.weights;
-  touch->area = meeting.share * group.area;
+  touch->area = group.area;
   touch->radius = placed[group.obstacle].radius();
-  touch->room = std::max(ball(group).radius, kFollow * meeting.edge);
+  touch->room = std::max(ball(group).radius, kHard * meeting.edge);
   touch->gap = gap;
   touch->p_W = meeting.near.point;
   touch->p_G = placed[group.obstacle].toObstacle(touch->p_W);

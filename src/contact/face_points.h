@@ -14,10 +14,10 @@ namespace palpate::contact {
 
 /// Balls of thin and sharp tools (faceBalls()) against the triangles of a tissue's surface: what
 /// samples of the surface do not meet that are farther apart than the tool is thick. A ball of
-/// radius r with its centre at the distance D from the surface has the gap D - r. D is that of the
-/// nearest triangle, negative behind it. In a pit others hold the ball as well: those whose
-/// normals differ from the nearest one's by kPit, and with a part of their force those between, so
-/// that it neither is pushed sideways on a flat surface nor has an edge to rest on in a pit.
+/// radius r with its centre at the distance D from a triangle has the gap D - r; it touches all
+/// triangles that are nearer than r, each for itself, so that the energy is smooth where it slides
+/// from one to the next or lies between several. The nearest of them knows its side: behind it D is
+/// negative, and it alone is touched.
 class FacePoints {
  public:
   /// `x`: points at rest, 3 x n [m]; `triangles`: the surface, outward; `spacing`: of the samples,
@@ -58,7 +58,7 @@ class FacePoints {
   struct Meeting {
     TrianglePoint near;  ///< Of the triangle, to the ball's centre.
     double distance;     ///< To there, negative behind the nearest triangle [m].
-    double share;        ///< Of the force between the ball and a triangle, 1 for the nearest.
+    bool touched;        ///< Not so behind the nearest, but for itself.
     Vec3 direction;      ///< Unit, from there to the centre, or opposite behind it.
     double edge;         ///< Of the triangle, on average, when it was found [m].
   };
@@ -72,7 +72,7 @@ class FacePoints {
       for (int c = group.begin; c < group.end; ++c) {
         const Meeting& meeting = meetings_[static_cast<std::size_t>(c - group.begin)];
         const double gap = meeting.distance - ball(group).radius;
-        if (!(gap < reach) || meeting.share == 0.0) continue;
+        if (!(gap < reach) || !meeting.touched) continue;
         Touch touch;
         fill(placed, group, candidates_[static_cast<std::size_t>(c)].triangle, meeting, gap,
              &touch);
@@ -95,8 +95,6 @@ class FacePoints {
 
   /// Of a triangle's edge: so far a ball may be behind it for the surface to be brought back.
   static constexpr double kFollow = 0.25;
-  /// 1 - the cosine of the angle, 25 degrees, between faces that make a pit.
-  static constexpr double kPit = 0.094;
 
  private:
   struct Shape {
@@ -115,8 +113,7 @@ class FacePoints {
   };
   struct Candidate {
     int triangle;
-    Vec3 normal;  // when it was found,
-    double edge;  // and its mean edge then [m]
+    double edge;  // its mean edge when it was found [m]
   };
   struct Group {
     int obstacle, ball, begin, end;  // of its candidates

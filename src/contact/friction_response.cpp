@@ -26,7 +26,9 @@ class FrictionResponse final : public Response {
   bool active(const Touch& touch) const override { return pressed(touch) || grips_.clings(touch); }
   bool followsMotion() const override { return true; }
   bool hasFriction() const override { return true; }
-  bool rubs(const Touch& touch) const override { return table_.of(touch.number).any(); }
+  bool rubs(const Touch& touch) const override {
+    return touch.sample >= 0 && table_.of(touch.number).any();
+  }
 
   double energy(const Touch& touch) const override {
     const double own = pressed(touch) ? normal_->energy(touch) : 0.0;

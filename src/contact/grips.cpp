@@ -123,7 +123,7 @@ void Grips::begin(const std::vector<Touch>& touches) {
   round_ = 0;
   for (const Touch& touch : touches) {
     const Friction& friction = table_.of(touch.number);
-    if (!friction.any()) continue;
+    if (touch.sample < 0 || !friction.any()) continue;
     const double N = pressing(touch);
     const Anchor* known = anchors_.find(touch);
     if (!known && !(N > 0.0)) continue;
@@ -224,7 +224,7 @@ void Grips::end(const std::vector<Touch>& touches) {
   next_.clear();
   for (const Touch& touch : touches) {
     const Friction& friction = table_.of(touch.number);
-    if (!friction.any()) continue;
+    if (touch.sample < 0 || !friction.any()) continue;
     Grip* grip = findAmong(touch);
     if (grip) letGo(touch, true, grip);
     const bool held = grip && grip->anchor.bite == Bite::kHeld;

@@ -47,6 +47,8 @@ bool comesNearer(const instrument::Geometry& geometry, const Mat3& corners, doub
 
 // So deep the point of a ball may be behind a surface on which it presses [m].
 constexpr double kPressed = 1e-3;
+// Of the inscribed radius: as deep as its middle, from where no side is nearer than another.
+constexpr double kMiddle = 0.9;
 // Balls of a shape that are asked.
 constexpr std::size_t kAsked = 32;
 
@@ -109,11 +111,13 @@ bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Poi
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
       for (int k = 0; k < 3; ++k) {
         const Vec3 p = X_GW * Vec3(x.col(triangles(k, t)));
-        if (signedDistanceValue(geometry, p) < -0.5 * radius) return true;
+        if (signedDistanceValue(geometry, p) < -kMiddle * radius) return true;
       }
     }
   }
-  const std::vector<TouchBall> balls = faceBalls(geometry);
+  const bool whole = radius < kThin || isRound(geometry);
+  const std::vector<TouchBall> balls =
+      whole ? faceBalls(geometry) : std::vector<TouchBall>{{middle(geometry), radius}};
   const std::size_t stride = std::max<std::size_t>(1, balls.size() / kAsked);
   for (std::size_t k = 0; k < balls.size(); k += stride) {
     const Vec3 center = X_WG * balls[k].center_G;

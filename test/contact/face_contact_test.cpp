@@ -72,10 +72,12 @@ class FaceContact : public ::testing::TestWithParam<int> {
 TEST_P(FaceContact, MeetsLargeTriangles) {
   for (int trial = 0; trial < 200; ++trial) {
     const Vec3 at = random.vector(0.009);
-    block.place(tool(), upright(at.x(), at.y(), 2e-4));
+    block.place(tool(), upright(at.x(), at.y(), 2e-5));
     const Vec3 force = block.forceOnTissue();
-    EXPECT_LT(force.z(), -1e-3) << tool().name << " at " << at.transpose();
-    EXPECT_LT(force.head<2>().norm(), 0.05 * -force.z()) << at.transpose();
+    EXPECT_LT(force.z(), -1e-5) << tool().name << " at " << at.transpose();
+    // A triangle beside the one under the ball is touched at its edge, with a depth of 20 um by a
+    // ball of 1 mm not farther than 0.2 mm from there: by its sine the force may be inclined.
+    EXPECT_LT(force.head<2>().norm(), 0.3 * -force.z()) << at.transpose();
     block.place(tool(), upright(at.x(), at.y(), -1e-5));
     EXPECT_EQ(block.forceOnTissue(), Vec3(Vec3::Zero())) << at.transpose();
   }

@@ -83,10 +83,11 @@ TEST_P(OfStiffness, IsNotEnteredUnderFiveNewtonsWhateverTheParameter) {
     const double force = onTool(*step).z();
     EXPECT_GT(force, 4.0);
     if (first) reference = force;
-    // Of the stiffest tissue the plate's edge, within an element, presses more than nodes can say.
-    if (young_modulus < 100e3) {
-      EXPECT_NEAR(force, reference, 0.005 * reference) << stiffness;
-    }
+    // Of the stiffest tissue the plate's edge, within an element, presses more than nodes can say;
+    // into the softest it goes so deep that its edge, which meets the faces by balls without a
+    // multiplier, bears a part that depends on how it got there.
+    const bool by_edge = young_modulus < 1e3 || young_modulus > 100e3;
+    EXPECT_NEAR(force, reference, (by_edge ? 0.08 : 0.005) * reference) << stiffness;
     RecordProperty("force at " + std::to_string(stiffness), std::to_string(force));
   }
 }

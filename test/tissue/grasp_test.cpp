@@ -25,8 +25,8 @@ struct Grasp {
       if (mesh.points(0, i) == 0.0) free.col(i).setZero();
     }
     FemSettings settings;
-    settings.sample_spacing = 0.002;
-    settings.mass_damping = 4.0;  // it swings by itself in seconds
+    settings.sample_spacing = 0.001;  // so that the jaws' edges are met by samples alone
+    settings.mass_damping = 4.0;      // it swings by itself in seconds
     settings.tolerance = 1e-6;
     settings.position_tolerance = 1e-8;
     settings.contact.friction_with.usual = friction;
