@@ -18,8 +18,9 @@ constexpr double kNoDirection = 1e-12;
 // That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
 constexpr double kLeastArea = 2e-5;
 
-// Of a triangle's edge: a depth at which a ball's answer is hard, if that is more than its radius.
-constexpr double kHard = 0.125;
+// Of a ball's radius and of a triangle's edge: of the larger one an eighth is a depth at which the
+// answer becomes hard. Harder, it would be more than Newton's method has iterations for.
+constexpr double kRadii = 4.0, kHard = 0.125;
 
 Vec3 normalOf(const Mat3& corners) {
   return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
@@ -215,7 +216,7 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
   touch->weights = meeting.near.weights;
   touch->area = group.area;
   touch->radius = placed[group.obstacle].radius();
-  touch->room = std::max(ball(group).radius, kHard * meeting.edge);
+  touch->room = std::max(kRadii * ball(group).radius, kHard * meeting.edge);
   touch->gap = gap;
   touch->p_W = meeting.near.point;
   touch->p_G = placed[group.obstacle].toObstacle(touch->p_W);
