@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the shipped motions of several instruments, config/trajectories/*.csv, for `palpate replay`.
+
+    scripts/make_scene_trajectories.py [--out FOLDER]
+
+The motions are tables of waypoints; between two rows everything moves on a minimum-jerk profile, as
+in scripts/make_demo_bag.py. The same scenes give the same bytes.
+"""
+import argparse
+import csv
+import os
+
+import numpy as np
+import yaml
+
+from make_demo_bag import minimum_jerk, pose
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+# t [s], way of the tips along the lift [mm], opening of each jaw [rad].
+LIFT = [
+    (0.00, 40, 0.65),
+    (0.20, 40, 0.65),
+    (1.40, 0, 0.65),  # down over the gallbladder
+    (1.60, 0, 0.65),
+    (2.40, 0, 0.26),  # close
+    (2.70, 0, 0.26),
+    (3.90, 12, 0.26),  # lift
+    (4.90, 12, 0.26),  # hold
+    (5.90, 0, 0.26),  # lower
+    (6.10, 0, 0.26),
+    (6.80, 0, 0.65),  # open
+    (7.00, 0, 0.65),
+    (8.00, 40, 0.65),  # retreat
+    (8.40, 40, 0.65),
+]
+# Where the tips go, in the gallbladder's frame after scaling [mm].
+GRIPS = {"left": (-24.0, 0.0, 6.0), "right": (13.0, 0.5, 6.5)}
+
+
+def placed(of, key):
+    place = of.get(key) or {}
+    return pose(place.get("position", (0, 0, 0)), place.get("roll_pitch_yaw", (0, 0, 0)))
+
+
+def times(waypoints, rate):
+    return np.arange(int(round(waypoints[-1][0] * rate)) + 1) / rate
+
+
+def grasper_joints(base, tips, jaw):
+    """Joints of grasper.urdf, by name, that bring its tip to `tips` (n, 3), the wrist straight."""
+    way = (tips - base[:3, 3]) @ base[:3, :3]
+    length = np.linalg.norm(way, axis=1)
+    zero = np.zeros(len(tips))
+    return {
+        "yaw": np.arctan2(-way[:, 0], -way[:, 2]),
+        "pitch": np.arcsin(way[:, 1] / length),
+        "insertion": length,
+        "roll": zero,
+        "wrist_pitch": zero,
+        "wrist_yaw": zero,
+        "jaw_left": jaw,
+    }
+
+
+def bimanual(scene):
+    t = times(LIFT, 40)
+    motion = minimum_jerk(LIFT, t)
+    organ = next(o for o in scene["organs"] if o["name"] == "gallbladder")
+    x_wo = placed(organ, "pose")
+    up = np.array([0.0, 0.0, 1.0])
+    columns = {}
+    for instrument in scene["instruments"]:
+        grip = x_wo[:3, :3] @ (np.array(GRIPS[instrument["name"]]) * 1e-3) + x_wo[:3, 3]
+        tips = grip + 1e-3 * motion[:, :1] * up
+        joints = grasper_joints(placed(instrument, "base"), tips, motion[:, 1])
+        columns.update({instrument["name"] + "/" + name: q for name, q in joints.items()})
+    return t, columns
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
+    folder = parser.parse_args().out
+    for name, motion in (("gallbladder_bimanual", bimanual),):
+        with open(os.path.join(ROOT, "config/scenes", name + ".yaml"), encoding="utf-8") as file:
+            t, columns = motion(yaml.safe_load(file))
+        path = os.path.join(folder, name + ".csv")
+        with open(path, "w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(["t"] + list(columns))
+            for k, time in enumerate(t):
+                writer.writerow(["%.3f" % time] + ["%.6f" % (q[k] + 0.0) for q in columns.values()])
+        print("%s: %d rows, %.1f s" % (path, len(t), t[-1]))
+
+
+if __name__ == "__main__":
+    main()
