@@ -9,6 +9,7 @@ in scripts/make_demo_bag.py. The same scenes give the same bytes.
 """
 import argparse
 import csv
+import math
 import os
 
 import numpy as np
@@ -37,6 +38,37 @@ LIFT = [
 ]
 # Where the tips go, in the gallbladder's frame after scaling [mm].
 GRIPS = {"left": (-24.0, 0.0, 6.0), "right": (13.0, 0.5, 6.5)}
+
+# t [s], the fan's middle from where its base is: x, z [mm], pitch [deg], opening [rad].
+RETRACT = [
+    (0.00, 90, -8, -12, 0.0),
+    (0.20, 90, -8, -12, 0.0),
+    (1.20, 6, -8, -12, 0.0),  # in below the lobe
+    (1.60, 6, -8, -12, 0.35),  # open the fan
+    (3.40, 6, 40, -12, 0.35),  # lift
+    (9.20, 6, 40, -12, 0.35),  # hold
+    (10.60, 6, -8, -12, 0.35),  # lower
+    (11.00, 6, -8, -12, 0.0),
+    (12.00, 90, -8, -12, 0.0),
+    (12.40, 90, -8, -12, 0.0),
+]
+# t [s], the ball's centre before the surface along the way in (negative: pressed) [mm].
+PALPATE = [
+    (0.00, 60),
+    (3.20, 60),
+    (4.40, 5),
+    (5.00, -4),  # first
+    (5.40, -4),
+    (5.90, 4),
+    (6.60, -7),  # second
+    (7.20, -7),
+    (8.00, 5),
+    (9.20, 60),
+    (12.40, 60),
+]
+# Where the ball's centre touches the lifted liver, and the way in.
+TOUCH = np.array([0.0202, -0.0181, 0.0539])  # [m]
+WAY_IN = np.array([0.0, math.sin(0.45), math.cos(0.45)])
 
 
 def placed(of, key):
@@ -79,11 +111,37 @@ def bimanual(scene):
     return t, columns
 
 
+def retraction(scene):
+    t = times(RETRACT, 50)
+    fan = minimum_jerk(RETRACT, t)
+    ball = minimum_jerk(PALPATE, t)
+    probe = next(i for i in scene["instruments"] if i["name"] == "probe")
+    base = placed(probe, "base")
+    slides = (TOUCH - 1e-3 * ball * WAY_IN - base[:3, 3]) @ base[:3, :3]
+    zero = np.zeros(len(fan))
+    tilt = zero + math.atan2(WAY_IN[2], WAY_IN[1])
+    return t, {
+        "retractor/x": 1e-3 * fan[:, 0],
+        "retractor/y": zero,
+        "retractor/z": 1e-3 * fan[:, 1],
+        "retractor/roll": zero,
+        "retractor/pitch": np.radians(fan[:, 2]),
+        "retractor/yaw": zero,
+        "retractor/finger_left": fan[:, 3],
+        "probe/x": slides[:, 0],
+        "probe/y": slides[:, 1],
+        "probe/z": slides[:, 2],
+        "probe/roll": tilt,
+        "probe/pitch": zero,
+        "probe/yaw": zero,
+    }
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
     folder = parser.parse_args().out
-    for name, motion in (("gallbladder_bimanual", bimanual),):
+    for name, motion in (("gallbladder_bimanual", bimanual), ("liver_retraction", retraction)):
         with open(os.path.join(ROOT, "config/scenes", name + ".yaml"), encoding="utf-8") as file:
             t, columns = motion(yaml.safe_load(file))
         path = os.path.join(folder, name + ".csv")
