@@ -86,6 +86,11 @@ void NeedleChannel::addHessian(const Points& x, fem::Tangent, fem::Stiffness* K)
 }
 
 void NeedleChannel::endStep(const Points& x) {
+  pulls_.clear();
+  for (std::size_t k = 0; k < anchors_.size(); ++k) {
+    const Vec3 p = anchors_[k].place.of(x);
+    pulls_.push_back({anchors_[k].place, p, gradient(k, p)});
+  }
   double next = length_;  // where the one before the last, seen from the tip, is
   for (std::size_t k = anchors_.size(); k-- > 0;) {
     Anchor& anchor = anchors_[k];

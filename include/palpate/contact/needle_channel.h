@@ -56,14 +56,12 @@ class NeedleChannel final : public fem::EnergyTerm {
   /// drawn back from are free.
   void endStep(const Points& x);
 
-  /// visit(p_W, force on the needle [N]) of each point.
-  template <class Visit>
-  void forForces(const Points& x, const Visit& visit) const {
-    for (std::size_t k = 0; k < anchors_.size(); ++k) {
-      const Vec3 p = anchors_[k].place.of(x);
-      visit(p, gradient(k, p));
-    }
-  }
+  /// What a point did to the needle where the last step ended, before that became memory.
+  struct Pull {
+    Place place;
+    Vec3 p_W, force_W;  ///< [m], [N]
+  };
+  const std::vector<Pull>& pulls() const { return pulls_; }
   /// Finds the points in another mesh: find(X, &place), false where there is no tissue.
   template <class Find>
   void moveTo(const Find& find) {
@@ -98,6 +96,7 @@ class NeedleChannel final : public fem::EnergyTerm {
   Vec3 origin_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
   std::vector<Anchor> anchors_;  // from where it went in to the tip
   bool has_tip_ = false;         // the last is at the tip
+  std::vector<Pull> pulls_;
 };
 
 }  // namespace palpate::contact

@@ -28,12 +28,13 @@ class Needles final : public fem::EnergyTerm {
   void puncture(const std::vector<contact::Obstacle>& obstacles,
                 const std::vector<contact::Contact>& contacts, const Points& x);
 
-  /// visit(owner, p_W, force on the needle [N]).
+  /// visit(owner, pull) of all points where the last step ended.
   template <class Visit>
-  void forForces(const Points& x, const Visit& visit) const {
+  void forPulls(const Visit& visit) const {
     for (const Inserted& needle : needles_) {
-      needle.channel.forForces(
-          x, [&](const Vec3& p, const Vec3& force) { visit(needle.now.owner, p, force); });
+      for (const contact::NeedleChannel::Pull& pull : needle.channel.pulls()) {
+        visit(needle.now.owner, pull);
+      }
     }
   }
 

@@ -97,10 +97,12 @@ double Touch::report(const Points& x, TissueStep* out) {
     const double excess = excess_(touch.meanEdge(x) / touch.radius);
     too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }
-  needles.forForces(x, [&](const contact::Owner& owner, const Vec3& p_W, const Vec3& force) {
-    out->contacts.push_back({owner, 0.0, p_W, force, organ_});
+  needles.forPulls([&](const contact::Owner& owner, const contact::NeedleChannel::Pull& pull) {
+    out->contacts.push_back({owner, 0.0, pull.p_W, pull.force_W, organ_});
+    for (int k = 0; k < 4; ++k) {
+      nodal_.col(pull.place.nodes[k]) += pull.place.weights[k] * pull.force_W;
+    }
   });
-  needles.addGradient(x, &nodal_);
   needles.puncture(sweep.near(), contacts_, x);
   for (const Vec3& force : too_much_) out->mesh_error += force.norm();
   return nodal_.norm();
