@@ -41,6 +41,7 @@ void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triang
                                  double spacing) {
   faces_ = std::make_unique<FacePoints>();
   faces_->setSurface(X, triangles, spacing);
+  nodes_only_ = !(spacing > 0.0);  // then some triangles have none of their own
   // Both go through the triangles in the same order.
   Eigen::Index t = 0;
   for (Patch& patch : patches_) {
@@ -69,12 +70,13 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   candidates_.clear();
   if (faces_) faces_->clear();
   for (int b = 0; b < numObstacles(); ++b) {
-    addSamples(x, b, reach[b]);
-    if (faces_) faces_->findCandidates(x, placed_, b, reach[b]);
+    if (addSamples(x, b, reach[b])) faces_->findCandidates(x, placed_, b, reach[b]);
   }
 }
 
-void ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
+// Whether somewhere near it they are too far apart for the obstacle.
+bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
+  bool coarse = faces_ && nodes_only_;
   const PlacedObstacle& placed = placed_[obstacle];
   const instrument::Geometry& geometry = *placed.obstacle().geometry;
   const double ball = boundingRadius(geometry) + reach;
@@ -88,15 +90,17 @@ void ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
       if (corner_G.norm() > ball + size) continue;
       if (signedDistanceValue(geometry, corner_G) > reach + size) continue;
     }
-    if (patch.triangle >= 0 &&
-        faces_->meetsAlone(obstacle, faces_->sampleSpacing(patch.triangle, x))) {
-      continue;
+    if (patch.triangle >= 0) {
+      const double spacing = faces_->sampleSpacing(patch.triangle, x);
+      coarse = coarse || faces_->meets(obstacle, spacing);
+      if (faces_->meetsAlone(obstacle, spacing)) continue;
     }
     for (int s = patch.begin; s < patch.end; ++s) {
       if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
       candidates_.push_back({s, obstacle});
     }
   }
+  return coarse;
 }
 
 bool ContactPotential::hasCandidates(int obstacle) const {

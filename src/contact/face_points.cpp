@@ -112,7 +112,6 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   const instrument::Geometry& geometry = *placed[b].obstacle().geometry;
   const double bounding = boundingRadius(geometry) + reach;
   near_.clear();
-  bool any = false;  // where the samples are too far apart
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const int triangle = static_cast<int>(t);
     const Mat3 at = corners(x, triangle);
@@ -122,9 +121,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     if (middle_G.norm() > bounding + radius) continue;
     if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
     near_.push_back({triangle, middle_G, radius});
-    any = any || meets(b, sampleSpacing(triangle, x));
   }
-  if (!any) return;
   found_.clear();
   for (const Near& t : near_) {
     // The balls in the slice of the shape that the triangle may touch.

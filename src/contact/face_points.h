@@ -41,7 +41,7 @@ class FacePoints {
 
   void clear() { candidates_.clear(), groups_.clear(); }
   /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
-  /// x, if on any triangle near it the samples are too far apart for it.
+  /// x. All of them, or none: which is nearest knows the side.
   void findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
                       double reach);
   int numCandidates() const { return static_cast<int>(candidates_.size()); }

@@ -135,7 +135,7 @@ class ContactPotential final : public fem::EnergyTerm {
     int triangle;  // of the surface; known where faces are met
   };
   void gather(const Points& x);
-  void addSamples(const Points& x, int obstacle, double reach);
+  bool addSamples(const Points& x, int obstacle, double reach);
   template <class Visit>
   void forSamples(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
   template <class Visit>
@@ -148,6 +148,7 @@ class ContactPotential final : public fem::EnergyTerm {
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
   std::unique_ptr<FacePoints> faces_;
+  bool nodes_only_ = false;  // are samples
   std::unique_ptr<Response> response_;
   Eigen::VectorXd masses_;  // of the nodes, infinite where held [kg]; empty: they weigh nothing
   bool skip_distant_ = true, skip_inactive_ = true;

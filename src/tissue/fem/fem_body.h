@@ -83,6 +83,8 @@ struct FemBody {
   Points x, v;  ///< 3 x n, world [m], [m/s].
   /// At x, where it is known and does not depend on the step [J].
   std::optional<double> elastic_energy;
+  /// Smallest det F at x, where it is known.
+  std::optional<double> min_jacobian;
   /// Nodal norms of the last cycle [N]; of contact with tools and with other bodies.
   double contact_force = 0.0, support_force = 0.0;
   Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].

@@ -87,6 +87,7 @@ void FemOrgan::restore(const State& state) {
 
 void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
+  body_.min_jacobian.reset();
   body_.surroundings.beginCycle(dt);
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
 }
@@ -170,7 +171,8 @@ void FemOrgan::stop() {
 
 void FemOrgan::reportState() {
   const PhaseTimer timer(&out_.phases, Phase::kForces);
-  out_.min_jacobian = body_.elasticity->minJacobian(body_.x);
+  out_.min_jacobian =
+      body_.min_jacobian ? *body_.min_jacobian : body_.elasticity->minJacobian(body_.x);
   out_.status = solver::judged(out_.status, out_.min_jacobian);
   out_.kinetic_energy =
       0.5 * body_.v.colwise().squaredNorm().transpose().cwiseProduct(method_->masses()).sum();

@@ -87,12 +87,14 @@ bool MovingBodies::startGuarding() {
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    if (body.guard.active()) continue;
-    if (body.guard.least(joint_ ? part(k, x_) : body.x) >= fem::InversionGuard::kLeast) continue;
+    body.min_jacobian = body.elasticity->minJacobian(joint_ ? part(k, x_) : body.x);
+    if (body.guard.active() || *body.min_jacobian >= fem::InversionGuard::kLeast) continue;
     body.guard.setActive(true);
     any = true;
   }
-  return any;
+  if (!any) return false;
+  for (BodyMotion* member : members_) member->body().min_jacobian.reset();  // x goes on
+  return true;
 }
 
 void MovingBodies::endGuarding() {
