@@ -37,9 +37,9 @@ class Scene {
                 : test::block("two", at, size_, cells, bottom));
       thrown_ = above;
     }
-    const material::Material law = material::makeMaterial("stable_neo_hookean",
-                                  {{"young_modulus", {std::pow(10.0, between(3.0, 4.7))}},
-                                   {"poisson_ratio", {between(0.3, 0.48)}}});
+    const material::Material law = material::makeMaterial(
+        "stable_neo_hookean", {{"young_modulus", {std::pow(10.0, between(3.0, 4.7))}},
+                               {"poisson_ratio", {between(0.3, 0.48)}}});
     for (test::OrganSketch& organ : organs_) {
       organ.solid = {law, 1060.0, {}};
       organ.damping = {between(2.0, 20.0), 0.0};

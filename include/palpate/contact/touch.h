@@ -15,9 +15,9 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& n);
 /// What a point of the tissue's surface and an obstacle are to each other: geometry and motion
 /// alone. What answers it is a Response.
 struct Touch {
-  int sample;             ///< Of the tissue's surface; below 0 a ball of the obstacle on a triangle.
-  int obstacle;           ///< Among those that are placed,
-  int number;             ///< and among all of the cycle: Obstacle::number.
+  int sample;    ///< Of the tissue's surface; below 0 a ball of the obstacle on a triangle.
+  int obstacle;  ///< Among those that are placed,
+  int number;    ///< and among all of the cycle: Obstacle::number.
   Eigen::Vector3i nodes;  ///< The sample lies between them,
   Vec3 weights;           ///< with these barycentric coordinates.
   double area;            ///< Rest area that it stands for [m^2].
