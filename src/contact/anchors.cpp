@@ -41,6 +41,7 @@ void Anchors::save(StateWriter* to) const {
   for (const Anchor& anchor : anchors_) {
     to->put(anchor.number);
     to->put(anchor.sample);
+    to->put(anchor.pressing);
     to->put(anchor.rise);
     to->put(anchor.slides);
     to->put(anchor.bite);
@@ -54,6 +55,7 @@ void Anchors::restore(StateReader* from) {
   for (Anchor& anchor : anchors) {
     from->get(&anchor.number);
     from->get(&anchor.sample);
+    from->get(&anchor.pressing);
     from->get(&anchor.rise);
     from->get(&anchor.slides);
     from->get(&anchor.bite);

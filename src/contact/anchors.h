@@ -15,7 +15,8 @@ enum class Bite : int { kNone, kHeld, kTorn };
 /// Where a touch clings to its obstacle: a spring's stretch from there to the sample.
 struct Anchor {
   int number = 0, sample = 0;  ///< Obstacle::number, Touch::sample.
-  double rise = 0.0;           ///< Of the normal force in the step that ended [N].
+  double pressing = 0.0;       ///< The normal force where the step ended [N],
+  double rise = 0.0;           ///< and how it rose in the step [N].
   bool slides = false;         ///< It slipped when the step ended.
   Bite bite = Bite::kNone;
   Vec3 stretch_G = Vec3::Zero();  ///< In the obstacle's frame [m].

@@ -2,8 +2,9 @@
 #include "augmented_response.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "nodal_shift.h"
+#include "multipliers.h"
 #include "palpate/contact/penalty.h"
 
 namespace palpate::contact {
@@ -11,29 +12,37 @@ namespace {
 
 // Where rigid things meet, the multiplier grows no further [Pa].
 constexpr double kHighestPressure = 1e7;
+// The least stiffness, in Young's moduli of the tissue over edges.
+constexpr double kLeastStiffness = 300.0;
+// What swings with a node of the surface, in masses of that node.
+constexpr double kEntrained = 30.0;
+// See makeAugmentedResponse() [m].
+constexpr double kRestingTravel = 0.5e-3, kForgettingSlip = 0.3e-3;
 
 class AugmentedResponse final : public Response {
  public:
   explicit AugmentedResponse(const ResponseSettings& settings)
       : law_{settings.stiffness, settings.smoothing},
-        of_balls_{std::min(settings.stiffness, Penalty().stiffness), settings.smoothing},
-        allowed_(settings.allowed_penetration) {}
+        of_balls_{std::min(settings.stiffness, Penalty().stiffness), settings.smoothing} {}
 
-  double reach() const override { return shift_.largest(); }
-  bool active(const Touch& touch) const override { return touch.gap < shift(touch); }
+  double reach() const override {
+    return multipliers_.largest() > 0.0 ? law_.softPenetration(multipliers_.largest()) : 0.0;
+  }
+  bool active(const Touch& touch) const override {
+    return touch.gap < 0.0 || Law(this, touch).presses();
+  }
 
   double energy(const Touch& touch) const override {
-    const double p = touch.penetration();
-    return touch.area *
-           (law(touch).softEnergy(p + shift(touch)) + law(touch).hardEnergy(p, touch.room));
+    return touch.area * Law(this, touch).energy();
   }
   TouchForce force(const Touch& touch) const override {
-    return {-touch.area * pressure(touch) * touch.steepness, Vec3::Zero()};
+    return {-touch.area * Law(this, touch).pressure() * touch.steepness, Vec3::Zero()};
   }
   Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
-    const double along = slope(touch) * touch.steepness * touch.steepness;
+    const Law law(this, touch);
+    const double along = law.slope() * touch.steepness * touch.steepness;
     Mat3 H_G = along * touch.normal_G * touch.normal_G.transpose();
-    if (tangent == fem::Tangent::kExact) H_G -= pressure(touch) * touch.curvature_G;
+    if (tangent == fem::Tangent::kExact) H_G -= law.pressure() * touch.curvature_G;
     return touch.area * touch.R_WG * H_G * touch.R_WG.transpose();
   }
   Mat3 convexStiffness(const Touch& touch, const Mat3& exact, const Vec3& force_W) const override {
@@ -43,40 +52,52 @@ class AugmentedResponse final : public Response {
   }
 
   bool remembers() const override { return true; }
-  bool settled(const std::vector<Touch>& touches) override {
-    return shift_.largestChange(touches, wish_) <= allowed_;
-  }
-  void settle(const std::vector<Touch>& touches) override { shift_.change(touches, wish_); }
+  void learn(const std::vector<Touch>& touches) override { multipliers_.change(touches, wish_); }
   void goOnFrom(const Response& old, const Places& now) override {
-    shift_.goOnFrom(dynamic_cast<const AugmentedResponse&>(old).shift_, now.node);
+    multipliers_.goOnFrom(dynamic_cast<const AugmentedResponse&>(old).multipliers_, now);
   }
-  void forget() override { shift_.clear(); }
-  void save(StateWriter* to) const override { shift_.save(to); }
-  void restore(StateReader* from) override { shift_.restore(from); }
+  void forget() override { multipliers_.clear(); }
+  void save(StateWriter* to) const override { multipliers_.save(to); }
+  void restore(StateReader* from) override { multipliers_.restore(from); }
 
  private:
-  double pressure(const Touch& touch) const {
-    const double p = touch.penetration();
-    return law(touch).softPressure(p + shift(touch)) + law(touch).hardPressure(p, touch.room);
-  }
-  double slope(const Touch& touch) const {
-    const double p = touch.penetration();
-    return law(touch).softSlope(p + shift(touch)) + law(touch).hardSlope(p, touch.room);
-  }
+  // Of one touch.
+  class Law {
+   public:
+    Law(const AugmentedResponse* of, const Touch& touch)
+        : penalty_(touch.sample < 0 ? of->of_balls_ : of->law_),
+          depth_(touch.penetration()),
+          room_(touch.room) {
+      penalty_.stiffness = std::max(penalty_.stiffness, kLeastStiffness * touch.bearing);
+      // None where a ball meets a triangle: there the nodes' parts change as the triangle moves.
+      const double multiplier = touch.sample < 0 ? 0.0 : of->multipliers_.at(touch);
+      if (multiplier > 0.0) shift_ = penalty_.softPenetration(multiplier);
+    }
+    bool presses() const { return depth_ + shift_ > 0.0; }
+    double energy() const {
+      return penalty_.softEnergy(depth_ + shift_) + penalty_.hardEnergy(depth_, room_);
+    }
+    double pressure() const {
+      return penalty_.softPressure(depth_ + shift_) + penalty_.hardPressure(depth_, room_);
+    }
+    double slope() const {
+      return penalty_.softSlope(depth_ + shift_) + penalty_.hardSlope(depth_, room_);
+    }
 
-  // None where a ball meets a triangle: there the nodes' parts change as the triangle moves.
-  double shift(const Touch& touch) const { return touch.sample < 0 ? 0.0 : shift_.at(touch); }
-
-  // It has a penalty instead, whose stiffness is none to choose.
-  const Penalty& law(const Touch& touch) const { return touch.sample < 0 ? of_balls_ : law_; }
+   private:
+    Penalty penalty_;
+    double depth_, room_, shift_ = 0.0;
+  };
 
   Penalty law_, of_balls_;
-  double allowed_;
-  NodalShift shift_;
-  const NodalShift::WishOf wish_ = [this](const Touch& touch) -> NodalShift::Wish {
-    if (touch.sample < 0) return {0.0, 0.0, 0.0};
-    const double needed = law_.softPenetration(std::min(pressure(touch), kHighestPressure));
-    return {needed - shift(touch), touch.area * slope(touch), touch.inertia};
+  Multipliers multipliers_;
+  const Multipliers::WishOf wish_ = [this](const Touch& touch) -> Multipliers::Wish {
+    if (touch.sample < 0) return {0.0, 0.0, 0.0, 0.0, 0.0};
+    const Law law(this, touch);
+    const double slip = touch.slipInWorld().norm() / kForgettingSlip;
+    return {std::min(law.pressure(), kHighestPressure), touch.area * law.slope(),
+            kEntrained * touch.inertia, std::exp(-touch.travel / kRestingTravel),
+            -std::expm1(-slip * slip)};
   };
 };
 

@@ -145,6 +145,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
     touch.nodes = s.nodes;
     touch.weights = s.weights;
     touch.area = s.area;
+    touch.bearing = bearingOf(touch);
     if (skip_inactive && !response_->active(touch)) continue;
     if (with_frame || motion) obstacle.measureFrame(&touch);
     if (motion && x_begin_.cols() > 0) obstacle.measureMotion(s.position(x_begin_), &touch);
@@ -166,6 +167,7 @@ void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && x_begin_.cols() > 0;
   faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
+    touch->bearing = bearingOf(*touch);
     if (!response_->active(*touch)) return;
     if (motion) placed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
     visit(*touch, meeting);
@@ -292,18 +294,11 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   touch.nodes = samples_[sample].nodes;
   touch.weights = samples_[sample].weights;
   touch.area = samples_[sample].area;
+  touch.bearing = bearingOf(touch);
   placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
   placed_[obstacle].measureFrame(&touch);
   touch.motion_W.setZero();
   return touch;
-}
-
-void ContactPotential::beginStep(const Points& x) {
-  for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
-  if (response_->followsMotion()) x_begin_ = x;
-  if (!response_->remembers()) return;
-  gather(x);
-  response_->beginStep(touches_);
 }
 
 void ContactPotential::gather(const Points& x) {
@@ -311,11 +306,20 @@ void ContactPotential::gather(const Points& x) {
   forEach(x, true, true, [&](const Touch& touch) { touches_.push_back(touch); });
 }
 
-void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses) {
+void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses,
+                                  const Eigen::VectorXd& stiffness) {
   masses_ = masses;
   for (Eigen::Index i = 0; i < masses.size(); ++i) {
     if (free.col(i).isZero()) masses_[i] = std::numeric_limits<double>::infinity();
   }
+  bearing_ = stiffness;
+}
+
+// Constant where a ball goes along a triangle, as its energy's derivatives take it to be.
+double ContactPotential::bearingOf(const Touch& touch) const {
+  if (bearing_.size() == 0) return 0.0;
+  const Vec3 of_corners = bearing_(touch.nodes);
+  return touch.sample < 0 ? of_corners.mean() : of_corners.dot(touch.weights);
 }
 
 // [1/kg]
@@ -329,6 +333,9 @@ double ContactPotential::mobilityOf(const Touch& touch) const {
 
 void ContactPotential::gatherLearnable(const Points& x, double h) {
   touches_.clear();
+  const bool begun = x_begin_.cols() == x.cols();
+  Vec3 together = Vec3::Zero();
+  if (begun) together = (x - x_begin_).rowwise().mean();
   forEach(x, true, true, [&](Touch& touch) {
     touch.inertia = 0.0;
     if (masses_.size() > 0) {
@@ -336,86 +343,11 @@ void ContactPotential::gatherLearnable(const Points& x, double h) {
       if (mobility == 0.0) return;
       touch.inertia = 1.0 / (mobility * h * h);
     }
+    const Vec3 p_begin_W = begun ? touch.of(x_begin_) : touch.p_W;
+    placed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
+    touch.travel = (touch.p_W - p_begin_W - together).norm();
     touches_.push_back(touch);
   });
-}
-
-bool ContactPotential::settled(const Points& x) {
-  if (!response_->remembers()) return true;
-  gatherLearnable(x, 1.0);
-  return response_->settled(touches_);
-}
-
-void ContactPotential::settle(const Points& x, double h) {
-  if (!response_->remembers()) return;
-  gatherLearnable(x, h);
-  response_->settle(touches_);
-}
-
-void ContactPotential::endStep(const Points& x) {
-  if (!response_->remembers()) return;
-  if (response_->hasFriction()) {
-    gather(x);
-    response_->confine(touches_);
-  }
-  collect(x, &at_end_);
-  touches_.clear();
-  for (const Contact& contact : at_end_) touches_.push_back(contact.touch);
-  response_->endStep(touches_);
-}
-
-void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* contacts) const {
-  if (response_->remembers()) {
-    *contacts = at_end_;
-  } else {
-    collect(x, contacts);
-  }
-}
-
-void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X) {
-  if (!response_->remembers()) return;
-  const double same = 1e-9 * (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
-  // What is remembered is of samples that touched: of the new ones only those near to them count.
-  Eigen::AlignedBox3d box;
-  for (const Contact& c : old.at_end_) {
-    for (int k = 0; k < 3; ++k) box.extend(Vec3(old_X.col(c.touch.nodes[k])));
-  }
-  const auto near = [&](const Vec3& p) { return box.squaredExteriorDistance(p) <= same * same; };
-  std::vector<std::pair<int, Vec3>> samples, nodes;
-  for (std::size_t s = 0; s < samples_.size() && !box.isEmpty(); ++s) {
-    const Vec3 p = samples_[s].position(X);
-    if (!near(p)) continue;
-    samples.emplace_back(static_cast<int>(s), p);
-    for (int k = 0; k < 3; ++k) {
-      if (samples_[s].weights[k] == 1.0) nodes.emplace_back(samples_[s].nodes[k], p);
-    }
-  }
-  const auto find = [same](const std::vector<std::pair<int, Vec3>>& among, const Vec3& p) {
-    for (const auto& [i, q] : among) {
-      if ((q - p).squaredNorm() < same * same) return i;
-    }
-    return -1;
-  };
-  response_->goOnFrom(
-      *old.response_,
-      {[&](int sample) {
-         return find(samples, old.samples_[static_cast<std::size_t>(sample)].position(old_X));
-       },
-       [&](int node) { return find(nodes, old_X.col(node)); }});
-}
-
-void ContactPotential::forget() {
-  x_begin_.resize(3, 0);
-  at_end_.clear();
-  response_->forget();
-}
-
-void ContactPotential::save(StateWriter* to) const {
-  if (response_->remembers()) response_->save(to);
-}
-
-void ContactPotential::restore(StateReader* from) {
-  if (response_->remembers()) response_->restore(from);
 }
 
 }  // namespace palpate::contact

@@ -60,13 +60,10 @@ class FrictionResponse final : public Response {
     if (normal_->remembers()) normal_->endStep(touches);
     grips_.end(touches);
   }
-  bool settled(const std::vector<Touch>& touches) override {
-    const bool normally = !normal_->remembers() || normal_->settled(touches);
-    return grips_.settled(touches) && normally;
-  }
-  void settle(const std::vector<Touch>& touches) override {
-    if (normal_->remembers()) normal_->settle(touches);
-    grips_.settle(touches);
+  bool settled(const std::vector<Touch>& touches) override { return grips_.settled(touches); }
+  void settle(const std::vector<Touch>& touches) override { grips_.settle(touches); }
+  void learn(const std::vector<Touch>& touches) override {
+    if (normal_->remembers()) normal_->learn(touches);
   }
   void confine(const std::vector<Touch>& touches) override { grips_.confine(touches); }
 

@@ -124,8 +124,9 @@ void Grips::begin(const std::vector<Touch>& touches) {
   for (const Touch& touch : touches) {
     const Friction& friction = table_.of(touch.number);
     if (touch.sample < 0 || !friction.any()) continue;
-    const double N = pressing(touch);
+    // What the step before ended with: the normal response may have learnt from that.
     const Anchor* known = anchors_.find(touch);
+    const double N = known ? known->pressing : pressing(touch);
     if (!known && !(N > 0.0)) continue;
     Grip grip;
     if (known) grip.anchor = *known;
@@ -240,6 +241,7 @@ void Grips::end(const std::vector<Touch>& touches) {
     }
     anchor.number = touch.number;
     anchor.sample = touch.sample;
+    anchor.pressing = N;
     const bool bites = friction.teeth > 0.0 && anchor.bite == Bite::kNone;
     if (bites && N > 0.0 && presses(touch.number)) anchor.bite = Bite::kHeld;
     next_.push_back(anchor);

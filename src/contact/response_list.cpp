@@ -22,8 +22,8 @@ std::vector<std::string> namesOf(const std::vector<ResponseEntry>& table) {
 // To add one: write its header and source, add it here.
 const std::vector<ResponseEntry>& responses() {
   static const std::vector<ResponseEntry> kResponses = {
-      {"penalty", makePenaltyResponse},
       {"augmented_lagrangian", makeAugmentedResponse},
+      {"penalty", makePenaltyResponse},
   };
   return kResponses;
 }

@@ -166,16 +166,14 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
 void describe(keys::FieldVisitor& v, ContactConfig& contact) {
   v.choice({"model", "", "What answers where tissue and tools touch."}, contact.model,
            contact::responseNames());
-  v.number({"stiffness", "Pa/m", "Contact pressure per penetration."}, contact.stiffness,
-           keys::Range::above(0.0, 1.0e12));
+  v.number({"stiffness", "Pa/m",
+            "Contact pressure per penetration. `augmented_lagrangian` takes more where the tissue "
+            "asks for it."},
+           contact.stiffness, keys::Range::above(0.0, 1.0e12));
   v.number({"smoothing", "m",
             "Width of the blend between no contact and pressure that grows "
             "linearly."},
            contact.smoothing, keys::Range::above(0.0, 0.1));
-  v.number({"allowed_penetration", "m",
-            "Of `augmented_lagrangian`: a cycle is solved on, a few times, while the surface is "
-            "deeper in a tool."},
-           contact.allowed_penetration, keys::Range::above(0.0, 0.1));
   v.number(
       {"sample_spacing", "m",
        "Largest distance between the points of the tissue surface that can touch; 0: half the "

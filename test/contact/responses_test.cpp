@@ -47,7 +47,7 @@ class EveryResponse : public ::testing::TestWithParam<std::tuple<std::string, in
     potential.findCandidates(x, {0.05});
     potential.beginStep(x);
     potential.endStep(x);
-    potential.settle(x, 0.01);
+    potential.learn(x, 0.01);
     goOn(&potential);
   }
   static std::unique_ptr<Response> makeOne() {
@@ -192,7 +192,7 @@ TEST(Responses, HaveAMemoryWhereTheyHold) {
   StateWriter held, none;
   potential.save(&held);
   EXPECT_FALSE(held.bytes().empty());
-  ContactPotential(potential.samples(), makeResponse({})).save(&none);
+  ContactPotential(potential.samples(), makeResponse({"penalty"})).save(&none);
   EXPECT_TRUE(none.bytes().empty());
 }
 
@@ -203,7 +203,7 @@ TEST(Responses, OfUnknownNamesAreRefused) {
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(test::contains(
-        error.what(), "contact.model = glue: must be one of penalty, augmented_lagrangian"));
+        error.what(), "contact.model = glue: must be one of augmented_lagrangian, penalty"));
   }
 }
 

@@ -104,10 +104,9 @@ TEST_F(StateFile, IsRefusedByAnotherScene) {
                          s->organs[1].name = "second";
                        }),
                        "it has organ slab where this has slab, second"));
-  EXPECT_TRUE(
-      contains(errorOfAnother([](scene::Scene* s) { s->solver.method = "lbfgs"; }),
-               "organ slab: the state is one of 'fem implicit_pcg backward_euler anp penalty, 196 "
-               "points', not of 'fem lbfgs"));
+  EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) { s->solver.method = "lbfgs"; }),
+                       "organ slab: the state is one of 'fem implicit_pcg backward_euler anp "
+                       "augmented_lagrangian, 196 points', not of 'fem lbfgs"));
   EXPECT_TRUE(contains(errorOfAnother([](scene::Scene* s) { s->solver.integrator = "bdf2"; }),
                        "backward_euler"));
   EXPECT_TRUE(

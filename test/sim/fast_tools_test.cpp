@@ -69,6 +69,7 @@ TEST_F(FastTools, AStabEndsWhereASlowPressDoes) {
 // With too few iterations a cycle may end far from a balance: its force is none to be felt.
 TEST_F(FastTools, WhatIsFarFromABalanceIsNotFelt) {
   scene.solver.max_newton_iterations = 2;
+  scene.contact.model = "penalty";
   Simulator simulator(scene);
   int told = 0, held_back = 0;
   double felt = 0.0;

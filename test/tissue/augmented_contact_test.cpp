@@ -83,11 +83,10 @@ TEST_P(OfStiffness, IsNotEnteredUnderFiveNewtonsWhateverTheParameter) {
     const double force = onTool(*step).z();
     EXPECT_GT(force, 4.0);
     if (first) reference = force;
-    // Of the stiffest tissue the plate's edge, within an element, presses more than nodes can say;
-    // into the softest it goes so deep that its edge, which meets the faces by balls without a
-    // multiplier, bears a part that depends on how it got there.
-    const bool by_edge = young_modulus < 1e3 || young_modulus > 100e3;
-    EXPECT_NEAR(force, reference, (by_edge ? 0.08 : 0.005) * reference) << stiffness;
+    // Into the softest tissue the plate goes so deep that its edge, which meets the faces by balls
+    // without a multiplier, bears a part that depends on how it got there.
+    const bool by_edge = young_modulus < 1e3;
+    EXPECT_NEAR(force, reference, (by_edge ? 0.03 : 0.005) * reference) << stiffness;
     RecordProperty("force at " + std::to_string(stiffness), std::to_string(force));
   }
 }
@@ -117,6 +116,23 @@ TEST(AugmentedContact, EndsWithTheTouch) {
   EXPECT_TRUE(tissue->step({plate.to(-0.05)}, kStep).contacts.empty());
   for (int k = 0; k < 200; ++k) tissue->step({plate.to(-0.05)}, kStep);
   EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+// An integral that follows what swings would drive it; short steps of a second-order method damp it
+// least. Without multipliers the greatest force is 1.04 N.
+TEST(AugmentedContact, DoesNotSwingUpInShortSteps) {
+  for (const double step : {5e-4, 2e-3}) {
+    test::Slab slab("implicit_pcg");
+    slab.settings.integrator = "bdf2";
+    slab.settings.mass_damping = 5.0;
+    const auto tissue = slab.make();
+    double greatest = 0.0;
+    for (test::Press press(0.006, 0.05, step); press.time() < 0.4;) {
+      greatest = std::max(greatest, onTool(tissue->step({press.next()}, step)).z());
+    }
+    EXPECT_GT(greatest, 0.9) << step;
+    EXPECT_LT(greatest, 1.1) << step;
+  }
 }
 
 }  // namespace

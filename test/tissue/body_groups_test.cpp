@@ -32,7 +32,8 @@ std::shared_ptr<const Interaction> withinABody(const ModelSettings&) {
   return std::make_shared<test::Repulsion>(settings);
 }
 
-// Both as one mesh, of one body, that acts on itself.
+// Both as one mesh, of one body, that acts on itself. With a penalty: a multiplier asks how its
+// body moves as a whole.
 TEST(BodyGroups, AreTheOneMeshOfBoth) {
   const std::vector<OrganSketch> blocks = twoBlocks(0.008);
   OrganSketch one = blocks[0];
@@ -43,7 +44,9 @@ TEST(BodyGroups, AreTheOneMeshOfBoth) {
   one.mesh.tets.rightCols(m) = blocks[1].mesh.tets.array() + static_cast<int>(n);
   one.free.conservativeResize(3, 2 * n);
   one.free.rightCols(n) = blocks[1].free;
-  ModelSettings settings = exact(organSettings()), whole = settings;
+  ModelSettings settings = exact(organSettings());
+  settings.contact.model = "penalty";
+  ModelSettings whole = settings;
   whole.interactions = {{"within", withinABody}};
   whole.skip.islands = false;
   const auto two = makeOrgans(blocks, settings), single = makeOrgans({one}, whole);

@@ -182,6 +182,7 @@ TEST(Friction, SticksAndSlipsByTurnsWhereItsCoefficientsDiffer) {
   const auto law =
       material::makeMaterial("neo_hookean", {{"young_modulus", {1e9}}, {"poisson_ratio", {0.0}}});
   FemSettings settings = settingsWith({kStatic, kKinetic});
+  settings.contact.model = "penalty";
   settings.contact.stiffness = 2e8;  // the block is rigid against it: all points slip at once
   const auto tissue =
       makeFemTissue(mesh, fem::Composition::uniform(law, 1000.0), springs, settings);

@@ -54,10 +54,12 @@ class ContactPotential final : public fem::EnergyTerm {
     return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
   }
 
-  /// What the surface is borne by: `free`, 3 x n, see fem::FreeMask, and `masses` of the nodes, n
-  /// [kg]. Samples that cannot move are answered, but the response learns nothing from them: what
-  /// presses there has nothing to give way.
-  void setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses);
+  /// What the surface is borne by: `free`, 3 x n, see fem::FreeMask, `masses` of the nodes, n [kg],
+  /// and `stiffness` around them, n: Young's modulus over the length of an edge [Pa/m]. Samples
+  /// that cannot move are answered, but the response learns nothing from them: what presses there
+  /// has nothing to give way.
+  void setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses,
+                  const Eigen::VectorXd& stiffness);
 
   /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
   /// default; the sums are the same without.
@@ -107,8 +109,10 @@ class ContactPotential final : public fem::EnergyTerm {
   /// Whether the response is content with x, a solution within the step; if not, settle() and solve
   /// again.
   bool settled(const Points& x);
-  /// `h`: of the step [s].
-  void settle(const Points& x, double h);
+  void settle(const Points& x);
+  /// The step, of `h` [s], has ended with a solution at x, from which the response learns for the
+  /// next one.
+  void learn(const Points& x, double h);
   bool hasFriction() const { return response_->hasFriction(); }
   /// Whether friction is evaluated for a contact.
   bool rubs(const Contact& contact) const { return response_->rubs(contact.touch); }
@@ -141,6 +145,10 @@ class ContactPotential final : public fem::EnergyTerm {
   template <class Visit>
   void forFaces(const Points& x, const Visit& visit) const;
   double mobilityOf(const Touch& touch) const;
+  double bearingOf(const Touch& touch) const;
+  static std::vector<Response::Places::Node> placesOf(const std::vector<int>& nodes,
+                                                      const Points& X, const ContactPotential& old,
+                                                      const Points& old_X);
   void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
@@ -150,11 +158,12 @@ class ContactPotential final : public fem::EnergyTerm {
   std::unique_ptr<FacePoints> faces_;
   bool nodes_only_ = false;  // are samples
   std::unique_ptr<Response> response_;
-  Eigen::VectorXd masses_;  // of the nodes, infinite where held [kg]; empty: they weigh nothing
+  Eigen::VectorXd masses_;   // of the nodes, infinite where held [kg]; empty: they weigh nothing
+  Eigen::VectorXd bearing_;  // see setBearing(); empty: nothing is known of it
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;
-  Points x_begin_;               // of the step, where the response follows motions
+  Points x_begin_;               // of the step, where the response follows motions or remembers
   std::vector<Contact> at_end_;  // of the last step, where the response remembers
   std::vector<Touch> touches_;
 };

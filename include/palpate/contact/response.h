@@ -59,11 +59,19 @@ class Response {
   virtual void endStep(const std::vector<Touch>& /*touches*/) {}
   /// Whether these touches, at a solution within the step, are what they are to be in the end.
   virtual bool settled(const std::vector<Touch>& /*touches*/) { return true; }
-  /// Learns from them; the solution is then another one, nearer to that.
+  /// Changes what is not; the solution is then another one, nearer to that.
   virtual void settle(const std::vector<Touch>& /*touches*/) {}
-  /// What samples and nodes of another surface are on this one; -1: there is none at that place.
+  /// Learns from the touches with which a step has ended, for the next one.
+  virtual void learn(const std::vector<Touch>& /*touches*/) {}
+  /// How another surface's places are found on this one.
   struct Places {
-    std::function<int(int)> sample, node;
+    struct Node {
+      int node;             ///< Of this one
+      Eigen::Vector3i old;  ///< lies on that triangle of the other,
+      Vec3 weights;         ///< with these barycentric coordinates.
+    };
+    std::function<int(int)> sample;  ///< Of that one: which of this; -1: there is none.
+    std::vector<Node> nodes;         ///< Where it was touched, ascending.
   };
   /// Takes over what `old`, of the same name, remembers of another surface of the same body.
   virtual void goOnFrom(const Response& /*old*/, const Places& /*now*/) {}

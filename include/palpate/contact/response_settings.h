@@ -9,10 +9,9 @@ namespace palpate::contact {
 
 /// What the responses know from a scene.
 struct ResponseSettings {
-  std::string model = "penalty";        ///< One of responseNames().
-  double stiffness = 3.0e8;             ///< Pressure per penetration [Pa/m].
-  double smoothing = 1.0e-4;            ///< Width of the blend between no contact and linear [m].
-  double allowed_penetration = 1.0e-4;  ///< Deeper, a cycle is solved on [m].
+  std::string model = "augmented_lagrangian";  ///< One of responseNames().
+  double stiffness = 3.0e8;                    ///< Pressure per penetration [Pa/m].
+  double smoothing = 1.0e-4;  ///< Width of the blend between no contact and linear [m].
   FrictionTable friction_with = {};
 };
 

@@ -23,8 +23,12 @@ struct Touch {
   double area;            ///< Rest area that it stands for [m^2].
   double radius;          ///< Inscribed, of the obstacle [m].
   double room;            ///< A depth that is never to be reached [m]: the radius, for samples.
-  /// Mass that the sample moves, over the square of the step [N/m]; known where a response learns.
-  double inertia = 0.0;
+  /// Young's modulus of the tissue around, over the length of an edge [Pa/m]; 0: not known.
+  double bearing = 0.0;
+
+  // Known where a response learns.
+  double inertia = 0.0;  ///< Mass that the sample moves, over the square of the step [N/m].
+  double travel = 0.0;   ///< How far in the step, beside the mean of all nodes [m].
 
   double gap;  ///< Signed distance [m], negative inside the obstacle.
   Vec3 p_W;    ///< The sample [m].

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing_stiffness.h"
 #include "palpate/solver/static_solver.h"
 #include "palpate/tissue/fem/force_excess.h"
 
@@ -89,7 +90,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       x(mesh.points),
       v(Points::Zero(3, mesh.numPoints())),
       around_(surroundings.terms()) {
-  contact.setBearing(free, elasticity->masses());
+  contact.setBearing(free, elasticity->masses(), bearingStiffness(mesh, triangles, composition));
   weight = gravity.forces().rowwise().sum();
   weight_norm_ = gravity.forces().norm() + drive.load_norm;
   support_forces.setZero(3, mesh.numPoints());

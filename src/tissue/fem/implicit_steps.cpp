@@ -69,7 +69,7 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (!acceptable()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   bodies_.endStep();
-  if (out_->status == solver::SolveStatus::kConverged) bodies_.settle(h);
+  if (out_->status == solver::SolveStatus::kConverged) bodies_.learn(h);
   return true;
 }
 
@@ -121,7 +121,7 @@ void ImplicitSteps::solveStages(double begin, double end, double h) {
     if (s < end) continue;
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
-      if (settled(h)) break;
+      if (settled()) break;
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -173,11 +173,11 @@ solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
   return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
 }
 
-// Whether contact is content with the solution; else it learns from it, for the next one.
-bool ImplicitSteps::settled(double h) {
+// Whether contact is content with the solution; else it is another one from now on.
+bool ImplicitSteps::settled() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   if (bodies_.settled()) return true;
-  bodies_.settle(h);
+  bodies_.settle();
   return false;
 }
 

@@ -35,7 +35,7 @@ class ImplicitSteps {
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end, double h);
-  bool settled(double h);
+  bool settled();
   bool startGuarding();
   void followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);

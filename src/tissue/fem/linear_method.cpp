@@ -76,7 +76,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; s == 1.0 && k < most; ++k) {
       if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
-      body_.contact.settle(body_.x, dt);
+      body_.contact.settle(body_.x);
       solved = solveStage(false, out);
     }
   }
@@ -93,7 +93,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   body_.v = (body_.x - x_begin_) / dt;
   balance();
   body_.contact.endStep(body_.x);
-  if (out->ok()) body_.contact.settle(body_.x, dt);
+  if (out->ok()) body_.contact.learn(body_.x, dt);
   out->residual = residual_;
   return true;
 }

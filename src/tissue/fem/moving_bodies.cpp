@@ -260,10 +260,17 @@ bool MovingBodies::settled() {
   return all;
 }
 
-void MovingBodies::settle(double h) {
+void MovingBodies::settle() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
-    body.contact.settle(joint_ ? part(m, x_) : body.x, h);
+    body.contact.settle(joint_ ? part(m, x_) : body.x);
+  }
+}
+
+void MovingBodies::learn(double h) {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    FemBody& body = members_[m]->body();
+    body.contact.learn(joint_ ? part(m, x_) : body.x, h);
   }
 }
 

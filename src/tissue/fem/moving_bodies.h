@@ -83,8 +83,9 @@ class MovingBodies {
   bool hasFriction() const;
   /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().
   bool settled();
-  /// `h`: of the step [s].
-  void settle(double h);
+  void settle();
+  /// A step of `h` [s] has ended with a solution.
+  void learn(double h);
   void search();
 
   /// What the others of the group exert on each member where the last step ended.

@@ -148,6 +148,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
   out->residual = update_.residual();
+  body_.contact.learn(body_.x, dt);
   out->status = limited_                          ? solver::SolveStatus::kLineSearchFailed
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
                                                   : solver::SolveStatus::kIterationLimit;
