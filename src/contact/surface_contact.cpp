@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "surface_pass.h"
@@ -43,18 +44,29 @@ struct SurfaceContact::Parts {
   }
   // Of the nodes that gaps depend on: the middle of their ways, and the farthest from it.
   Moved moved(const Points& x) const {
+    return movedOf(nodes.size(), x, [&](std::size_t k) { return nodes[k]; });
+  }
+  // Of all of them [m].
+  double movedAtAll(const Points& x) const {
+    if (searched_at.cols() != x.cols()) return std::numeric_limits<double>::infinity();
+    const auto count = static_cast<std::size_t>(x.cols());
+    return movedOf(count, x, [](std::size_t k) { return static_cast<int>(k); }).rest;
+  }
+  template <class NodeOf>
+  Moved movedOf(std::size_t count, const Points& x, const NodeOf& node) const {
+    const auto way = [&](std::size_t k) { return Vec3(x.col(node(k)) - searched_at.col(node(k))); };
     Eigen::AlignedBox3d ways;
-    for (const int i : nodes) ways.extend(Vec3(x.col(i) - searched_at.col(i)));
+    for (std::size_t k = 0; k < count; ++k) ways.extend(way(k));
     Moved all{ways.center(), 0.0};
-    for (const int i : nodes) {
-      const Vec3 beside = x.col(i) - searched_at.col(i) - all.shift;
-      all.rest = std::max(all.rest, beside.squaredNorm());
+    for (std::size_t k = 0; k < count; ++k) {
+      all.rest = std::max(all.rest, (way(k) - all.shift).squaredNorm());
     }
     all.rest = std::sqrt(all.rest);
     return all;
   }
   void search(const Points& x, double far) {
     known = known && measured_at == x && farthest(x) <= way;  // where the last cycle ended
+    const double since = movedAtAll(x);
     searched_at = x;
     way = far;
     for (MovingSurface* surface : {&a, &b}) {
@@ -63,7 +75,7 @@ struct SurfaceContact::Parts {
     }
     nodes.clear();
     for (SurfacePass& pass : passes) {
-      pass.search(x, way);
+      pass.search(x, way, since);
       pass.addNodes(way, &nodes);
     }
     std::sort(nodes.begin(), nodes.end());

@@ -10,6 +10,8 @@ namespace {
 constexpr double kNeighbours = 2.0;
 // Nearer than that to an edge or a corner [m], the direction from there is that of the surface.
 constexpr double kOnIt = 1e-9;
+// So much farther than samples are found, in parts of that, they are looked for.
+constexpr double kAhead = 0.5;
 // Boxes and triangles round distances apart.
 constexpr double kRounding = 1.0 + 1e-12;
 
@@ -28,6 +30,7 @@ SurfacePass::SurfacePass(const MovingSurface* feels, const MovingSurface* other)
   }
   candidates_.reserve(samples.size());
   overlaps_.assign(samples.size(), 0.0);
+  clear_.resize(samples.size());
   deepest_ = other_->fixed->depth();
   if (!self()) {
     findOverlaps();
@@ -136,16 +139,26 @@ bool SurfacePass::isBorder(const SurfaceSample& sample, const SurfaceTouch& touc
   return border;
 }
 
-void SurfacePass::search(const Points& x, double way) {
+bool SurfacePass::allClear(const Patch& patch, double gap, double depth) const {
+  return std::all_of(clear_.begin() + patch.begin, clear_.begin() + patch.end,
+                     [&](const Clear& clear) { return clear.holds(gap, depth); });
+}
+
+void SurfacePass::search(const Points& x, double way, double moved) {
   candidates_.clear();
   region_.setEmpty();
   const double deepest = deepest_ + 2.0 * way;
   const Eigen::Ref<const Points> own = feels_->part(x);
+  for (Clear& clear : clear_) clear.distance -= 2.0 * kRounding * moved;
   for (const Patch& patch : patches_) {
+    if (allClear(patch, 2.0 * way, deepest)) continue;
     TriangleTree::Box box = around(own.col(patch.nodes[0]));
     for (int k = 1; k < 3; ++k) box.extend(Vec3(own.col(patch.nodes[k])));
     if (!mayFeelAny(patch, box, deepest)) continue;
-    for (int s = patch.begin; s < patch.end; ++s) searchSample(s, x, way, deepest);
+    for (int s = patch.begin; s < patch.end; ++s) {
+      const Clear& clear = clear_[static_cast<std::size_t>(s)];
+      if (!clear.holds(2.0 * way, deepest)) searchSample(s, x, way, deepest);
+    }
   }
 }
 
@@ -154,12 +167,20 @@ void SurfacePass::searchSample(int s, const Points& x, double way, double deepes
   const SurfaceSample& sample = feels_->fixed->samples()[static_cast<std::size_t>(s)];
   const Vec3 p = position(sample, x), P = sample.position(feels_->fixed->atRest());
   const Eigen::Ref<const Points> there = other_->part(x);
-  const Near near = nearest(p, there, other_->boxes, {}, {deepest, -1},
-                            [&](int t) { return !self() || mayFeel(sample, P, t); });
-  if (near.triangle < 0) return;
+  // Farther than is asked for, so that it need not be done again soon.
+  Near near{deepest + kAhead * deepest_, -1};
+  Clear& clear = clear_[static_cast<std::size_t>(s)];
+  if (clear.triangle >= 0) {
+    near = std::min(near, {distanceTo(clear.triangle, p, there), clear.triangle});
+  }
+  near = nearest(p, there, other_->boxes, {}, near,
+                 [&](int t) { return !self() || mayFeel(sample, P, t); });
+  clear = {near.distance, false, near.triangle};
+  if (near.distance >= deepest) return;
   SurfaceTouch touch;
   touch.triangle = near.triangle;
   signTouch(p, there, &touch);
+  clear.outside = touch.gap > 0.0;
   if (touch.gap > 2.0 * way) return;
   candidates_.push_back({s, near.triangle, touch.gap});
   region_.extend(p);

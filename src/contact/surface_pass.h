@@ -51,8 +51,10 @@ class SurfacePass {
   double overlap(int sample) const { return overlaps_[static_cast<std::size_t>(sample)]; }
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
 
-  /// See SurfaceContact::search(). The boxes of both surfaces are those at x.
-  void search(const Points& x, double way);
+  /// See SurfaceContact::search(). The boxes of both surfaces are those at x, where no point is
+  /// farther than `moved` [m] from where it was at the last search, but for a shift of all: samples
+  /// that were so far away that they still are none are not looked at.
+  void search(const Points& x, double way, double moved);
 
   /// The nodes that gaps of candidates depend on, those of both surfaces, some more than once.
   void addNodes(double way, std::vector<int>* nodes) const;
@@ -87,6 +89,12 @@ class SurfacePass {
       return std::make_pair(distance, triangle) < std::make_pair(o.distance, o.triangle);
     }
   };
+  struct Clear {  // how far a sample was from the other surface, less what both have moved since
+    double distance = 0.0;  // [m]
+    bool outside = false;   // of it, for sure
+    int triangle = -1;      // that was the nearest
+    bool holds(double gap, double depth) const { return distance > (outside ? gap : depth); }
+  };
   struct Patch {  // samples of one triangle, which follow one another
     Eigen::Vector3i nodes;
     int begin, end;
@@ -103,12 +111,14 @@ class SurfacePass {
                const Allowed& allowed) const;
   void signTouch(const Vec3& p, const Eigen::Ref<const Points>& x, SurfaceTouch* touch) const;
   bool measure(const Candidate& c, const Points& x, const Moved& moved, SurfaceTouch* touch) const;
+  bool allClear(const Patch& patch, double gap, double depth) const;
   void searchSample(int s, const Points& x, double way, double deepest);
 
   const MovingSurface *feels_, *other_;
   std::vector<Patch> patches_;
   std::vector<double> overlaps_;
-  double deepest_;  // that is found [m]
+  std::vector<Clear> clear_;  // of each sample
+  double deepest_;            // that is found [m]
   std::vector<Candidate> candidates_;
   TriangleTree::Box region_;  // around them
 };

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "contact/surface_pass.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -81,13 +82,41 @@ TEST_F(SurfacesTogether, TouchOnFacesEdgesAndCornersOfDents) {
   }
   SurfacePass one(&first, &second), other(&second, &first);
   for (SurfacePass* pass : {&one, &other}) {
-    pass->search(x, 1e-3);
+    pass->search(x, 1e-3, std::numeric_limits<double>::infinity());
     pass->forTouches(x, {}, 0.0, [&](const SurfaceTouch& touch, const SurfaceSample&) {
       ++found[static_cast<std::size_t>(touch.near.feature)];
     });
   }
   std::printf("faces %d, edges %d, corners %d\n", found[0], found[1], found[2]);
   EXPECT_GT(*std::min_element(found.begin(), found.end()), 0);
+}
+
+// What was far away is not looked at again before it can be near: on ways slow and fast, together
+// and towards each other, and after a leap.
+TEST_F(SurfacesTogether, AreFoundByASearchThatGoesOnAsByANewOne) {
+  Vec3 v = Vec3::Zero();
+  int most = 0, least = contact.numCandidates();
+  for (int k = 0; k < 300; ++k) {
+    v = 0.9 * v + random.vector(k % 100 < 50 ? 2e-4 : 1e-3);
+    x.leftCols(a.X.cols()).colwise() += v;
+    x.colwise() += random.vector(2e-3);
+    x += random.points(x.cols(), 1e-5);
+    // Back over the other one.
+    const Vec3 apart = x.leftCols(a.X.cols()).rowwise().mean() - (a.X).rowwise().mean() -
+                       x.rightCols(b.X.cols()).rowwise().mean() + b.X.rowwise().mean();
+    if (apart.norm() > 0.008) x.leftCols(a.X.cols()).colwise() -= apart, v.setZero();
+    const double way = k % 3 == 0 ? 2e-4 : 1e-3;
+    contact.search(x, way);
+    SurfaceContact other(a.surface, b.surface, kLaw);
+    other.search(x, way);
+    ASSERT_EQ(contact.numCandidates(), other.numCandidates()) << k;
+    Points g = Points::Zero(3, x.cols());
+    other.addGradient(x, &g);
+    ASSERT_EQ(gradientAt(x), g) << k;
+    most = std::max(most, other.numCandidates());
+    least = std::min(least, other.numCandidates());
+  }
+  EXPECT_LT(least, most / 4);
 }
 
 TEST_F(SurfacesTogether, GradientIsThatOfTheEnergy) {
