@@ -118,8 +118,14 @@ class Adviser {
   void relaxContact() {
     const double all = figures_.newton_per_cycle;
     if (all <= 2.5) return;
-    const double left = std::max(2.0 / all, 0.7);
     const double contact_free = part(Phase::kContact) + part(Phase::kForces) + part(Phase::kOther);
+    if (facts_.contact.model != "penalty") {  // which is as stiff as the tissue asks for
+      const double left = std::max(2.0 / all, 0.9);
+      add("take contact.model: penalty (deeper penetration, fewer Newton iterations)",
+          contact_free + left * (cycle() - contact_free));
+      return;
+    }
+    const double left = std::max(2.0 / all, 0.7);
     add("lower contact.stiffness from " + rounded(facts_.contact.stiffness) + " to " +
             rounded(facts_.contact.stiffness / 4.0) +
             " Pa/m (deeper penetration, fewer Newton iterations)",

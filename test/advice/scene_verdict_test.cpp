@@ -145,7 +145,11 @@ TEST(SceneVerdict, AdviceFitsThePhaseThatCosts) {
   EXPECT_FALSE(advises(contact, "poisson_ratio"));
 
   const SceneVerdict newton = judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3, 6, 60)));
-  EXPECT_TRUE(advises(newton, "lower contact.stiffness from 300000000 to 75000000"));
+  EXPECT_TRUE(advises(newton, "take contact.model: penalty"));
+  facts.contact.model = "penalty";
+  const SceneVerdict of_penalty =
+      judgeScene(facts, figuresOf(report(Phase::kAssembly, 30e-3, 6, 60)));
+  EXPECT_TRUE(advises(of_penalty, "lower contact.stiffness from 300000000 to 75000000"));
 
   facts.cores = 2;
   facts.nodes = 999;  // too few to share
