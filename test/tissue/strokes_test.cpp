@@ -61,6 +61,15 @@ class Strokes : public ::testing::TestWithParam<StruckTool> {
     to.translation() += kSpeed * kCycle * way.normalized();
     return to;
   }
+  // Whether the tool's axis is where the block was: some strokes pass beside it, at the end.
+  bool pressesIn(const Pose& X_WG) const {
+    const Vec3 size(0.06, 0.06, 0.03);
+    for (double s = -1.0; s <= 1.0; s += 0.01) {
+      const Vec3 p = X_WG.translation() + s * GetParam().half_length * X_WG.linear().col(2);
+      if ((p.array() > 0.0).all() && (p.array() < size.array()).all()) return true;
+    }
+    return false;
+  }
   bool wrong(const Pose& X_WG) const {
     const Shape shape = tissue->shape(0);
     return contact::hasSunkIn(GetParam().geometry, X_WG, shape.positions, shape.triangles);
@@ -85,7 +94,7 @@ TEST_P(Strokes, EndWithTheToolOutside) {
     ASSERT_TRUE(tissue->positions().allFinite());
     inverted += struck.min_jacobian <= 0.0;
     unsolved += !struck.ok() && struck.status != solver::SolveStatus::kInverted;
-    lost += struck.contacts.empty();
+    lost += struck.contacts.empty() && pressesIn(tool.X_WG_end);
     inside += wrong(tool.X_WG_end);
     // Drawn back, it is free.
     std::swap(tool.X_WG_begin, tool.X_WG_end);
