@@ -47,8 +47,6 @@ bool comesNearer(const instrument::Geometry& geometry, const Mat3& corners, doub
 
 // So deep the point of a ball may be behind a surface on which it presses [m].
 constexpr double kPressed = 1e-3;
-// Of the inscribed radius: as deep as its middle, from where no side is nearer than another.
-constexpr double kMiddle = 0.9;
 // Balls of a shape that are asked.
 constexpr std::size_t kAsked = 32;
 
@@ -103,7 +101,7 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
 }
 
 bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
-               const Eigen::Matrix3Xi& triangles) {
+               const Eigen::Matrix3Xi& triangles, double most) {
   if (!overlaps(geometry, X_WG, x, triangles)) return false;
   const double radius = inscribedRadius(geometry);
   if (radius >= kThin) {
@@ -111,7 +109,7 @@ bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Poi
     for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
       for (int k = 0; k < 3; ++k) {
         const Vec3 p = X_GW * Vec3(x.col(triangles(k, t)));
-        if (signedDistanceValue(geometry, p) < -kMiddle * radius) return true;
+        if (signedDistanceValue(geometry, p) < -most * radius) return true;
       }
     }
   }

@@ -21,9 +21,9 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
               const Eigen::Matrix3Xi& triangles, double margin = 0.0);
 
 /// Whether a shape at X_WG is deeper in the body than contact would have let it: its middle
-/// or, where it is thin, any part of it behind the surface, or the surface as deep in it as its
-/// middle.
+/// or, where it is thin, any part of it behind the surface, or the surface deeper in it than
+/// `most` of the way to its middle.
 bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
-               const Eigen::Matrix3Xi& triangles);
+               const Eigen::Matrix3Xi& triangles, double most = 0.9);
 
 }  // namespace palpate::contact

@@ -10,6 +10,9 @@
 namespace palpate::tissue {
 namespace {
 
+// Of the way to its middle: deeper than that a shape that comes anew is held, not pressed out.
+constexpr double kDeep = 0.25;
+
 bool holds(const std::vector<int>& numbers, int number) {
   return std::binary_search(numbers.begin(), numbers.end(), number);
 }
@@ -33,7 +36,9 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
     if (holds(inside_, obstacle.number)) {
       in = contact::overlaps(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
     } else if (!holds(outside_, obstacle.number)) {
-      in = contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
+      in = holds(doubted_, obstacle.number)
+               ? contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles)
+               : contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles, kDeep);
     }
     if (in) {
       next_inside_.push_back(obstacle.number);
@@ -41,17 +46,20 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
       next_outside_.push_back(obstacle.number);
     }
   }
+  doubted_.clear();
   outside_.swap(next_outside_);
   inside_.swap(next_inside_);
 }
 
 void Sides::save(StateWriter* to) const {
   to->put(outside_);
+  to->put(doubted_);
   to->put(inside_);
 }
 
 void Sides::restore(StateReader* from) {
   from->get(&outside_);
+  from->get(&doubted_);
   from->get(&inside_);
 }
 

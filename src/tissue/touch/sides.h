@@ -9,8 +9,9 @@
 namespace palpate::tissue {
 
 /// Which instruments' shapes are inside a body though they were not pushed in: those that began
-/// there, or got there by a leap or while nothing could be solved. They exert no force until they
-/// are clear of it, so that none lifts the surface from within.
+/// there, a quarter of the way to their middle or deeper, or got there by a leap or while nothing
+/// could be solved. They exert no force until they are clear of it, so that none lifts the surface
+/// from within, or is thrown out.
 class Sides {
  public:
   /// Looks where the obstacles are that may touch in a cycle that begins, with the surface at x,
@@ -20,15 +21,16 @@ class Sides {
   /// Obstacle::number of each, ascending.
   const std::vector<int>& inside() const { return inside_; }
   /// Nothing is known of any: a cycle failed.
-  void doubt() { outside_.clear(); }
+  void doubt() { doubted_.swap(outside_), outside_.clear(); }
   /// As new: none is anywhere.
-  void forget() { outside_.clear(), inside_.clear(); }
+  void forget() { outside_.clear(), doubted_.clear(), inside_.clear(); }
 
   void save(StateWriter* to) const;
   void restore(StateReader* from);
 
  private:
   std::vector<int> outside_, inside_;  // numbers, ascending; as of the last look()
+  std::vector<int> doubted_;           // that were outside before a cycle failed
   std::vector<int> next_outside_, next_inside_;
 };
 
