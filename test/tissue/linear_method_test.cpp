@@ -121,9 +121,14 @@ TEST(LinearPrecomputed, TakesSeveralTools) {
   const auto tissue = Slab("linear_precomputed").make();
   const instrument::Geometry ball = instrument::Sphere{0.008};
   const instrument::Geometry box = instrument::Box{Vec3(0.008, 0.008, 0.008)};
-  const auto at = [](double x) { return poseFromXyzRpy(Vec3(x, 0.05, 0.044), Vec3::Zero()); };
-  const TissueStep& step =
-      tissue->step({{&ball, 0, at(0.025), at(0.025)}, {&box, 1, at(0.075), at(0.075)}}, kStep);
+  const auto at = [](double x, double z) { return poseFromXyzRpy(Vec3(x, 0.05, z), Vec3::Zero()); };
+  const auto press = [&](double from, double to) -> const TissueStep& {
+    return tissue->step(
+        {{&ball, 0, at(0.025, from), at(0.025, to)}, {&box, 1, at(0.075, from), at(0.075, to)}},
+        kStep);
+  };
+  press(0.050, 0.047);
+  const TissueStep& step = press(0.047, 0.044);
   ASSERT_TRUE(step.ok());
   Vec3 on[2] = {Vec3::Zero(), Vec3::Zero()};
   for (const TissueContact& c : step.contacts) on[c.owner.index] += c.force_W;

@@ -8,6 +8,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxIterations = 30;
+constexpr int kWholeSteps = 8;  // without a look at whether they overshoot
 constexpr int kMaxLinearIterations = 30;
 constexpr double kLinearTolerance = 0.03;
 constexpr int kMaxHalvings = 10;
@@ -65,6 +66,7 @@ void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance,
     linearise(coefficients);
     solve(coefficients);
     go(coefficients, x);
+    if (k >= kWholeSteps && !body_.contact.hasFriction()) turnBack(coefficients, x);
     collect(*x);
   }
 }
@@ -84,6 +86,24 @@ void ContactUpdate::go(const Eigen::VectorXd& coefficients, Points* x) {
     gone = part;
     if (energy(coefficients, *x) <= here + kSufficientDecrease * part * slope) return;
   }
+}
+
+// Where the whole step went too far, for triangles that tilt under a tool are stiffer than the
+// stiffness knows: to where the force along it vanishes, by the secant.
+void ContactUpdate::turnBack(const Eigen::VectorXd& coefficients, Points* x) {
+  const std::size_t gone = nodes_.size();  // collect() may add more
+  const auto along = [&] {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < gone; ++n) sum += step_.col(nodes_[n]).dot(right_.col(nodes_[n]));
+    return sum;
+  };
+  const double begin = along();
+  collect(*x);
+  unbalanced(coefficients, *x);
+  const double end = along();
+  if (!(end < 0.0 && begin > 0.0)) return;
+  const double part = begin / (begin - end);
+  for (std::size_t n = 0; n < gone; ++n) x->col(nodes_[n]) += (part - 1.0) * step_.col(nodes_[n]);
 }
 
 // What apply() minimises [J].

@@ -46,6 +46,7 @@ class ContactUpdate {
   double unbalanced(const Eigen::VectorXd& coefficients, const Points& x);
   void solve(const Eigen::VectorXd& coefficients);
   void go(const Eigen::VectorXd& coefficients, Points* x);
+  void turnBack(const Eigen::VectorXd& coefficients, Points* x);
   double energy(const Eigen::VectorXd& coefficients, const Points& x) const;
   void multiply(const Eigen::VectorXd& coefficients, const Points& d, Points* Ad) const;
 
