@@ -19,6 +19,8 @@ constexpr double kClosest = 5e-4;  // neighbours along edges [m]
 constexpr double kOnFaces = 2e-3;  // and on faces
 constexpr int kMostInLine = 400;   // so that a long needle's are no more
 constexpr double kSharp = 0.94;    // cosine of the least angle between faces at an edge
+// Of the radius: samples closer than that let no ball slip through between them at 2 m/s.
+constexpr double kDense = 0.6;
 
 int divisions(double length, double spacing) {
   return std::clamp(static_cast<int>(std::ceil(length / spacing - 1e-9)), 1, kMostInLine);
@@ -178,7 +180,7 @@ bool coverAll(const instrument::Geometry& geometry) {
 
 double resolutionOf(const instrument::Geometry& geometry) {
   const double radius = inscribedRadius(geometry);
-  return isRound(geometry) ? radius : std::min(radius, kThin);
+  return isRound(geometry) ? kDense * radius : std::min(kDense * radius, kThin);
 }
 
 }  // namespace palpate::contact
