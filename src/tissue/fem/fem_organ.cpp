@@ -10,6 +10,8 @@ namespace {
 
 // Of the least det F: what a change of the mesh must leave.
 constexpr double kKeptVolume = 0.5;
+// det F that nothing but a tool makes so small, and a part of what it is without tools.
+constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
 
 }  // namespace
 
@@ -96,7 +98,10 @@ void FemOrgan::goAlone(double dt) {
   if (sleeps()) return sleepOn();
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
-    if (cameToRest()) fallAsleep();
+    if (cameToRest()) {
+      if (isCrushed()) return unfold();
+      fallAsleep();
+    }
     method_->reportForces(&out_);
     reportSolved();
   } else {
@@ -151,6 +156,25 @@ void FemOrgan::reportSolved() {
 // It neither moves nor would begin to if it were stopped here.
 bool FemOrgan::cameToRest() {
   return rest_.isStill(body_.x, body_.touch, out_) && method_->unbalancedForce() <= out_.tolerance;
+}
+
+// At rest and untouched, but folded through itself: what a leap of a tool can leave, which no force
+// mends, for the folds are in balance.
+bool FemOrgan::isCrushed() {
+  const double now = body_.elasticity->minJacobian(body_.x);
+  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobian(settled_);
+}
+
+// What had come to rest was no shape of a body: it begins anew.
+void FemOrgan::unfold() {
+  const StepFigures figures = out_;
+  place(0, settled_, Points::Zero(3, settled_.cols()));
+  static_cast<StepFigures&>(out_) = figures;
+  method_->reportForces(&out_);
+  reportSolved();
+  body_.surroundings.endCycle();
+  reportState();
+  out_.status = solver::SolveStatus::kInverted;
 }
 
 void FemOrgan::fallAsleep() {

@@ -83,6 +83,8 @@ class FemOrgan final : public OrganBodies {
 
  private:
   bool cameToRest();
+  bool isCrushed();
+  void unfold();
   void fallAsleep();
   void fail();
   void stop();
