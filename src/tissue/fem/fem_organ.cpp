@@ -17,12 +17,13 @@ constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
 
 FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
                    const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
-                   const Eigen::Matrix3Xi& surface)
-    : body_(mesh, composition, surroundings, settings, pool, {}, nullptr, surface),
-      method_(makeStepMethod(settings.method, &body_)),
+                   const Eigen::Matrix3Xi& surface, const OwnParts& own)
+    : body_(mesh, composition, surroundings, settings, pool, {}, own.elasticity, surface),
+      method_(own.method ? own.method(&body_) : makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),
-      settled_(body_.mesh.points) {}
+      settled_(body_.mesh.points),
+      own_method_(own.method != nullptr) {}
 
 void FemOrgan::settle() {
   settled_ = settleUnderLoads(&body_);
@@ -44,6 +45,11 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
   out_.clear();
+}
+
+std::vector<std::string> FemOrgan::methods(int) const {
+  if (own_method_) return {};
+  return {body_.method};
 }
 
 std::vector<std::string> FemOrgan::notes() const {
@@ -214,8 +220,10 @@ std::string stateKind(const FemSettings& settings, Eigen::Index num_points) {
 std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const fem::Composition& composition,
                                        const Surroundings& surroundings,
-                                       const FemSettings& settings, ThreadPool* pool) {
-  auto organ = std::make_unique<FemOrgan>(mesh, composition, surroundings, settings, pool);
+                                       const FemSettings& settings, ThreadPool* pool,
+                                       const OwnParts& own) {
+  auto organ = std::make_unique<FemOrgan>(mesh, composition, surroundings, settings, pool,
+                                          Eigen::Matrix3Xi(), own);
   organ->settle();
   return organ;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,14 @@
 
 namespace palpate::tissue {
 
+/// What a body has that is no finite elements, or goes its own way.
+struct OwnParts {
+  std::string name;                             ///< For its states, instead of that of an element.
+  std::shared_ptr<fem::Elasticity> elasticity;  ///< Null: that of settings.element.
+  /// Its method; empty: settings.method.
+  std::function<std::unique_ptr<StepMethod>(FemBody*)> method;
+};
+
 /// A body of finite elements that is stepped by one method, sleeps where nothing happens, and
 /// reports: makeFemTissue().
 class FemOrgan final : public OrganBodies {
@@ -21,7 +30,7 @@ class FemOrgan final : public OrganBodies {
   /// At rest in its mesh, as yet without gravity.
   FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
            const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
-           const Eigen::Matrix3Xi& surface = {});
+           const Eigen::Matrix3Xi& surface = {}, const OwnParts& own = {});
 
   /// Begins at the equilibrium under gravity, which reset() goes back to from now on.
   /// @throws as makeFemTissue()
@@ -36,7 +45,7 @@ class FemOrgan final : public OrganBodies {
 
   Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return mesh::cellsOf(body_.mesh); }
-  std::vector<std::string> methods(int) const override { return {body_.method}; }
+  std::vector<std::string> methods(int) const override;
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
   void reset() override;
@@ -96,6 +105,7 @@ class FemOrgan final : public OrganBodies {
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
   Points settled_;
+  bool own_method_;
   TissueStep out_;
 };
 
@@ -103,6 +113,7 @@ class FemOrgan final : public OrganBodies {
 std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const fem::Composition& composition,
                                        const Surroundings& surroundings,
-                                       const FemSettings& settings, ThreadPool* pool);
+                                       const FemSettings& settings, ThreadPool* pool,
+                                       const OwnParts& own = {});
 
 }  // namespace palpate::tissue

@@ -65,7 +65,7 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
   prepared_ = true;
   startFromPredictor(begin, end, h);
-  solveStages(begin, end, h);
+  solveStages(begin, end);
   if (!acceptable()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   bodies_.endStep();
@@ -103,7 +103,7 @@ void ImplicitSteps::startFromPredictor(double begin, double end, double h) {
 }
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
-void ImplicitSteps::solveStages(double begin, double end, double h) {
+void ImplicitSteps::solveStages(double begin, double end) {
   out_->tolerance = bodies_.tolerance();
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {

@@ -34,7 +34,7 @@ class ImplicitSteps {
  private:
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
-  void solveStages(double begin, double end, double h);
+  void solveStages(double begin, double end);
   bool settled();
   bool startGuarding();
   void followTools(double from, double to, const Points& x);

@@ -10,12 +10,6 @@ namespace {
 
 constexpr int kMaxCaution = 8;
 constexpr double kMaxSubSteps = 1e5;
-// A tool goes no farther in a sub-step than this part of its inscribed radius and of an element,
-// unless it leaps.
-constexpr double kToolWay = 0.25;
-constexpr double kMaxLeapSteps = 256.0;
-// Contact moves no node farther in a sub-step than this part of an element.
-constexpr double kContactWay = 0.5;
 // Times the energy that is known to have come in: beyond it, the scheme made it.
 constexpr double kEnergyGain = 4.0;
 
@@ -25,17 +19,16 @@ TledMethod::TledMethod(FemBody* body)
     : body_(*body),
       masses_(body->elasticity->masses()),
       inverse_masses_(body->free * masses_.cwiseInverse().asDiagonal()),
-      element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(masses_.size()))),
       critical_(body->elasticity.get(), body->free,
                 body->surroundings.largestSquare(body->mesh.points, masses_)),
-      update_(body) {
+      touch_(body) {
   critical_.begin(body->mesh.points);
   u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
 }
 
 void TledMethod::restart() {
   caution_ = 1;
-  update_.clear();
+  touch_.clear();
   contact_g_.setZero();
   inertia_.setZero();
   held_velocity_.setZero();
@@ -57,7 +50,7 @@ void TledMethod::save(StateWriter* out) const {
 }
 
 void TledMethod::restore(StateReader* in) {
-  update_.clear();
+  touch_.clear();
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
   in->get(&caution_);
@@ -80,9 +73,7 @@ int TledMethod::subSteps(double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
-  const double leap =
-      std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
-  const double steps = std::max({1.0, stable, leap});
+  const double steps = std::max({1.0, stable, touch_.steps()});
   return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
 }
 
@@ -124,13 +115,12 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   const double kinetic_begin = kineticEnergy(), potential_begin = potential_;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   work_ = 0.0;
-  update_.clear();
-  jumped_ = limited_ = false;
+  jumped_ = false;
   out->time_steps = caution_;
   out->sweep_stages = steps;
   out->status = solver::SolveStatus::kNonFinite;
 
-  body_.sweep.place(0.0);
+  touch_.begin();
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   for (int k = 1; k <= steps; ++k) {
@@ -141,15 +131,15 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
   if (jumped_ || !std::isfinite(potential_) || !body_.x.allFinite()) return false;
 
-  contact_g_ = update_.gradient();
+  contact_g_ = touch_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   if (!body_.v.allFinite() || !plausible(kinetic_begin, potential_begin)) return false;
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
-  out->residual = update_.residual();
+  out->residual = touch_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = limited_                          ? solver::SolveStatus::kLineSearchFailed
+  out->status = touch_.limited()                  ? solver::SolveStatus::kLineSearchFailed
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
                                                   : solver::SolveStatus::kIterationLimit;
   return true;
@@ -197,33 +187,14 @@ void TledMethod::addHeldInertia(double h) {
                  masses_.asDiagonal();
 }
 
-// Whether the way `next` is not too short, by a bound, for tissue to go half-way to the middle of a
-// tool that itself has just gone on.
-bool TledMethod::mayJump() const {
-  if (!body_.contact.hasCandidates()) return false;
-  const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
-  return !(2.0 * std::sqrt(next_.colwise().squaredNorm().maxCoeff()) < margin);
-}
-
 // From the way `next` to the next positions, with what the tools change of it.
 bool TledMethod::touch(double h, double s) {
-  body_.sweep.beginStep(body_.x);
-  body_.sweep.place(s);
-  limited_ = false;
-  jumped_ = mayJump() && body_.contact.maxStep(body_.x, next_) < 1.0;
+  jumped_ = !touch_.go(s, coefficients_, &next_);
   if (jumped_) return false;
-  next_ += body_.x;
-  if (!body_.sweep.candidatesHold(next_)) body_.sweep.search(next_);
-  if (!body_.contact.hasCandidates()) {
-    update_.clear();
-    return true;
-  }
-  update_.apply(coefficients_, body_.tolerance(), &next_);
-  limited_ = !update_.limit(coefficients_, body_.x, kContactWay * element_size_, &next_);
-  for (int i : update_.nodes()) {
+  for (int i : touch_.nodes()) {
     const Vec3 way = next_.col(i) - body_.x.col(i);
     u_.col(i) = way / h;
-    work_ += std::abs(way.dot(update_.gradient().col(i)));
+    work_ += std::abs(way.dot(touch_.gradient().col(i)));
   }
   return true;
 }
@@ -231,7 +202,7 @@ bool TledMethod::touch(double h, double s) {
 // Motion has come from motion, from what potential energy was let go, or from the tools.
 bool TledMethod::plausible(double kinetic_begin, double potential_begin) const {
   const double released = std::max(0.0, potential_begin - potential_);
-  const double noise = 1e-3 * body_.force_floor * element_size_;
+  const double noise = 1e-3 * body_.force_floor * touch_.elementSize();
   return kineticEnergy() <= kEnergyGain * (kinetic_begin + released + work_ + noise);
 }
 

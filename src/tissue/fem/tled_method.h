@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact_update.h"
 #include "critical_step.h"
+#include "explicit_touch.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
@@ -43,7 +43,6 @@ class TledMethod final : public StepMethod {
   void moveHeld(double h, double s);
   void addHeldInertia(double h);
   bool touch(double h, double s);
-  bool mayJump() const;
   void forces(double h);
   bool plausible(double kinetic_begin, double potential_begin) const;
   double kineticEnergy() const;
@@ -51,9 +50,8 @@ class TledMethod final : public StepMethod {
   FemBody& body_;
   Eigen::VectorXd masses_;
   Points inverse_masses_;  // 1/m where free, else 0; 3 x n
-  double element_size_;    // [m]
   CriticalStep critical_;
-  ContactUpdate update_;
+  ExplicitTouch touch_;
 
   Points g_;          // gradient of elasticity and gravity at x, 3 x n [N]
   double potential_;  // their energy [J]
@@ -65,8 +63,7 @@ class TledMethod final : public StepMethod {
   Eigen::VectorXd coefficients_;
   double work_ = 0.0;    // sum of the moduli of the contact's work in this cycle [J]
   bool jumped_ = false;  // tissue would have gone through a tool
-  bool limited_ = false;
-  int caution_ = 1;  // times as many sub-steps as the critical one needs
+  int caution_ = 1;      // times as many sub-steps as the critical one needs
 };
 
 }  // namespace palpate::tissue

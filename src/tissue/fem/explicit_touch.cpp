@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explicit_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::tissue {
+namespace {
+
+constexpr double kMaxLeapSteps = 256.0;
+// Contact moves no node farther in a step than this part of an element.
+constexpr double kContactWay = 0.5;
+
+}  // namespace
+
+ExplicitTouch::ExplicitTouch(FemBody* body)
+    : body_(*body),
+      element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(body->x.cols()))),
+      update_(body) {}
+
+double ExplicitTouch::steps() const {
+  return std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
+}
+
+void ExplicitTouch::begin() {
+  update_.clear();
+  limited_ = false;
+  body_.sweep.place(0.0);
+}
+
+// Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
+// tool that itself has just gone on.
+bool ExplicitTouch::mayJump(const Points& way) const {
+  if (!body_.contact.hasCandidates()) return false;
+  const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
+  return !(2.0 * std::sqrt(way.colwise().squaredNorm().maxCoeff()) < margin);
+}
+
+bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
+  body_.sweep.beginStep(body_.x);
+  body_.sweep.place(s);
+  limited_ = false;
+  if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
+  *next += body_.x;
+  if (!body_.sweep.candidatesHold(*next)) body_.sweep.search(*next);
+  if (!body_.contact.hasCandidates()) {
+    update_.clear();
+    return true;
+  }
+  update_.apply(coefficients, body_.tolerance(), next);
+  limited_ = !update_.limit(coefficients, body_.x, kContactWay * element_size_, next);
+  return true;
+}
+
+}  // namespace palpate::tissue
