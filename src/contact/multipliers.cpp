@@ -120,16 +120,16 @@ void Multipliers::save(StateWriter* to) const {
 }
 
 void Multipliers::restore(StateReader* from) {
-  std::vector<Node> nodes(static_cast<std::size_t>(from->count(2 * sizeof(int) + sizeof(double))));
-  for (Node& node : nodes) {
+  next_.resize(static_cast<std::size_t>(from->count(2 * sizeof(int) + sizeof(double))));
+  for (Node& node : next_) {
     from->get(&node.number);
     from->get(&node.node);
     from->get(&node.pressure);
   }
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (!nodes[i - 1].before(nodes[i])) StateReader::fail();
+  for (std::size_t i = 1; i < next_.size(); ++i) {
+    if (!next_[i - 1].before(next_[i])) StateReader::fail();
   }
-  put(&nodes);
+  put(&next_);
 }
 
 }  // namespace palpate::contact

@@ -90,6 +90,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.skipped_frictionless_touches = static_cast<int>(report.skipped.frictionless_touches);
   m.skipped_inviscid_solids = static_cast<int>(report.skipped.inviscid_solids);
   m.skipped_kept_stiffnesses = static_cast<int>(report.skipped.kept_stiffnesses);
+  m.skipped_still_points = static_cast<int>(report.skipped.still_points);
   m.skipped_apart_organs = static_cast<int>(report.skipped.apart_organs);
   m.cycle_ms = finite(cycle_ms);
   m.contact_ms = 1e3 * report.phases[Phase::kContact];

@@ -94,6 +94,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.element = organ.element;
   description.damping = organ.damping;
   description.adapt = organ.adapt;
+  description.springs = organ.springs;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
     return readOrganMesh(scene, organ, progress, warnings);
   };

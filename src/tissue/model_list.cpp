@@ -5,6 +5,7 @@
 
 #include "fem/make_fem.h"
 #include "palpate/base/error.h"
+#include "springs/make_mass_spring.h"
 
 namespace palpate::tissue {
 namespace {
@@ -18,6 +19,7 @@ struct Entry {
 // Every tissue model, the default first. To add one: docs/adding_a_model.md.
 constexpr Entry kModels[] = {
     {"fem", makeFem, true},
+    {"mass_spring", makeMassSpring, true},
 };
 
 const Entry& find(const std::string& name) {

@@ -32,6 +32,8 @@ const std::vector<Skip>& skips() {
        "Assembly of the elastic stiffness where the organ has hardly changed its shape since the "
        "last one; methods `implicit_pcg`, `implicit_direct` and `implicit_async`.",
        "kept_stiffnesses", &Of::kept_stiffnesses, &Step::kept_stiffnesses, true},
+      {nullptr, nullptr, "Points outside of the region that moves (`organs[].springs.region`).",
+       "still_points", &Of::still_points, &Step::still_points, false},
       {"apart_organs", &On::apart_organs,
        "Solving together, and the search for contact, of bodies that cannot act on each other in "
        "the cycle; pairs.",

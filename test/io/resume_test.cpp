@@ -217,6 +217,18 @@ std::vector<Case> cases() {
                      s->organs[0].supports.push_back(springs);
                    }});
   }
+  for (const std::string& integrator : tissue::springIntegratorNames()) {
+    all.push_back({"springs_" + integrator, [integrator](scene::Scene* s) {
+                     s->organs[0].model = "mass_spring";
+                     s->organs[0].springs.integrator = integrator;
+                     s->organs[0].damping = {10.0, 0.002};
+                   }});
+  }
+  all.push_back({"springs_of_a_region_breathing", [](scene::Scene* s) {
+                   s->organs[0].model = "mass_spring";
+                   s->organs[0].springs = {"symplectic_euler", 1e-3, 0.03};
+                   breathe(&s->organs[0].supports[0]);
+                 }});
   all.push_back({"islands", [](scene::Scene*) {}, true});
   all.push_back({"thrown", [](scene::Scene*) {}, false, 45});
   all.push_back({"thrown_tled", [](scene::Scene* s) { s->solver.method = "tled"; }, false, 45});

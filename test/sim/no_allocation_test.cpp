@@ -46,6 +46,30 @@ TEST_P(NoAllocation, InACycleOnceItHasSeenOneLikeIt) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutAProxy, NoAllocation, ::testing::Bool());
 
+// Nor where the slab is of springs, in explicit steps.
+TEST(NoAllocationOfSprings, InACycleOnceItHasSeenOneLikeIt) {
+  SlabScene slab;
+  scene::Scene scene = slab.scene();
+  scene.organs[0].model = "mass_spring";
+  scene.organs[0].damping.mass = 20.0;
+  scene.organs[0].springs = {"symplectic_euler", 0.0, 0.03};
+  Simulator simulator(scene);
+  std::vector<std::vector<LinkPoses>> poses;
+  for (const Eigen::VectorXd& q : SlabScene::press()) {
+    poses.push_back({simulator.linkPoses(0, q)});
+  }
+  int contacts = 0;
+  for (const bool counted : {false, true}) {
+    simulator.reset();
+    simulator.step(poses.front(), 0.01);
+    test::countAllocations(counted);
+    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
+    test::countAllocations(false);
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+}
+
 // Nor where the slab breathes on springs, and is glued to something that breathes.
 TEST(NoAllocationOfSurroundings, InACycleOnceItHasSeenOneLikeIt) {
   SlabScene slab;

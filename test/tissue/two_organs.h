@@ -19,6 +19,7 @@ struct OrganSketch {
   std::string element = fem::elementNames().front();
   solver::RayleighDamping damping{5.0, 0.0};
   tissue::AdaptSettings adapt;
+  tissue::SpringSettings springs;
   material::Solid solid{kLiver, 1060.0, {}};
 
   tissue::OrganDescription describe() const {
@@ -27,6 +28,7 @@ struct OrganSketch {
     organ.element = element;
     organ.damping = damping;
     organ.adapt = adapt;
+    organ.springs = springs;
     organ.tetrahedra = [this] { return mesh; };
     organ.free = [this](const Points& X) {
       return X.cols() == free.cols() ? free : fem::FreeMask::Ones(3, X.cols());
@@ -75,12 +77,13 @@ inline tissue::ModelSettings organSettings() {
 
 inline std::unique_ptr<tissue::TissueModel> makeOrgans(const std::vector<OrganSketch>& organs,
                                                        const tissue::ModelSettings& settings,
-                                                       ThreadPool* pool = nullptr) {
+                                                       ThreadPool* pool = nullptr,
+                                                       const std::string& model = "fem") {
   tissue::ModelDescription description;
   for (const OrganSketch& organ : organs) description.organs.push_back(organ.describe());
   description.settings = settings;
   description.pool = pool;
-  return tissue::makeModel("fem", description);
+  return tissue::makeModel(model, description);
 }
 
 /// Balls of 8 mm that begin 10 mm beside blocks or above them, and go at 40 mm/s.

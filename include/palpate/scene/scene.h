@@ -21,6 +21,7 @@
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/skip_switches.h"
+#include "palpate/tissue/springs/spring_settings.h"
 #include "palpate/tissue/touching_organs.h"
 
 namespace palpate::scene {
@@ -47,6 +48,7 @@ struct OrganConfig : BodyConfig {
   std::string model = "fem";     ///< One of tissue::modelNames().
   std::string element = fem::elementNames().front();
   tissue::AdaptSettings adapt;
+  tissue::SpringSettings springs;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

@@ -15,6 +15,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/springs/spring_settings.h"
 #include "palpate/tissue/surroundings.h"
 
 namespace palpate::tissue {
@@ -45,6 +46,7 @@ struct OrganDescription {
   solver::RayleighDamping damping;
   contact::FrictionTable friction;  ///< With what it touches.
   AdaptSettings adapt;              ///< For models whose mesh can change.
+  SpringSettings springs;           ///< For model mass_spring.
 };
 
 /// What the maker of a tissue model gets.

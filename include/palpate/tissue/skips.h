@@ -24,6 +24,7 @@ struct SkipCounters {
   std::int64_t frictionless_touches = 0;  ///< Contacts that have no friction: none was evaluated.
   std::int64_t inviscid_solids = 0;   ///< Solids of solved organs without viscous terms: no memory.
   std::int64_t kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  std::int64_t still_points = 0;      ///< Points of springs that were left where they are.
   std::int64_t apart_organs = 0;      ///< Pairs of bodies that could not act on each other.
 
   /// Of the pieces of work: shapes, organs, solves.

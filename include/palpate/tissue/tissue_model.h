@@ -42,6 +42,7 @@ struct TissueStep : StepFigures {
   int frictionless_touches = 0;  ///< Contacts whose friction was not evaluated: they have none.
   int inviscid_solids = 0;       ///< Without viscous terms, in a cycle that was solved.
   int kept_stiffnesses = 0;      ///< Elastic stiffnesses that were not assembled again.
+  int still_points = 0;          ///< Outside of the region that moves; of model mass_spring.
   int apart_organs =
       0;  ///< Others that one of its bodies could not act on, each pair counted once.
 

@@ -35,7 +35,9 @@ CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& fre
 // which ends as its eigenvector.
 template <class Multiply>
 double CriticalStep::lanczos(int steps, const Multiply& multiply) {
-  Eigen::VectorXd alpha(steps), beta(steps);
+  using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRestSteps, 1>;  // not on the heap
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRestSteps, kRestSteps>;
+  Few alpha(steps), beta(steps);
   int size = 0;
   double residual = 0.0;
   while (size < steps) {
@@ -49,9 +51,9 @@ double CriticalStep::lanczos(int steps, const Multiply& multiply) {
     if (!(residual > 1e-10 * std::abs(alpha[0]))) break;  // all of the spectrum is seen, or NaN
     mode_ = next_ / residual;
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
+  Eigen::SelfAdjointEigenSolver<Square> ritz;
   ritz.computeFromTridiagonal(alpha.head(size), beta.head(size - 1));
-  const Eigen::VectorXd weights = ritz.eigenvectors().col(size - 1);
+  const Few weights = ritz.eigenvectors().col(size - 1);
   mode_.setZero();
   for (int k = 0; k < size; ++k) mode_ += weights[k] * basis_[k];
   mode_.normalize();

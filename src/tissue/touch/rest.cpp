@@ -17,8 +17,8 @@ void Rest::report(TissueStep* out) const {
   *out = last_;
   out->far_bodies = far;
   out->distant_samples = distant;
-  out->inactive_samples = out->frictionless_touches = out->inviscid_solids = out->kept_stiffnesses =
-      0;
+  out->still_points = out->inactive_samples = out->frictionless_touches = out->inviscid_solids =
+      out->kept_stiffnesses = 0;
   out->phases = phases;
   out->slept = true;
   out->satisfied = false;

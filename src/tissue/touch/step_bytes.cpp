@@ -22,6 +22,7 @@ void forNumbers(Step& step, const Visit& visit) {
   visit(step.far_bodies), visit(step.slept), visit(step.satisfied), visit(step.sleeping_islands);
   visit(step.distant_samples), visit(step.inactive_samples), visit(step.inviscid_solids);
   visit(step.frictionless_touches), visit(step.kept_stiffnesses), visit(step.apart_organs);
+  visit(step.still_points);
 }
 
 // A member that is new and not named here does not compile.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/fem/elasticity.h"
+
+namespace palpate::tissue {
+
+/// What models of tetrahedra have in common that are no finite elements: a law of their own between
+/// the corners, masses lumped by volume, no viscous memory, and a mesh that stays.
+class CellElasticity : public fem::Elasticity {
+ public:
+  /// `mesh`: linear, at rest in the world [m]. @throws std::invalid_argument for a mesh of
+  /// quadratic tetrahedra or with one that is inverted or has no volume.
+  CellElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition);
+
+  int numNodes() const override { return static_cast<int>(masses_.size()); }
+  fem::Stiffness makeMatrix() const override;
+  bool viscous() const override { return false; }
+  double minJacobian(const Points& x) override;
+  std::vector<fem::PointState> states(const Points& x,
+                                      const std::vector<mesh::Location>& places) override;
+  Eigen::VectorXd energyBySolid(const Points& x) override;
+  double volume() const override { return volumes_.sum(); }
+  const Eigen::VectorXd& masses() const override { return masses_; }
+  mesh::LumpedMasses lumpedMasses() const override;
+  const Eigen::VectorXd& loadWeights() const override { return masses_; }
+  void beginStep(double) override {}
+  void endStep(const Points&) override {}
+  void relax(const Points&) override {}
+  std::unique_ptr<fem::ViscousState> saveViscousState() const override { return nullptr; }
+  void restoreViscousState(const fem::ViscousState*) override {}
+  /// @throws std::invalid_argument always: its mesh stays.
+  void goOnFrom(const fem::Elasticity& old, const mesh::MeshChange& change) override;
+  void save(StateWriter*) const override {}
+  void restore(StateReader*) override {}
+
+ protected:
+  const mesh::TetMesh& mesh() const { return mesh_; }
+  const fem::Composition& composition() const { return composition_; }
+  /// Of tetrahedra at rest [m^3].
+  const Eigen::VectorXd& volumes() const { return volumes_; }
+  /// Deformation gradient of tetrahedron t.
+  Mat3 deformation(const Points& x, Eigen::Index t) const;
+
+ private:
+  /// Cauchy stress of tetrahedron t, whose deformation gradient is F [Pa].
+  virtual Mat3 cauchyStress(const Points& x, int t, const Mat3& F) = 0;
+  /// Its share of the energy [J].
+  virtual double energyOf(const Points& x, int t) = 0;
+
+  mesh::TetMesh mesh_;
+  fem::Composition composition_;
+  Eigen::VectorXd volumes_, masses_;
+  std::vector<Mat3> inverse_edges_;  // of edges 01 02 03 at rest
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/springs/spring_network.h"
+
+namespace palpate::tissue {
+
+/// The springs of a network as one array a quantity, ordered by their first ends, and what they do
+/// in loops that compilers turn into vector instructions. Sums run in a fixed order.
+class SpringArrays {
+ public:
+  explicit SpringArrays(const springs::SpringNetwork& network);
+
+  int size() const { return static_cast<int>(a_.size()); }
+  int a(int s) const { return a_[static_cast<std::size_t>(s)]; }
+  int b(int s) const { return b_[static_cast<std::size_t>(s)]; }
+  /// Force at the distance u [N], its derivative [N/m], and the energy [J].
+  double force(int s, double u) const { return preload(s) + stiffness(s) * (u - length(s)); }
+  double stiffness(int s) const { return stiffness_[static_cast<std::size_t>(s)]; }
+  double preload(int s) const { return preload_[static_cast<std::size_t>(s)]; }
+  /// Of its own [N s/m].
+  double damping(int s) const { return damping_[static_cast<std::size_t>(s)]; }
+  double length(int s) const { return length_[static_cast<std::size_t>(s)]; }
+  double energy(int s, double u) const {
+    const double longer = u - length(s);
+    return (preload(s) + 0.5 * stiffness(s) * longer) * longer;
+  }
+
+  /// Sum of all energies at x, 3 x n [m].
+  double energy(const Points& x) const;
+  /// The same; g += its gradient, 3 x n [N].
+  double addGradient(const Points& x, Points* g) const;
+  /// Of some springs only.
+  void addGradient(const Points& x, const std::vector<int>& some, Points* g) const;
+  /// g += minus the forces of dampers beside some springs, each of `ratio` [s] times its stiffness
+  /// along it, and of its own: at x with velocities v, 3 x n [m/s].
+  void addDamping(const Points& x, const Points& v, double ratio, const std::vector<int>& some,
+                  Points* g) const;
+  /// Whether any has a damper of its own.
+  bool damps() const { return damps_; }
+
+ private:
+  void measure(const Points& x) const;
+
+  std::vector<int> a_, b_;
+  std::vector<double> stiffness_, preload_, length_, damping_;
+  bool damps_ = false;
+  // Scratch: from a to b, 3 x size, and how far.
+  mutable Points way_;
+  mutable Eigen::VectorXd distance_, pull_;
+};
+
+}  // namespace palpate::tissue

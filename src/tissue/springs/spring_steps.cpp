@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spring_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace palpate::tissue {
+namespace {
+
+constexpr double kSafety = 0.9;
+constexpr double kMaxSubSteps = 1e5;
+constexpr int kMaxCaution = 8;
+
+// By the largest sum of dampers at a point: no mode is damped at a higher rate than twice that.
+double ownDamping(const SpringArrays& springs, const Eigen::VectorXd& masses) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(masses.size());
+  for (int s = 0; s < springs.size(); ++s) {
+    sums[springs.a(s)] += springs.damping(s);
+    sums[springs.b(s)] += springs.damping(s);
+  }
+  return 2.0 * sums.cwiseQuotient(masses).maxCoeff();
+}
+
+std::vector<int> ends(const SpringArrays& springs, bool first) {
+  std::vector<int> all;
+  all.reserve(static_cast<std::size_t>(springs.size()));
+  for (int s = 0; s < springs.size(); ++s) all.push_back(first ? springs.a(s) : springs.b(s));
+  return all;
+}
+
+std::string inSeconds(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+SpringSteps::SpringSteps(FemBody* body, const SpringElasticity* springs,
+                         const SpringStepSettings& settings)
+    : body_(*body),
+      elasticity_(*springs),
+      settings_(settings),
+      masses_(springs->masses()),
+      own_damping_(ownDamping(springs->springs(), masses_)),
+      minus_weight_(-body->gravity.forces()),
+      loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
+      critical_(body->elasticity.get(), body->free,
+                body->surroundings.largestSquare(body->mesh.points, masses_)),
+      touch_(body),
+      region_(body->mesh.points, settings.radius, ends(springs->springs(), true),
+              ends(springs->springs(), false)) {
+  critical_.begin(body->mesh.points);
+  g_ = contact_g_ = next_ = way_ = held_way_ = Points::Zero(3, masses_.size());
+  const std::string name = settings.integrator->name;
+  const double longest = longestStep();
+  if (!(longest > 0.0)) {
+    throw std::invalid_argument("springs.integrator = " + name +
+                                ": any step of it makes what is not damped grow; give damping.mass "
+                                "or damping.stiffness, or choose symplectic_euler or implicit");
+  }
+  if (settings.step > longest) {
+    throw std::invalid_argument("springs.step = " + inSeconds(settings.step) + ": " + name +
+                                " is stable up to " + inSeconds(longest) + " s with these springs");
+  }
+  body->method = name;
+  body->method_note = name + " in steps of " +
+                      inSeconds(settings.step > 0.0 ? settings.step : kSafety * longest) +
+                      " s; springs at rest allow " + inSeconds(longest) + " s";
+}
+
+double SpringSteps::longestStep() const {
+  const double half = critical_.seconds();  // 2 / w
+  if (!std::isfinite(half)) return half;
+  const double w2 = 4.0 / (half * half);
+  const double d = body_.settings.mass_damping + body_.settings.stiffness_damping * w2;
+  return settings_.integrator->longest(w2, d, d + own_damping_);
+}
+
+void SpringSteps::restart() {
+  touch_.clear();
+  contact_g_.setZero();
+  region_.setAll();
+  addForces(&g_);
+}
+
+void SpringSteps::save(StateWriter* out) const {
+  out->put(contact_g_);
+  region_.save(out);
+  critical_.save(out);
+}
+
+void SpringSteps::restore(StateReader* in) {
+  touch_.clear();
+  in->getSame(&contact_g_);
+  region_.restore(in);
+  critical_.restore(in);
+  addForces(&g_);
+}
+
+// Minus all forces but contact and damping by mass, of springs with an end that moves.
+void SpringSteps::addForces(Points* g) const {
+  if (loads_vary_) {
+    g->setZero();
+    body_.addLoads(body_.x, g);
+  } else {
+    *g = minus_weight_;
+  }
+  const SpringArrays& springs = elasticity_.springs();
+  if (region_.whole()) {
+    springs.addGradient(body_.x, g);
+  } else {
+    springs.addGradient(body_.x, region_.springs(), g);
+  }
+  const double ratio = body_.settings.stiffness_damping;
+  if (ratio > 0.0 || springs.damps()) {
+    springs.addDamping(body_.x, body_.v, ratio, region_.springs(), g);
+  }
+}
+
+bool SpringSteps::advance(double dt, TissueStep* out) {
+  out->status = solver::SolveStatus::kNonFinite;
+  if (!body_.v.allFinite()) return false;
+  out->tolerance = body_.tolerance();
+  double steps = 0.0;
+  {
+    const PhaseTimer timer(&out->phases, Phase::kForces);
+    critical_.follow(body_.x);
+    double longest = kSafety * longestStep();
+    if (settings_.step > 0.0) longest = std::min(longest, settings_.step);
+    steps = std::max({1.0, std::ceil(dt / longest), touch_.steps()});
+  }
+  if (!(steps <= kMaxSubSteps)) {
+    out->status = solver::SolveStatus::kIterationLimit;
+    return false;
+  }
+  begin_x_ = body_.x;
+  begin_v_ = body_.v;
+  touched_.clear();
+  body_.contact.save(&touched_);
+  for (int finer = 1; finer <= kMaxCaution; finer *= 2) {
+    out->time_steps = finer;
+    if (run(dt, finer * static_cast<int>(steps), out)) return true;
+    body_.x = begin_x_;
+    body_.v = begin_v_;
+    StateReader before(touched_.bytes());
+    body_.contact.restore(&before);
+  }
+  return false;
+}
+
+bool SpringSteps::run(double dt, int steps, TissueStep* out) {
+  const double h = dt / steps;
+  coefficients_ = masses_ / (h * h);
+  out->sweep_stages = steps;
+  touch_.begin();
+  for (int k = 1; k <= steps; ++k) {
+    if (!subStep(h, k / static_cast<double>(steps))) {
+      out->status = solver::SolveStatus::kLineSearchFailed;
+      return false;
+    }
+    region_.addAround(touch_.nodes());
+  }
+  if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
+  contact_g_ = touch_.gradient();
+  addForces(&g_);
+  out->residual = touch_.residual();
+  out->still_points = static_cast<int>(masses_.size()) - static_cast<int>(region_.points().size());
+  body_.contact.learn(body_.x, dt);
+  out->status = touch_.limited()                  ? solver::SolveStatus::kLineSearchFailed
+                : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
+                                                  : solver::SolveStatus::kIterationLimit;
+  settleRegion(*out);
+  return true;
+}
+
+// One integrator's step of `h`, in which the tools go on to part `s` of their way.
+bool SpringSteps::subStep(double h, double s) {
+  body_.surroundings.place(s);
+  addForces(&g_);
+  next_.setZero();
+  way_.setZero();
+  const double drag = body_.settings.mass_damping;
+  for (const int i : region_.points()) {
+    Vec3 v = body_.v.col(i);
+    const Vec3 a = -g_.col(i) / masses_[i] - drag * v;
+    way_.col(i) = settings_.integrator->go(h, a.cwiseProduct(body_.free.col(i)), &v);
+    body_.v.col(i) = v;
+    next_.col(i) = h * v;
+  }
+  if (body_.heldMoves() && body_.heldWay(s, &held_way_)) {
+    body_.v = body_.v.cwiseProduct(body_.free) + held_way_ / h;
+    way_ = way_.cwiseProduct(body_.free) + held_way_;
+    next_ = next_.cwiseProduct(body_.free) + held_way_;
+  }
+  if (!touch_.go(s, coefficients_, &next_)) return false;
+  way_ += body_.x;
+  for (const int i : touch_.nodes()) {
+    way_.col(i) = next_.col(i);
+    body_.v.col(i) = (next_.col(i) - body_.x.col(i)) / h;
+  }
+  body_.x.swap(way_);
+  body_.contact.endStep(body_.x);
+  return true;
+}
+
+// Once nothing is touched and all has come to rest, nothing moves.
+void SpringSteps::settleRegion(const TissueStep& out) {
+  if (!touch_.nodes().empty()) return;
+  const double kinetic = 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
+  if (kinetic > 1e-9 * out.tolerance * body_.size || unbalancedForce() > out.tolerance) return;
+  for (const int i : region_.points()) body_.v.col(i).setZero();
+  region_.clear();
+}
+
+double SpringSteps::unbalancedForce() {
+  double square = 0.0;
+  for (const int i : region_.points()) {
+    square += (g_.col(i) + contact_g_.col(i)).cwiseProduct(body_.free.col(i)).squaredNorm();
+  }
+  return std::sqrt(square);
+}
+
+void SpringSteps::reportForces(TissueStep* out) {
+  next_ = g_ + contact_g_;
+  Vec3 accelerating = Vec3::Zero();
+  for (const int i : region_.points()) {
+    accelerating += next_.col(i).cwiseProduct(body_.free.col(i));
+  }
+  out->inertia_force = accelerating;
+  body_.reportSupport(next_, out);
+  // What holds the points that are left where they are.
+  for (Eigen::Index i = 0; i < next_.cols(); ++i) {
+    if (!region_.moves(static_cast<int>(i))) {
+      out->support_force += next_.col(i).cwiseProduct(body_.free.col(i));
+    }
+  }
+  body_.reportContacts(out);
+}
+
+}  // namespace palpate::tissue

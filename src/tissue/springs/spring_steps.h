@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "moving_region.h"
+#include "spring_elasticity.h"
+#include "spring_integrators.h"
+#include "tissue/fem/critical_step.h"
+#include "tissue/fem/explicit_touch.h"
+#include "tissue/fem/step_method.h"
+
+namespace palpate::tissue {
+
+/// How the springs of a body go on in explicit steps.
+struct SpringStepSettings {
+  const SpringIntegrator* integrator;
+  double step;    ///< Longest sub-step [s]; 0: nine tenths of the stable one.
+  double radius;  ///< Of MovingRegion [m]; infinity: all moves.
+};
+
+/// Explicit steps of point masses, springs and dampers,
+///
+///   m a = -dW/dx - sum_springs l (v_ab . n) n - c m v + loads,   l = b k + the spring's own,
+///
+/// b the organ's damping by stiffness, c that by mass, in sub-steps of the integrator. Touched
+/// points go as symplectic Euler has them, with the contact's forces of the end (ContactUpdate).
+///
+/// TissueStep: sweep_stages is the number of sub-steps, still_points how many points were left
+/// where they are, whose unbalanced forces count as those of supports. A cycle that would end
+/// with numbers that are not finite, or carry tissue through a tool, is repeated with 2, 4 and 8
+/// times the sub-steps (time_steps), then fails.
+class SpringSteps final : public StepMethod {
+ public:
+  /// `springs`: the body's elasticity. @throws std::invalid_argument, with the limit, for a step
+  /// that is longer than the stable one at rest, or where there is none.
+  SpringSteps(FemBody* body, const SpringElasticity* springs, const SpringStepSettings& settings);
+
+  bool advance(double dt, TissueStep* out) override;
+  void reportForces(TissueStep* out) override;
+  double unbalancedForce() override;
+  const Eigen::VectorXd& masses() const override { return masses_; }
+  void restart() override;
+  void stop() override {}
+  void save(StateWriter* out) const override;
+  void restore(StateReader* in) override;
+
+ private:
+  double longestStep() const;
+  bool run(double dt, int steps, TissueStep* out);
+  bool subStep(double h, double s);
+  void accelerate();
+  void settleRegion(const TissueStep& out);
+  void addForces(Points* g) const;
+
+  FemBody& body_;
+  const SpringElasticity& elasticity_;
+  SpringStepSettings settings_;
+  Eigen::VectorXd masses_;
+  double own_damping_;   // bound of the rate at which springs' own dampers damp [1/s]
+  Points minus_weight_;  // 3 x n [N]
+  bool loads_vary_;      // beside gravity
+  CriticalStep critical_;
+  ExplicitTouch touch_;
+  MovingRegion region_;
+  Points g_;  // minus all forces but contact, 3 x n [N]; where nothing moves, of no use
+  Points way_, next_, held_way_;  // of a sub-step
+  StateWriter touched_;           // where the cycle began, and
+  Points begin_x_, begin_v_, contact_g_;
+  Eigen::VectorXd coefficients_;
+};
+
+}  // namespace palpate::tissue

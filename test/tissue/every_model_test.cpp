@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every tissue model owes, whatever it computes: forces that cancel, momentum that stays, rest
+// that comes back, the same bits for any number of threads and from a saved state.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model_variants.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::kStep;
+using test::ModelVariant;
+using test::onTool;
+using test::Visit;
+
+Vec3 imbalance(const TissueStep& step) {
+  return step.support_force + step.gravity_force + step.inertia_force - onTool(step);
+}
+
+class EveryModel : public ::testing::TestWithParam<ModelVariant> {
+ protected:
+  std::unique_ptr<TissueModel> make(ThreadPool* pool = nullptr) const {
+    return test::makeVariant(GetParam(), organ, test::variantSettings(), pool);
+  }
+  test::OrganSketch organ = test::variantBlock(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(All, EveryModel, ::testing::ValuesIn(test::modelVariants()),
+                         [](const auto& of) { return of.param.name; });
+
+TEST_P(EveryModel, IsPressedAndComesBack) {
+  const auto tissue = make();
+  const Points rest = tissue->positions();
+  const double most = std::sqrt(static_cast<double>(rest.cols()));
+  double peak = 0.0, held = 0.0;
+  int slept = 0;
+  for (Visit visit; visit.time() < 3.0;) {
+    const TissueStep& step = tissue->step({visit.next()}, kStep);
+    ASSERT_TRUE(step.ok()) << visit.time() << " " << solver::toString(step.status);
+    // Solved for or asleep, forces within the tolerance are let be.
+    const bool exact = !step.slept && GetParam().springs.integrator != "implicit";
+    EXPECT_LT(imbalance(step).norm(), exact ? 1e-9 : most * step.tolerance) << visit.time();
+    EXPECT_GT(step.min_jacobian, 0.0);
+    peak = std::max(peak, onTool(step).z());
+    if (visit.time() < 0.4) held = onTool(step).z();
+    if (visit.time() > 0.6) EXPECT_TRUE(step.contacts.empty());
+    slept += step.slept;
+  }
+  EXPECT_GT(held, 0.1);
+  EXPECT_GE(peak, held);
+  EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_GT(slept, 10);
+}
+
+// Nobody holds it: it is struck, flies, and goes on as fast.
+TEST_P(EveryModel, KeepsItsMomentum) {
+  organ = test::variantBlock(GetParam(), false);
+  organ.damping = {0.0, 0.002};
+  ModelSettings settings = test::variantSettings();
+  settings.gravity.setZero();
+  settings.tolerance = 1e-8;
+  settings.position_tolerance = 0.0;
+  const auto tissue = test::makeVariant(GetParam(), organ, settings);
+  Points x = tissue->positions(), v = Points::Zero(3, x.cols());
+  const Vec3 middle = x.rowwise().mean();
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    const Vec3 r = x.col(i) - middle;
+    v.col(i) = Vec3(0.02, 0.01, 0.03) + Vec3(0.3, -0.2, 0.5).cross(r) + 2.0 * r.z() * r / 0.03;
+  }
+  tissue->place(0, x, v);
+  const Points begin = tissue->positions();
+  for (int k = 0; k < 40; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    ASSERT_TRUE(step.ok());
+    EXPECT_LT(step.support_force.norm(), 1e-9);
+    // Of the forces of inertia the sum is what the momentum changes by.
+    EXPECT_LT(step.inertia_force.norm(), 1e-6) << k;
+  }
+  EXPECT_GT((tissue->positions() - begin).norm(), 1e-3);
+}
+
+TEST_P(EveryModel, GivesTheSameBitsForAnyNumberOfThreads) {
+  ThreadPool pool(3);
+  const auto one = make(), three = make(&pool);
+  Visit a, b;
+  while (a.time() < 0.6) {
+    ASSERT_EQ(onTool(one->step({a.next()}, kStep)), onTool(three->step({b.next()}, kStep)));
+    ASSERT_EQ(one->positions(), three->positions());
+  }
+}
+
+TEST_P(EveryModel, GoesOnFromAStateAndAfterAReset) {
+  const auto whole = make(), other = make();
+  for (const double until : {0.0, 0.03, 0.2, 0.45, 0.7}) {
+    whole->reset();
+    Visit visit;
+    while (visit.time() < until) whole->step({visit.next()}, kStep);
+    const State saved = whole->state();
+    other->restore(saved);
+    EXPECT_TRUE(other->state() == saved);
+    Visit again;
+    again.setTime(visit.time());
+    for (int k = 0; k < 15; ++k) {
+      ASSERT_EQ(onTool(whole->step({visit.next()}, kStep)),
+                onTool(other->step({again.next()}, kStep)));
+      ASSERT_TRUE(whole->state() == other->state()) << until << ", " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace palpate::tissue

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Springs in a scene: the same force at rest whatever the integrator, steps that are stable, a
+// region that moves alone, and what is refused.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "model_variants.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::kStep;
+using test::ModelVariant;
+using test::onTool;
+using test::Visit;
+
+struct Held {
+  double force = 0.0;
+  int still = 0;
+};
+
+// At the end of two seconds under the ball.
+Held hold(const ModelVariant& variant, const std::function<void(test::OrganSketch*)>& change = {}) {
+  test::OrganSketch organ = test::variantBlock(variant);
+  if (change) change(&organ);
+  const auto tissue = test::makeVariant(variant, organ, test::variantSettings());
+  Held held;
+  for (Visit visit(0.004, 1e9); visit.time() < 2.0;) {
+    const TissueStep& step = tissue->step({visit.next()}, kStep);
+    held = {onTool(step).z(), step.still_points};
+  }
+  return held;
+}
+
+TEST(MassSpring, HasOneForceAtRestWhateverTheIntegrator) {
+  std::vector<ModelVariant> variants = test::modelVariants();
+  const double implicit = hold(variants.front()).force;
+  EXPECT_GT(implicit, 0.1);
+  for (const ModelVariant& variant : variants) {
+    if (variant.springs.region > 0.0) continue;
+    EXPECT_NEAR(hold(variant).force, implicit, 2e-3 * implicit) << variant.name;
+  }
+}
+
+TEST(MassSpring, MovesOnlyTheRegionThatIsTouched) {
+  const ModelVariant all{"all", "mass_spring", {"symplectic_euler", 0.0, 0.0}};
+  const Held whole = hold(all);
+  EXPECT_EQ(whole.still, 0);
+  double last = 0.0;
+  for (const double radius : {0.015, 0.025, 0.04}) {
+    ModelVariant part = all;
+    part.springs.region = radius;
+    const Held some = hold(part);
+    EXPECT_GT(some.still, 0);
+    // What is left where it is makes it stiffer, the more so the smaller the region.
+    EXPECT_GT(some.force, 0.999 * whole.force);
+    if (last > 0.0) {
+      EXPECT_LT(some.force, last);
+    }
+    last = some.force;
+  }
+  EXPECT_LT(last, 1.03 * whole.force);
+}
+
+TEST(MassSpring, IsSteppedNoLongerThanIsStable) {
+  const ModelVariant explicitly{"x", "mass_spring", {"symplectic_euler", 0.0, 0.0}};
+  const double force = hold(explicitly).force;
+  ModelVariant short_steps = explicitly;
+  short_steps.springs.step = 2e-4;
+  EXPECT_NEAR(hold(short_steps).force, force, 2e-3 * force);
+}
+
+std::string refusal(const ModelVariant& variant,
+                    const std::function<void(test::OrganSketch*)>& change) {
+  try {
+    hold(variant, change);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MassSpring, RefusesWhatSpringsCannotBe) {
+  const auto nothing = [](test::OrganSketch*) {};
+  const auto with = [](const std::string& integrator, double step) {
+    return ModelVariant{"x", "mass_spring", {integrator, step, 0.0}};
+  };
+  const auto says = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string too_long = refusal(with("symplectic_euler", 0.5), nothing);
+  EXPECT_TRUE(says(too_long, "springs.step = 0.5") && says(too_long, "is stable up to"))
+      << too_long;
+  for (const char* name : {"forward_euler", "trapezoidal_euler"}) {
+    const std::string undamped = refusal(with(name, 0.0), [](test::OrganSketch* organ) {
+      organ->damping = {0.0, 0.0};
+    });
+    EXPECT_TRUE(says(undamped, "damping.mass")) << undamped;
+  }
+  const ModelVariant implicit = with("implicit", 0.0);
+  EXPECT_TRUE(says(refusal(implicit, [](test::OrganSketch* organ) { organ->adapt.finest = 0.002; }),
+                   "adapt"));
+  EXPECT_TRUE(says(refusal(implicit,
+                           [](test::OrganSketch* organ) {
+                             organ->solid.prony = {{0.3, 0.1}};
+                           }),
+                   "viscoelastic"));
+  EXPECT_TRUE(says(refusal(with("euler", 0.0), nothing), "must be one of"));
+  EXPECT_TRUE(says(refusal(implicit,
+                           [](test::OrganSketch* organ) {
+                             organ->mesh.points.col(organ->mesh.tets(0, 0)) =
+                                 organ->mesh.points.col(organ->mesh.tets(1, 0));
+                           }),
+                   "no volume"));
+}
+
+}  // namespace
+}  // namespace palpate::tissue

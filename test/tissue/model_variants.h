@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/tissue/springs/spring_settings.h"
+#include "two_organs.h"
+
+namespace palpate::test {
+
+/// A tissue model that is no finite elements, in one of its ways to go on.
+struct ModelVariant {
+  std::string name, model;
+  tissue::SpringSettings springs;
+};
+
+inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
+
+inline std::vector<ModelVariant> modelVariants() {
+  std::vector<ModelVariant> all;
+  for (const std::string& integrator : tissue::springIntegratorNames()) {
+    all.push_back({"springs_" + integrator, "mass_spring", {integrator, 0.0, 0.0}});
+  }
+  all.push_back({"springs_region", "mass_spring", {"symplectic_euler", 0.0, 0.03}});
+  return all;
+}
+
+/// A block 60 x 60 x 30 mm that is held at its bottom, or not at all.
+inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
+  OrganSketch organ = block("block", Vec3::Zero(), Vec3(0.06, 0.06, 0.03), Eigen::Vector3i(6, 6, 3),
+                            [held](const Vec3& X) { return held && X.z() <= 0.0; });
+  organ.damping = {10.0, 0.002};
+  organ.springs = variant.springs;
+  return organ;
+}
+
+inline tissue::ModelSettings variantSettings() {
+  tissue::ModelSettings settings;
+  settings.gravity = Vec3(0.0, 0.0, -9.81);
+  settings.sample_spacing = 0.004;
+  return settings;
+}
+
+inline std::unique_ptr<tissue::TissueModel> makeVariant(const ModelVariant& variant,
+                                                        const OrganSketch& organ,
+                                                        const tissue::ModelSettings& settings,
+                                                        ThreadPool* pool = nullptr) {
+  return makeOrgans({organ}, settings, pool, variant.model);
+}
+
+/// A ball of 8 mm that comes down on the block's middle at 50 mm/s to `depth` [m], stays, and goes
+/// up again after `up` [s].
+class Visit {
+ public:
+  explicit Visit(double depth = 0.004, double up = 0.4) : depth_(depth), up_(up) {}
+  contact::Obstacle next() {
+    const contact::Obstacle way{&shape_, 0, at(t_), at(t_ + kStep)};
+    t_ += kStep;
+    return way;
+  }
+  double time() const { return t_; }
+  void setTime(double t) { t_ = t; }
+
+ private:
+  Pose at(double t) const {
+    const double down = std::min(0.05 * t - 0.002, depth_), back = 0.1 * std::max(0.0, t - up_);
+    return poseFromXyzRpy(Vec3(0.03, 0.03, 0.038 - down + back), Vec3::Zero());
+  }
+  instrument::Geometry shape_ = instrument::Sphere{0.008};
+  double depth_, up_, t_ = 0.0;
+};
+
+}  // namespace palpate::test
