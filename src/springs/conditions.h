@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "least_squares.h"
+#include "palpate/springs/constraint_family.h"
+
+namespace palpate::springs {
+
+/// Linear conditions on unknowns, sum of factor times unknown = right, in families.
+class Conditions {
+ public:
+  explicit Conditions(Eigen::Index unknowns) : unknowns_(unknowns) {}
+
+  /// @returns the new family's number. Its conditions are met in the least squares with this
+  /// weight.
+  std::size_t addFamily(std::string name, double weight = 1.0);
+
+  /// Begins a condition that is measured against `scale`.
+  void begin(std::size_t family, double scale, double right = 0.0);
+  /// Adds to the condition that was begun last.
+  void add(Eigen::Index unknown, double factor) {
+    entries_.emplace_back(rows() - 1, unknown, factor / scales_.back());
+  }
+
+  SparseMatrix matrix()
+      const;  ///< Of conditions over their scales, times the roots of the weights.
+  Eigen::VectorXd right() const;
+  std::vector<ConstraintFamily> residuals(const Eigen::VectorXd& x) const;
+
+ private:
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(right_.size()); }
+
+  Eigen::Index unknowns_;
+  std::vector<std::string> names_;
+  std::vector<double> weights_;  // of families
+  std::vector<std::size_t> family_;
+  std::vector<double> scales_, right_;  // of conditions; the latter over the scale
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+}  // namespace palpate::springs
