@@ -24,11 +24,12 @@ struct BoundedSolution {
 };
 
 /// x with the least |A x - b|^2 and 0 <= x <= upper (infinite: no bound), by block principal
-/// pivoting [Portugal, Judice, Vicente 1994] with Murty's rule where blocks do not make progress.
-/// The set of bounds that hold is exact, not the limit of an iteration. A ridge of 1e-10 of each
-/// column's square decides where A's columns depend on each other.
+/// pivoting [Portugal, Judice, Vicente 1994], and where that makes no progress, because A's columns
+/// depend on each other, by an active set that descends. The set of bounds that hold is exact, not
+/// the limit of an iteration. A ridge of 1e-7 of each column's square, refined away, keeps unknowns
+/// that A does not determine small.
 ///
-/// @throws std::runtime_error if no such set is found within 2000 factorisations.
+/// @throws std::runtime_error if no such set is found within 5000 factorisations.
 BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                     const Eigen::VectorXd& upper);
 

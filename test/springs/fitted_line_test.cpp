@@ -38,8 +38,9 @@ TEST(FittedLine, EvenlySpacedMassesHaveTheStructuredSpringsInside) {
   const LineFit fit = fitLine(kBeam, places(n, 0.0), 1.0);
   EXPECT_EQ(fit.network.springs.size(), 2U * n - 3U);
   const LineSprings regular = lineSprings(kBeam, 1.0);
-  // Ends cannot bend as the inside does. What they change decays by exp(-0.12) a mass: the least
-  // squares of 14 cos t - 2 (bending) and 2 cos t - 2 (tension) have their root there.
+  // Ends cannot bend as the inside does. What they change decays by exp(-0.12) a mass or faster:
+  // with equal weights the least squares of 14 cos t - 2 (bending) and 2 cos t - 2 (tension) have a
+  // root there.
   for (const Spring& s : fit.network.springs) {
     if (s.a < n / 2 - 3 || s.a > n / 2 + 3) continue;
     const StencilSpring& expected =

@@ -20,7 +20,7 @@ struct LineFit {
 /// Weights of the families of conditions in the least squares.
 struct LineWeights {
   double bending = 1.0;
-  double no_tension = 1.0;
+  double no_tension = 10.0;  ///< Ends disturb the less of a line the larger this is.
   double stretch = 1.0;
   double evenness = 1.0;
 };
