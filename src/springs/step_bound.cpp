@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/springs/step_bound.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -8,6 +10,25 @@
 #include "palpate/springs/continuum.h"
 
 namespace palpate::springs {
+
+namespace {
+
+// n_a/m_a + n_b/m_b of each spring [1/kg].
+Eigen::VectorXd inverseShares(const std::vector<Spring>& springs, const Eigen::VectorXd& masses) {
+  Eigen::VectorXd meeting = Eigen::VectorXd::Zero(masses.size());
+  for (const Spring& s : springs) {
+    meeting[s.a] += 1.0;
+    meeting[s.b] += 1.0;
+  }
+  Eigen::VectorXd shares(static_cast<Eigen::Index>(springs.size()));
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const int a = springs[i].a, b = springs[i].b;
+    shares[static_cast<Eigen::Index>(i)] = meeting[a] / masses[a] + meeting[b] / masses[b];
+  }
+  return shares;
+}
+
+}  // namespace
 
 Eigen::VectorXd largestStiffness(const std::vector<Spring>& springs, const Eigen::VectorXd& masses,
                                  double step, ExplicitRule rule, double drag) {
@@ -18,18 +39,18 @@ Eigen::VectorXd largestStiffness(const std::vector<Spring>& springs, const Eigen
                                 (forward ? "> 0" : ">= 0") + " and < 2/step");
   }
   const double square = forward ? drag / step : (4.0 - 2.0 * step * drag) / (step * step);
-  Eigen::VectorXd meeting = Eigen::VectorXd::Zero(masses.size());
-  for (const Spring& s : springs) {
-    meeting[s.a] += 1.0;
-    meeting[s.b] += 1.0;
+  return square * inverseShares(springs, masses).cwiseInverse();
+}
+
+double largestStep(const SpringNetwork& network) {
+  const Eigen::VectorXd shares = inverseShares(network.springs, network.masses);
+  double square = 0.0;  // of the highest frequency
+  for (std::size_t i = 0; i < network.springs.size(); ++i) {
+    const Spring& s = network.springs[i];
+    square = std::max(square, std::max(s.stiffness, std::abs(s.preload) / s.length) *
+                                  shares[static_cast<Eigen::Index>(i)]);
   }
-  Eigen::VectorXd largest(static_cast<Eigen::Index>(springs.size()));
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    const int a = springs[i].a, b = springs[i].b;
-    largest[static_cast<Eigen::Index>(i)] =
-        square / (meeting[a] / masses[a] + meeting[b] / masses[b]);
-  }
-  return largest;
+  return 2.0 / std::sqrt(square);
 }
 
 }  // namespace palpate::springs

@@ -58,6 +58,17 @@ TEST(StepBound, OneSpringIsAtItsBound) {
   EXPECT_NEAR(largestStiffness(pair.springs, pair.masses, 1e-3)[0], 4e6 * mass / 2, 1e-6 * mass);
 }
 
+TEST(StepBound, TheLargestStepIsTheOneOfWhichTheStiffnessIsTheBound) {
+  SpringNetwork network = block();
+  const double step = largestStep(network);
+  const Eigen::VectorXd bound = largestStiffness(network.springs, network.masses, step);
+  double share = 0.0;
+  for (std::size_t i = 0; i < network.springs.size(); ++i) {
+    share = std::max(share, network.springs[i].stiffness / bound[static_cast<Eigen::Index>(i)]);
+  }
+  EXPECT_NEAR(share, 1.0, 1e-12);
+}
+
 TEST(StepBound, RefusesStepsAndDragsThatCannotBe) {
   const SpringNetwork pair = lineNetwork({{0.0, 1.0}, {0.0, 0.0}}, 0.1, 2, 3.0);
   const auto bound = [&](double step, ExplicitRule rule, double drag) {

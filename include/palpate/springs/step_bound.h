@@ -30,4 +30,8 @@ Eigen::VectorXd largestStiffness(const std::vector<Spring>& springs, const Eigen
                                  double step, ExplicitRule rule = ExplicitRule::kSymplecticEuler,
                                  double drag = 0.0);
 
+/// The longest step of symplectic Euler without drag for which a network is stable by the same rule
+/// [s]: of the largest of stiffness and |preload|/length of each spring; infinite without springs.
+double largestStep(const SpringNetwork& network);
+
 }  // namespace palpate::springs
