@@ -95,6 +95,9 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.damping = organ.damping;
   description.adapt = organ.adapt;
   description.springs = organ.springs;
+  if (!organ.springs.file.empty()) {
+    description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
+  }
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
     return readOrganMesh(scene, organ, progress, warnings);
   };

@@ -53,7 +53,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
        "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
        "near, before it touches, and joined behind it."},
       organ.adapt);
-  v.section({"springs", "", "How the springs of model `mass_spring` go on."}, organ.springs);
+  v.section({"springs", "", "Of model `mass_spring`: what its springs are, and how they go on."},
+            organ.springs);
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);

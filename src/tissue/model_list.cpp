@@ -6,6 +6,7 @@
 #include "fem/make_fem.h"
 #include "palpate/base/error.h"
 #include "springs/make_mass_spring.h"
+#include "tensor_mass/make_tensor_mass.h"
 
 namespace palpate::tissue {
 namespace {
@@ -20,6 +21,7 @@ struct Entry {
 constexpr Entry kModels[] = {
     {"fem", makeFem, true},
     {"mass_spring", makeMassSpring, true},
+    {"tensor_mass", makeTensorMass, true},
 };
 
 const Entry& find(const std::string& name) {

@@ -217,16 +217,18 @@ std::vector<Case> cases() {
                      s->organs[0].supports.push_back(springs);
                    }});
   }
-  for (const std::string& integrator : tissue::springIntegratorNames()) {
+  for (const std::string& integrator : tissue::springSchemeNames()) {
     all.push_back({"springs_" + integrator, [integrator](scene::Scene* s) {
                      s->organs[0].model = "mass_spring";
-                     s->organs[0].springs.integrator = integrator;
+                     s->organs[0].springs.scheme = integrator;
                      s->organs[0].damping = {10.0, 0.002};
                    }});
   }
   all.push_back({"springs_of_a_region_breathing", [](scene::Scene* s) {
                    s->organs[0].model = "mass_spring";
-                   s->organs[0].springs = {"symplectic_euler", 1e-3, 0.03};
+                   s->organs[0].springs.scheme = "symplectic_euler";
+                   s->organs[0].springs.step = 1e-3;
+                   s->organs[0].springs.region = 0.03;
                    breathe(&s->organs[0].supports[0]);
                  }});
   all.push_back({"islands", [](scene::Scene*) {}, true});

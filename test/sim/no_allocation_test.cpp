@@ -52,7 +52,8 @@ TEST(NoAllocationOfSprings, InACycleOnceItHasSeenOneLikeIt) {
   scene::Scene scene = slab.scene();
   scene.organs[0].model = "mass_spring";
   scene.organs[0].damping.mass = 20.0;
-  scene.organs[0].springs = {"symplectic_euler", 0.0, 0.03};
+  scene.organs[0].springs.scheme = "symplectic_euler";
+  scene.organs[0].springs.region = 0.03;
   Simulator simulator(scene);
   std::vector<std::vector<LinkPoses>> poses;
   for (const Eigen::VectorXd& q : SlabScene::press()) {

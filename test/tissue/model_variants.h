@@ -18,12 +18,22 @@ struct ModelVariant {
 
 inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
 
+inline ModelVariant springVariant(const std::string& name, const std::string& scheme,
+                                  double step = 0.0, double region = 0.0) {
+  ModelVariant variant{name, "mass_spring", {}};
+  variant.springs.scheme = scheme;
+  variant.springs.step = step;
+  variant.springs.region = region;
+  return variant;
+}
+
 inline std::vector<ModelVariant> modelVariants() {
   std::vector<ModelVariant> all;
-  for (const std::string& integrator : tissue::springIntegratorNames()) {
-    all.push_back({"springs_" + integrator, "mass_spring", {integrator, 0.0, 0.0}});
+  for (const std::string& scheme : tissue::springSchemeNames()) {
+    all.push_back(springVariant("springs_" + scheme, scheme));
   }
-  all.push_back({"springs_region", "mass_spring", {"symplectic_euler", 0.0, 0.03}});
+  all.push_back(springVariant("springs_region", "symplectic_euler", 0.0, 0.03));
+  all.push_back({"tensor_mass", "tensor_mass", {}});
   return all;
 }
 

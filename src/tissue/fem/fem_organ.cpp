@@ -23,7 +23,8 @@ FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& compositio
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),
       settled_(body_.mesh.points),
-      own_method_(own.method != nullptr) {}
+      own_method_(own.method != nullptr),
+      own_notes_(own.notes) {}
 
 void FemOrgan::settle() {
   settled_ = settleUnderLoads(&body_);
@@ -53,8 +54,9 @@ std::vector<std::string> FemOrgan::methods(int) const {
 }
 
 std::vector<std::string> FemOrgan::notes() const {
-  if (body_.method_note.empty()) return {};
-  return {body_.method_note};
+  std::vector<std::string> all = own_notes_;
+  if (!body_.method_note.empty()) all.push_back(body_.method_note);
+  return all;
 }
 
 void FemOrgan::reset() {

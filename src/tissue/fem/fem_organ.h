@@ -21,6 +21,7 @@ struct OwnParts {
   std::shared_ptr<fem::Elasticity> elasticity;  ///< Null: that of settings.element.
   /// Its method; empty: settings.method.
   std::function<std::unique_ptr<StepMethod>(FemBody*)> method;
+  std::vector<std::string> notes;  ///< What was decided, and the user should know.
 };
 
 /// A body of finite elements that is stepped by one method, sleeps where nothing happens, and
@@ -106,6 +107,7 @@ class FemOrgan final : public OrganBodies {
   Rest rest_;
   Points settled_;
   bool own_method_;
+  std::vector<std::string> own_notes_;
   TissueStep out_;
 };
 

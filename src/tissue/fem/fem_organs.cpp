@@ -117,8 +117,9 @@ class FemOrgans final : public TissueModel {
  private:
   OrganBodies& at(int organ) const { return *organs_[static_cast<std::size_t>(organ)].tissue; }
   std::string kind() const { return "fem, " + std::to_string(organs_.size()) + " organs"; }
-  static std::string noteOn(const std::string& organ, const std::string& note) {
-    return "organ " + organ + ": " + note;
+  // Of one organ, the caller says which it is.
+  std::string noteOn(const std::string& organ, const std::string& note) const {
+    return (organs_.size() > 1 ? "organ " + organ + ": " : "") + note;
   }
   bool mayMeet(const GroupBody& a, const GroupBody& b) const {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);

@@ -25,7 +25,7 @@ std::unique_ptr<TissueModel> makeOrgans(
   if (description.organs.size() == 1 && !acting) return make(description.organs.front());
   std::vector<NamedOrgan> organs;
   for (const OrganDescription& organ : description.organs) {
-    const std::string of = "organ " + organ.name + ": ";
+    const std::string of = description.organs.size() > 1 ? "organ " + organ.name + ": " : "";
     try {
       organs.push_back({organ.name, make(organ)});
     } catch (const InputError&) {

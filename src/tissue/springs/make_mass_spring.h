@@ -8,13 +8,10 @@
 
 namespace palpate::tissue {
 
-/// Model "mass_spring": point masses at the corners of the organ's tetrahedra, springs along their
-/// edges. An edge of length L with volume V around it has the stiffness E V / L^2, and the body
-/// Young's modulus E where edges point everywhere alike; Poisson's ratio is then 1/4 [Wang 2005,
-/// (7.59)]. Organs of this model touch one another as those of finite elements do, where they are
-/// solved implicitly.
-/// @throws as makeFem(); std::invalid_argument for what springs cannot be: a viscoelastic solid,
-/// one with fibres, a mesh that adapts.
+/// Model "mass_spring": point masses at the corners of the organ's tetrahedra, and springs between
+/// them (tetNetwork()). Organs of this model touch one another as those of finite elements do,
+/// where they are solved implicitly.
+/// @throws as makeFem(), makeCells(), tetNetwork() and SpringSteps
 std::unique_ptr<TissueModel> makeMassSpring(const ModelDescription& description);
 
 }  // namespace palpate::tissue

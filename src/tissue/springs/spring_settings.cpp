@@ -5,18 +5,28 @@
 
 namespace palpate::tissue {
 
-std::vector<std::string> springIntegratorNames() {
-  std::vector<std::string> names{SpringSettings().integrator};
+std::vector<std::string> springSchemeNames() {
+  std::vector<std::string> names{SpringSettings().scheme};
   for (const SpringIntegrator& integrator : springIntegrators())
     names.emplace_back(integrator.name);
   return names;
 }
 
 void describe(keys::FieldVisitor& v, SpringSettings& springs) {
-  v.choice({"integrator", "",
+  v.choice({"constants", "",
+            "Of each spring: E V/L^2 by the `volumes` V around edges of length L, `fitted` to the "
+            "material by least squares over the directions at its ends, or as `file` says."},
+           springs.constants, {"volumes", "fitted", "file"});
+  v.text({"file", "",
+          "Network between the points of the organ's tetrahedra, as `palpate springs` writes it; a "
+          "path as for `surface`."},
+         springs.file);
+  v.rule((springs.constants == "file") == !springs.file.empty(), "file",
+         "is needed where constants is file, and only there");
+  v.choice({"scheme", "",
             "`implicit`: as `solver` says; the others are explicit, in sub-steps. `forward_euler` "
             "and `trapezoidal_euler` need damping."},
-           springs.integrator, springIntegratorNames());
+           springs.scheme, springSchemeNames());
   v.number({"step", "s", "Longest sub-step of an explicit one; 0: nine tenths of the stable one."},
            springs.step, keys::Range::closed(0.0, 1.0));
   v.number({"region", "m",

@@ -59,7 +59,7 @@ SpringSteps::SpringSteps(FemBody* body, const SpringElasticity* springs,
   const std::string name = settings.integrator->name;
   const double longest = longestStep();
   if (!(longest > 0.0)) {
-    throw std::invalid_argument("springs.integrator = " + name +
+    throw std::invalid_argument("springs.scheme = " + name +
                                 ": any step of it makes what is not damped grow; give damping.mass "
                                 "or damping.stiffness, or choose symplectic_euler or implicit");
   }
