@@ -22,5 +22,6 @@ void addMesh(CLI::App& app, Action& action);
 void addOrgan(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
 void addSolve(CLI::App& app, Action& action);
+void addSprings(CLI::App& app, Action& action);
 
 }  // namespace palpate::cli

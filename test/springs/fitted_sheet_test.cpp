@@ -187,11 +187,14 @@ TEST(FittedSheet, ResidualsAreThoseOfTheSprings) {
 }
 
 TEST(FittedSheet, PlatesDoNotBuckleByThemselves) {
-  for (const bool hole : {false, true}) {
-    const SheetFit fit = fitSheet(kSheet, plate(hole, 2.0), 1.0);
-    const NetworkModes modes = networkModes(fit.network);
-    EXPECT_EQ(modes.falling, 0) << hole;
-    EXPECT_EQ(modes.neutral, 6) << hole;
+  for (const double edge : {3.5, 2.7, 2.0}) {
+    for (const mesh::SurfaceMesh& surface :
+         {plate(false, edge), plate(true, edge),
+          mesh::meshPolygon(mesh::circle({0, 0}, 16.0, edge), {}, edge)}) {
+      const NetworkModes modes = networkModes(fitSheet(kSheet, surface, 1.0).network);
+      EXPECT_EQ(modes.falling, 0) << edge;
+      EXPECT_EQ(modes.neutral, 6) << edge;
+    }
   }
 }
 
