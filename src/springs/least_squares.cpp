@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -31,151 +32,63 @@ void append(const SparseMatrix& block, Eigen::Index row, Eigen::Index column, Tr
   }
 }
 
-enum class Place : char { kFree, kLower, kUpper };
-
-/// |A x - b|^2 with bounds, A's columns of length 1, and where each unknown is.
+/// |A x - b|^2/2 between bounds, with A's columns of length 1.
 class BoundedProblem {
  public:
   BoundedProblem(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd upper)
-      : place(static_cast<std::size_t>(A.cols()), Place::kFree),
-        H_(A.transpose() * A),
-        g_(A.transpose() * b),
-        upper_(std::move(upper)),
-        steep_(1e-9 * std::max(b.norm(), 1e-300)) {}
+      : upper_(std::move(upper)), H_(A.transpose() * A), g_(A.transpose() * b) {}
 
-  std::vector<Place> place;
-
+  /// Without the constant |b|^2/2.
+  double value(const Eigen::VectorXd& x) const { return x.dot(0.5 * (H_ * x) - g_); }
   Eigen::VectorXd slope(const Eigen::VectorXd& x) const { return H_ * x - g_; }
-  const Eigen::VectorXd& upper() const { return upper_; }
-  int factorisations() const { return factorisations_; }
-
-  /// Where an unknown with this value and slope should be: elsewhere, or where it is.
-  Place better(Eigen::Index i, double x, double slope, double off) const {
-    const Place now = place[static_cast<std::size_t>(i)];
-    if (now == Place::kFree && x < -off) return Place::kLower;
-    if (now == Place::kFree && x > upper_[i] + off) return Place::kUpper;
-    if (now == Place::kLower && slope < -steep_) return Place::kFree;
-    if (now == Place::kUpper && slope > steep_) return Place::kFree;
-    return now;
+  Eigen::VectorXd within(const Eigen::VectorXd& x) const {
+    return x.cwiseMax(0.0).cwiseMin(upper_);
   }
-
-  /// Minimiser over the free unknowns, the others at their bounds.
-  Eigen::VectorXd minimiseFree();
+  /// Pressed against a bound that is within `reach`.
+  bool bound(Eigen::Index i, double x, double slope, double reach) const {
+    return (x <= reach && slope >= 0.0) || (x >= upper_[i] - reach && slope <= 0.0);
+  }
+  /// Newton's step of those that are not bound, down the slope of the others.
+  Eigen::VectorXd newtonStep(const Eigen::VectorXd& x, const Eigen::VectorXd& slope,
+                             double reach) const;
 
  private:
+  Eigen::VectorXd upper_;
   SparseMatrix H_;
-  Eigen::VectorXd g_, upper_;
-  double steep_;
-  int factorisations_ = 0;
+  Eigen::VectorXd g_;
 };
 
-Eigen::VectorXd BoundedProblem::minimiseFree() {
+Eigen::VectorXd BoundedProblem::newtonStep(const Eigen::VectorXd& x, const Eigen::VectorXd& slope,
+                                           double reach) const {
   constexpr double kRidge = 1e-7;
-  constexpr int kRefinements = 3;
-  if (++factorisations_ > 5000) {
-    throw std::runtime_error("least squares: the bounds that hold are not found");
+  std::vector<int> number(static_cast<std::size_t>(x.size()), -1);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (bound(i, x[i], slope[i], reach)) continue;
+    number[static_cast<std::size_t>(i)] = static_cast<int>(free.size());
+    free.push_back(i);
   }
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(g_.size());
-  std::vector<int> number(place.size(), -1);
-  std::vector<Eigen::Index> unknowns;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    if (place[i] == Place::kUpper) x[index] = upper_[index];
-    if (place[i] != Place::kFree) continue;
-    number[i] = static_cast<int>(unknowns.size());
-    unknowns.push_back(index);
-  }
-  const auto size = static_cast<Eigen::Index>(unknowns.size());
-  if (size == 0) return x;
+  const auto size = static_cast<Eigen::Index>(free.size());
+  Eigen::VectorXd step = -slope, right(size);
+  if (size == 0) return step;
   Triplets entries;
   for (Eigen::Index c = 0; c < size; ++c) {
-    for (SparseMatrix::InnerIterator entry(H_, unknowns[static_cast<std::size_t>(c)]); entry;
-         ++entry) {
+    const Eigen::Index column = free[static_cast<std::size_t>(c)];
+    right[c] = -slope[column];
+    for (SparseMatrix::InnerIterator entry(H_, column); entry; ++entry) {
       const int row = number[static_cast<std::size_t>(entry.row())];
       if (row >= 0) entries.emplace_back(row, c, entry.value() + (row == c ? kRidge : 0.0));
     }
   }
-  SparseMatrix free(size, size);
-  free.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix part(size, size);
+  part.setFromTriplets(entries.begin(), entries.end());
   Eigen::CholmodSupernodalLLT<SparseMatrix> factor;
   factor.cholmod().print = 0;
-  factor.compute(free);
+  factor.compute(part);
   if (factor.info() != Eigen::Success) throw std::runtime_error("least squares: no factor");
-  for (int step = 0; step <= kRefinements; ++step) {
-    const Eigen::VectorXd left = -slope(x);
-    const Eigen::VectorXd change = factor.solve(Eigen::VectorXd::NullaryExpr(
-        size, [&](Eigen::Index i) { return left[unknowns[static_cast<std::size_t>(i)]]; }));
-    for (Eigen::Index i = 0; i < size; ++i) x[unknowns[static_cast<std::size_t>(i)]] += change[i];
-  }
-  return x;
-}
-
-double rounding(const Eigen::VectorXd& x) { return 1e-8 * x.cwiseAbs().maxCoeff(); }
-
-// All that are in a wrong place change it at once, until none is, or that makes no progress.
-bool exchangeBlocks(BoundedProblem* problem, Eigen::VectorXd* x) {
-  constexpr int kPatience = 10;
-  Eigen::Index fewest = x->size() + 1;
-  for (int patience = kPatience; patience > 0;) {
-    *x = problem->minimiseFree();
-    const Eigen::VectorXd slope = problem->slope(*x);
-    const double off = rounding(*x);
-    Eigen::Index count = 0;
-    for (Eigen::Index i = 0; i < x->size(); ++i) {
-      Place& place = problem->place[static_cast<std::size_t>(i)];
-      const Place better = problem->better(i, (*x)[i], slope[i], off);
-      count += better != place;
-      place = better;
-    }
-    if (count == 0) return true;
-    patience = count < fewest ? kPatience : patience - 1;
-    fewest = std::min(fewest, count);
-  }
-  return false;
-}
-
-// From what is within the bounds: to the minimum over the free unknowns or as far as the first
-// bound, and where that is a minimum, one more is set free. Every step makes the squares less.
-void descend(BoundedProblem* problem, Eigen::VectorXd* x) {
-  *x = x->cwiseMax(0.0).cwiseMin(problem->upper());
-  for (Eigen::Index i = 0; i < x->size(); ++i) {
-    problem->place[static_cast<std::size_t>(i)] = (*x)[i] <= 0.0                   ? Place::kLower
-                                                  : (*x)[i] >= problem->upper()[i] ? Place::kUpper
-                                                                                   : Place::kFree;
-  }
-  for (;;) {
-    const Eigen::VectorXd best = problem->minimiseFree();
-    const double off = rounding(best);
-    double share = 1.0;
-    for (Eigen::Index i = 0; i < x->size(); ++i) {
-      const double from = (*x)[i], to = best[i], bound = to < from ? 0.0 : problem->upper()[i];
-      if (to < -off || to > problem->upper()[i] + off) {
-        share = std::min(share, (bound - from) / (to - from));
-      }
-    }
-    if (share < 1.0) {
-      *x += share * (best - *x);
-      for (Eigen::Index i = 0; i < x->size(); ++i) {
-        Place& place = problem->place[static_cast<std::size_t>(i)];
-        if (place != Place::kFree || best[i] == (*x)[i]) continue;
-        if (best[i] < -off && (*x)[i] <= off) place = Place::kLower;
-        if (best[i] > problem->upper()[i] + off && (*x)[i] >= problem->upper()[i] - off) {
-          place = Place::kUpper;
-        }
-      }
-      continue;
-    }
-    *x = best;
-    const Eigen::VectorXd slope = problem->slope(best);
-    Eigen::Index steepest = -1;
-    for (Eigen::Index i = 0; i < x->size(); ++i) {
-      const Place place = problem->place[static_cast<std::size_t>(i)];
-      if (place == Place::kFree || problem->better(i, best[i], slope[i], off) == place) continue;
-      if (steepest < 0 || std::abs(slope[i]) > std::abs(slope[steepest])) steepest = i;
-    }
-    if (steepest < 0) return;
-    problem->place[static_cast<std::size_t>(steepest)] = Place::kFree;
-  }
+  const Eigen::VectorXd solution = factor.solve(right);
+  for (Eigen::Index i = 0; i < size; ++i) step[free[static_cast<std::size_t>(i)]] = solution[i];
+  return step;
 }
 
 }  // namespace
@@ -215,22 +128,54 @@ Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorX
 
 BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                     const Eigen::VectorXd& upper) {
+  constexpr double kFlat = 1e-10;  // of |b|: as good as optimal
+  constexpr double kNearlyFlat = 1e-7;
+  constexpr double kSufficientDecrease = 1e-4, kRounding = 1e-15;
+  constexpr int kPatience = 5;
+  constexpr double kReach = 1e-7;  // of |b|: bounds that Newton's step does not run into
+  constexpr int kLimit = 500;
   const Eigen::VectorXd scale = columnScales(A);
-  BoundedProblem problem(A * scale.asDiagonal(), b, upper.cwiseQuotient(scale));
+  const BoundedProblem problem(A * scale.asDiagonal(), b, upper.cwiseQuotient(scale));
+  const double size = std::max(b.norm(), 1e-300);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
-  if (!exchangeBlocks(&problem, &x)) descend(&problem, &x);
-
-  const Eigen::VectorXd slope = problem.slope(x);
-  BoundedSolution solution{scale.cwiseProduct(x).cwiseMax(0.0).cwiseMin(upper),
-                           problem.factorisations(), 0.0};
+  double value = 0.0;
+  double flattest = std::numeric_limits<double>::infinity();
+  int idle = 0;
+  BoundedSolution solution;
+  for (;;) {
+    const Eigen::VectorXd slope = problem.slope(x);
+    // How far x would go down the slope; 0 at the optimum.
+    const Eigen::VectorXd pushed = (problem.within(x - slope) - x).cwiseAbs();
+    const double push = pushed.size() == 0 ? 0.0 : pushed.maxCoeff();
+    solution.worst_gradient = push / size;
+    if (solution.worst_gradient <= kFlat) break;
+    if (solution.worst_gradient < 0.5 * flattest) {
+      flattest = solution.worst_gradient;
+      idle = 0;
+    }
+    if (flattest < kNearlyFlat && ++idle > kPatience) break;  // only rounding is left
+    if (solution.factorisations == kLimit) {
+      throw std::runtime_error("least squares: the bounds that hold are not found");
+    }
+    const Eigen::VectorXd step = problem.newtonStep(x, slope, std::min(kReach * size, push));
+    ++solution.factorisations;
+    bool moved = false;
+    for (double alpha = 1.0; alpha > 1e-12; alpha *= 0.5) {
+      const Eigen::VectorXd trial = problem.within(x + alpha * step);
+      const double next = problem.value(trial);
+      if (next > value + kSufficientDecrease * slope.dot(trial - x) + kRounding * std::abs(value)) {
+        continue;
+      }
+      moved = true;
+      x = trial;
+      value = next;
+      break;
+    }
+    if (!moved) break;
+  }
+  solution.x = scale.cwiseProduct(x).cwiseMin(upper);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Place place = problem.place[static_cast<std::size_t>(i)];
-    if (place == Place::kUpper) solution.x[i] = upper[i];
-    const double violation = place == Place::kFree    ? std::abs(slope[i])
-                             : place == Place::kLower ? std::max(0.0, -slope[i])
-                                                      : std::max(0.0, slope[i]);
-    solution.worst_gradient =
-        std::max(solution.worst_gradient, violation / std::max(b.norm(), 1e-300));
+    if (x[i] >= upper[i] / scale[i]) solution.x[i] = upper[i];
   }
   return solution;
 }

@@ -18,18 +18,17 @@ Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorX
 struct BoundedSolution {
   Eigen::VectorXd x;
   int factorisations = 0;
-  /// Largest violation of the conditions of optimality, A's columns scaled to length 1: of the
-  /// gradient of a free unknown, or of one that a bound does not hold, over |b|.
+  /// How far any unknown would go down the slope within its bounds, over |b|, A's columns scaled to
+  /// length 1; 0 at the optimum.
   double worst_gradient = 0.0;
 };
 
-/// x with the least |A x - b|^2 and 0 <= x <= upper (infinite: no bound), by block principal
-/// pivoting [Portugal, Judice, Vicente 1994], and where that makes no progress, because A's columns
-/// depend on each other, by an active set that descends. The set of bounds that hold is exact, not
-/// the limit of an iteration. A ridge of 1e-7 of each column's square, refined away, keeps unknowns
-/// that A does not determine small.
+/// x with the least |A x - b|^2 and 0 <= x <= upper (infinite: no bound), by projected Newton steps
+/// [Bertsekas 1982]: every step factorises the part of those that no bound holds, and makes the
+/// squares less. A's columns may depend on each other; then unknowns that A does not determine stay
+/// near 0. Ends at a worst_gradient of 1e-10, or where only rounding is left.
 ///
-/// @throws std::runtime_error if no such set is found within 5000 factorisations.
+/// @throws std::runtime_error if that takes more than 500 factorisations.
 BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                     const Eigen::VectorXd& upper);
 
