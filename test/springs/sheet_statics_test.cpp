@@ -206,6 +206,40 @@ TEST(SheetStatics, SmallestDisc) {
   EXPECT_NEAR(triangleDisc(sheet, 1, U) * plate(sheet, U), expected, 1e-9 * expected);
 }
 
+// Force on the middle at the deflection w, over that of the linear plate, where points inside may
+// move in the plane as well and the held ones not at all.
+double stiffening(Disc disc, const Sheet& sheet, double a, double w) {
+  Points x = disc.network.points;
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    if (disc.loads.free(2, i) != 0.0) disc.loads.free.col(i).setOnes();
+    const double part = std::max(0.0, 1.0 - x.col(i).norm() / a);
+    if (disc.loads.free(2, i) != 0.0) x(2, i) = w * part;
+  }
+  disc.loads.forces.setZero();
+  disc.loads.free(2, disc.middle) = 0.0;
+  const double linear = plate(sheet, a) * w;
+  EXPECT_EQ(solveNetwork(disc.network, disc.loads, {1e-6 * linear}, &x).status,
+            solver::SolveStatus::kConverged);
+  return -networkForces(disc.network, x)(2, disc.middle) / linear;
+}
+
+// Beyond its thickness a clamped sheet stretches. Figures of another program on the same networks,
+// n = 8, with the stiffnesses of chapter 5.
+TEST(SheetStatics, ClampedDiscsStiffenAsTheyStretch) {
+  const double a = 10.0, h = 0.01, U = a / 8;
+  const Sheet sheet{1.0e7, 0.3, h};
+  const Disc triangles = clampedDisc(8, triangleAxes(), [&](const auto& nodes) {
+    return triangleNetwork(triangleSprings(sheet, U), U, nodes, 1.0);
+  });
+  const Disc squares = clampedDisc(8, Eigen::Matrix2d::Identity(), [&](const auto& nodes) {
+    return rectangleNetwork(rectangleSprings(sheet, U), U, nodes, 1.0);
+  });
+  EXPECT_NEAR(stiffening(triangles, sheet, a, h), 1.09, 0.005);
+  EXPECT_NEAR(stiffening(squares, sheet, a, h), 1.15, 0.005);
+  EXPECT_NEAR(stiffening(triangles, sheet, a, 5 * h), 7.1, 0.05);
+  EXPECT_NEAR(stiffening(squares, sheet, a, 5 * h), 7.4, 0.05);
+}
+
 TEST(SheetStatics, WithoutPreloadNothingResistsASmallDeflection) {
   const Sheet sheet{1.0e7, 0.3, 0.01};
   Disc disc = clampedDisc(8, triangleAxes(), [&](const auto& nodes) {
