@@ -108,6 +108,8 @@ void addSprings(CLI::App& app, Action& action) {
   command.option(
       "--step", &choice.step,
       "No spring of a file is stiffer than an explicit step as long as this carries [s]");
+  command.flag("--match-mean", &choice.match_mean,
+               "Multiply what is fitted so that its mean is right: least squares are too soft");
   command.option("--out", &options->out, "File to write, .csv").required();
   command.onUse([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -129,7 +129,7 @@ MadeSprings fittedSprings(const SpringsChoice& choice) {
   unwanted("--diagonals", choice.diagonals.has_value(), "a file");
   unwanted("--width", choice.width.has_value(), "a file");
   unwanted("--printed", choice.printed, "a file");
-  const springs::FitSettings settings{choice.step.value_or(0.0)};
+  const springs::FitSettings settings{choice.step.value_or(0.0), choice.match_mean};
   const double scale = choice.scale.value_or(1.0);
   MadeSprings made;
   if (isSurface(choice.mesh)) {
@@ -179,6 +179,8 @@ MadeSprings makeSprings(const SpringsChoice& choice) {
   if (choice.step) requirePositive("--step", *choice.step);
   unwanted("--scale", choice.scale.has_value() && choice.regular.has_value(), "a regular mesh");
   unwanted("--step", choice.step.has_value() && choice.regular.has_value(),
+           "a regular mesh, which has nothing to choose");
+  unwanted("--match-mean", choice.match_mean && choice.regular.has_value(),
            "a regular mesh, which has nothing to choose");
   MadeSprings made;
   try {

@@ -26,6 +26,7 @@ struct SpringsChoice {
   double density = 0.0;        ///< [kg/m^3]
   std::optional<double> poisson_ratio, thickness, width;
   std::optional<double> step;  ///< Explicit step that bounds stiffnesses [s].
+  bool match_mean = false;
 };
 
 /// Springs, and what was found on the way.

@@ -38,6 +38,18 @@ Eigen::VectorXd Conditions::right() const {
   return right;
 }
 
+double Conditions::matchingFactor(std::size_t family, const Eigen::VectorXd& x) const {
+  double left = 0.0, right = 0.0;
+  for (const auto& entry : entries_) {
+    const auto row = static_cast<std::size_t>(entry.row());
+    if (family_[row] == family) left += scales_[row] * entry.value() * x[entry.col()];
+  }
+  for (std::size_t i = 0; i < right_.size(); ++i) {
+    if (family_[i] == family) right += scales_[i] * right_[i];
+  }
+  return right / left;
+}
+
 std::vector<ConstraintFamily> Conditions::residuals(const Eigen::VectorXd& x) const {
   std::vector<double> left(right_.size(), 0.0);
   for (const auto& entry : entries_) {

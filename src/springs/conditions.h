@@ -29,6 +29,9 @@ class Conditions {
   SparseMatrix matrix()
       const;  ///< Of conditions over their scales, times the roots of the weights.
   Eigen::VectorXd right() const;
+  /// By what x must be multiplied for the sum of a family's conditions to be that of their right
+  /// sides.
+  double matchingFactor(std::size_t family, const Eigen::VectorXd& x) const;
   std::vector<ConstraintFamily> residuals(const Eigen::VectorXd& x) const;
 
  private:

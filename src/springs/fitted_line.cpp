@@ -79,12 +79,14 @@ LineFit fitLine(const BeamSection& beam, const Eigen::VectorXd& places, double l
     stretch.begin(even, 4.0 * C / mean);
     forEachAt(line, m, [&](auto i, double U, double e) { stretch.add(i, U * e); });
   }
-  const Eigen::VectorXd P = equalityLeastSquares(soft.matrix(), soft.right(), hard.matrix());
+  Eigen::VectorXd P = equalityLeastSquares(soft.matrix(), soft.right(), hard.matrix());
+  if (settings.match_mean) P *= soft.matchingFactor(bending, P);
   Eigen::VectorXd upper = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   if (settings.explicit_step != 0.0) {
     upper = largestStiffness(line.springs, line.masses, settings.explicit_step);
   }
-  const Eigen::VectorXd k = boundedLeastSquares(stretch.matrix(), stretch.right(), upper).x;
+  Eigen::VectorXd k = boundedLeastSquares(stretch.matrix(), stretch.right(), upper).x;
+  if (settings.match_mean) k = (stretch.matchingFactor(modulus, k) * k).cwiseMin(upper);
   for (Eigen::Index i = 0; i < count; ++i) {
     line.springs[static_cast<std::size_t>(i)].preload = P[i];
     line.springs[static_cast<std::size_t>(i)].stiffness = k[i];

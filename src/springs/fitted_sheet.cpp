@@ -81,7 +81,8 @@ void addCondition(const std::vector<Arm>& arms, std::size_t family, double scale
 
 Eigen::VectorXd fitPreload(const Sheet& sheet, const std::vector<std::vector<Arm>>& arms,
                            const Eigen::VectorXd& areas, double square, const SheetWeights& weights,
-                           Eigen::Index count, std::vector<ConstraintFamily>* families) {
+                           Eigen::Index count, bool match_mean,
+                           std::vector<ConstraintFamily>* families) {
   const auto& w = weights.of_preload;
   Conditions hard(count), soft(count);
   const auto balance = hard.addFamily("balance");
@@ -109,7 +110,8 @@ Eigen::VectorXd fitPreload(const Sheet& sheet, const std::vector<std::vector<Arm
     add(fourfold, S, 0.0, [](const Arm& a) { return a.U * a.U * a.U * a.c4; });
     add(bending, S, -S, [](const Arm& a) { return a.U * a.U * a.U; });
   }
-  const Eigen::VectorXd P = equalityLeastSquares(soft.matrix(), soft.right(), hard.matrix());
+  Eigen::VectorXd P = equalityLeastSquares(soft.matrix(), soft.right(), hard.matrix());
+  if (match_mean) P *= soft.matchingFactor(bending, P);
   *families = hard.residuals(P);
   for (const ConstraintFamily& family : soft.residuals(P)) families->push_back(family);
   return P;
@@ -118,7 +120,7 @@ Eigen::VectorXd fitPreload(const Sheet& sheet, const std::vector<std::vector<Arm
 Eigen::VectorXd fitStiffness(const Sheet& sheet, const std::vector<std::vector<Arm>>& arms,
                              const Eigen::VectorXd& areas, const Eigen::VectorXd& P,
                              const SheetWeights& weights, const Eigen::VectorXd& upper,
-                             std::vector<ConstraintFamily>* families) {
+                             bool match_mean, std::vector<ConstraintFamily>* families) {
   const auto& w = weights.of_stiffness;
   Conditions conditions(P.size());
   const auto twofold = conditions.addFamily("stretch_2", w[0]),
@@ -141,7 +143,8 @@ Eigen::VectorXd fitStiffness(const Sheet& sheet, const std::vector<std::vector<A
     add(fourfold, c4, [](const Arm& a) { return a.U * a.U * a.c4; });
     add(stretch, T, [](const Arm& a) { return a.U * a.U; });
   }
-  const Eigen::VectorXd k = boundedLeastSquares(conditions.matrix(), conditions.right(), upper).x;
+  Eigen::VectorXd k = boundedLeastSquares(conditions.matrix(), conditions.right(), upper).x;
+  if (match_mean) k = (conditions.matchingFactor(stretch, k) * k).cwiseMin(upper);
   *families = conditions.residuals(k);
   return k;
 }
@@ -166,9 +169,10 @@ SheetFit fitSheet(const Sheet& sheet, const mesh::SurfaceMesh& surface, double a
     upper = largestStiffness(network.springs, network.masses, settings.explicit_step);
   }
   const std::vector<std::vector<Arm>> arms = armsOf(network, surface);
-  const Eigen::VectorXd P =
-      fitPreload(sheet, arms, areas, meanSquareEdge(network.springs), weights, count, &fit.preload);
-  const Eigen::VectorXd k = fitStiffness(sheet, arms, areas, P, weights, upper, &fit.stiffness);
+  const Eigen::VectorXd P = fitPreload(sheet, arms, areas, meanSquareEdge(network.springs), weights,
+                                       count, settings.match_mean, &fit.preload);
+  const Eigen::VectorXd k =
+      fitStiffness(sheet, arms, areas, P, weights, upper, settings.match_mean, &fit.stiffness);
   for (Eigen::Index i = 0; i < count; ++i) {
     network.springs[static_cast<std::size_t>(i)].preload = P[i];
     network.springs[static_cast<std::size_t>(i)].stiffness = k[i];

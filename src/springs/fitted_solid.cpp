@@ -67,6 +67,16 @@ class TensorConditions {
     for (Eigen::Index m = 0; m < volumes.size(); ++m) b.segment<15>(15 * m) = isotropicFourth();
   }
 
+  /// By what k must be multiplied for the sum of all k U^2 to be that of 12 E V.
+  double matchingFactor(const Eigen::VectorXd& k) const {
+    const Eigen::VectorXd left = A * k;
+    double sum = 0.0;
+    for (Eigen::Index m = 0; m < scale_.size(); ++m) {
+      sum += scale_[m] * left.segment<15>(15 * m).dot(isotropicFourth());
+    }
+    return 45.0 * scale_.sum() / sum;
+  }
+
   std::vector<ConstraintFamily> residuals(const Eigen::VectorXd& k) const {
     const Eigen::VectorXd error = A * k - b;
     const double size = isotropicFourth().norm();
@@ -117,7 +127,8 @@ SolidFit fitSolid(const mesh::TetMesh& given, double young_modulus, double densi
     upper = largestStiffness(network.springs, network.masses, settings.explicit_step);
   }
   const TensorConditions conditions(network, volumes, young_modulus);
-  const Eigen::VectorXd k = boundedLeastSquares(conditions.A, conditions.b, upper).x;
+  Eigen::VectorXd k = boundedLeastSquares(conditions.A, conditions.b, upper).x;
+  if (settings.match_mean) k = (conditions.matchingFactor(k) * k).cwiseMin(upper);
   for (Eigen::Index i = 0; i < count; ++i) {
     network.springs[static_cast<std::size_t>(i)].stiffness = k[i];
     fit.slack += k[i] == 0.0;

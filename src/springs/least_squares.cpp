@@ -123,6 +123,9 @@ Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorX
     z += change;
     if (change.head(n).norm() <= 1e-15 * z.head(n).norm()) break;
   }
+  if (m > 0 && (rows_of_unit_length * z.head(n)).cwiseAbs().maxCoeff() > 1e-9 * z.head(n).norm()) {
+    throw std::runtime_error("least squares: the equalities are not kept");
+  }
   return scale.cwiseProduct(z.head(n));
 }
 
@@ -154,9 +157,7 @@ BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd
       idle = 0;
     }
     if (flattest < kNearlyFlat && ++idle > kPatience) break;  // only rounding is left
-    if (solution.factorisations == kLimit) {
-      throw std::runtime_error("least squares: the bounds that hold are not found");
-    }
+    if (solution.factorisations == kLimit) break;
     const Eigen::VectorXd step = problem.newtonStep(x, slope, std::min(kReach * size, push));
     ++solution.factorisations;
     bool moved = false;
@@ -172,6 +173,9 @@ BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd
       break;
     }
     if (!moved) break;
+  }
+  if (!(solution.worst_gradient <= kNearlyFlat)) {
+    throw std::runtime_error("least squares: the bounds that hold are not found");
   }
   solution.x = scale.cwiseProduct(x).cwiseMin(upper);
   for (Eigen::Index i = 0; i < x.size(); ++i) {

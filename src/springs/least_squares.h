@@ -28,7 +28,7 @@ struct BoundedSolution {
 /// squares less. A's columns may depend on each other; then unknowns that A does not determine stay
 /// near 0. Ends at a worst_gradient of 1e-10, or where only rounding is left.
 ///
-/// @throws std::runtime_error if that takes more than 500 factorisations.
+/// @throws std::runtime_error if worst_gradient is above 1e-7 after 500 factorisations.
 BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                     const Eigen::VectorXd& upper);
 

@@ -72,6 +72,12 @@ TEST_F(SpringsCommand, FitsTetrahedraWithinTheBoundOfAStep) {
   ASSERT_EQ(bounded.status, 0) << bounded.err;
   EXPECT_FALSE(contains(bounded.out, " 0 as stiff as")) << bounded.out;
   EXPECT_TRUE(contains(bounded.out, "stable up to 20 ms")) << bounded.out;
+  ASSERT_EQ(runCli(springs(block() + " --match-mean")).status, 0);
+  double sum = 0.0;
+  for (const springs::Spring& s : springs::readSprings(path("s.csv")).springs) {
+    sum += 2 * s.stiffness * s.length * s.length;
+  }
+  EXPECT_NEAR(sum, 12 * 5e3 * 2e-3, 1e-9 * sum);  // 12 E V
 }
 
 TEST_F(SpringsCommand, MakesRegularMeshes) {
@@ -123,6 +129,7 @@ TEST_F(SpringsCommand, BadInput) {
   EXPECT_TRUE(contains(refusal("--regular cubes --cells 2,2,x --spacing 1" + E), "whole numbers"));
   EXPECT_TRUE(contains(refusal("--regular cubes --cells 999,999,999 --spacing 1" + E), "or less"));
   EXPECT_TRUE(contains(refusal("--regular cubes --cells 2,2,2" + E), "--spacing: must be given"));
+  EXPECT_TRUE(contains(refusal(cubes + " --match-mean" + E), "which has nothing to choose"));
   EXPECT_TRUE(contains(refusal(cubes + " --width 1" + E), "--width: has no meaning"));
   EXPECT_TRUE(contains(refusal(cubes + " --young-modulus nan --density 1"), "--young-modulus"));
   for (const std::string& arguments :

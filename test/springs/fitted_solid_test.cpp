@@ -218,16 +218,18 @@ TEST(FittedSolid, DoesNotDependOnTheFrame) {
   }
 }
 
+// With and without the mean of the stiffnesses matched.
+class FittedBody : public ::testing::TestWithParam<bool> {};
+
 // Cube of 10 cm, 1000 N a cm (7.74).
-TEST(FittedSolid, CubeInTension) {
-  const mesh::TetMesh mesh = fill(boxSurface(10.0), 1.8);
-  const SolidFit fit = fitSolid(mesh, E, 1.0);
+TEST_P(FittedBody, CubeInTension) {
+  const SolidFit fit = fitSolid(fill(boxSurface(10.0), 1.8), E, 1.0, {0.0, GetParam()});
   print("cube", fit);
   const double bound = energyBound(rms(fit), Vec3(-0.25, -0.25, 1.0).asDiagonal());
   const Response r = respond(fit.network, 10.0, 0.01, 0.0, false);
   const double expected = E * 100.0 / 10.0 * 0.01;
-  std::cout << "cube force " << r.force / expected << " of 1000 N/cm, contraction " << r.x_ratio
-            << " " << r.y_ratio << "; bound " << bound << "\n";
+  std::cout << "force " << r.force / expected << " of 1000 N/cm, contraction " << r.x_ratio << " "
+            << r.y_ratio << "; bound " << bound << "\n";
   EXPECT_NEAR(r.force / expected, 1.0, bound);
   const double uniform = energyOf(fit.network, [](const Vec3& X) {
     return Vec3(0.001 * Vec3(-0.25, -0.25, 1.0).cwiseProduct(X));
@@ -238,17 +240,17 @@ TEST(FittedSolid, CubeInTension) {
 
 // Shaft of radius 5 cm, 15 cm long: 523.6 N a cm (7.75), and G alpha pi R^4/2 of torsion; of the
 // area that its mesh has.
-TEST(FittedSolid, ShaftInTensionAndTorsion) {
+TEST_P(FittedBody, ShaftInTensionAndTorsion) {
   const double L = 15.0;
   const mesh::TetMesh mesh = fill(shaftSurface(5.0, L, 40), 1.8);
-  const SolidFit fit = fitSolid(mesh, E, 1.0);
+  const SolidFit fit = fitSolid(mesh, E, 1.0, {0.0, GetParam()});
   print("shaft", fit);
   const double area = volumeOf(mesh) / L;
   EXPECT_NEAR(area, 25 * kPi, 0.02 * 25 * kPi);
   const double pull_bound = energyBound(rms(fit), Vec3(-0.25, -0.25, 1.0).asDiagonal());
   const Response pulled = respond(fit.network, L, 0.01, 0.0, false);
   const double force = E * area / L * 0.01;
-  std::cout << "shaft force " << pulled.force / force << ", contraction " << pulled.x_ratio << " "
+  std::cout << "force " << pulled.force / force << ", contraction " << pulled.x_ratio << " "
             << pulled.y_ratio << "; bound " << pull_bound << "\n";
   EXPECT_NEAR(pulled.force / force, 1.0, pull_bound);
   for (const double ratio : {pulled.x_ratio, pulled.y_ratio}) {
@@ -259,11 +261,21 @@ TEST(FittedSolid, ShaftInTensionAndTorsion) {
   const double twist_bound = energyBound(rms(fit), shear), alpha = 1e-3;
   const Response twisted = respond(fit.network, L, 0.0, alpha * L, true);
   const double moment = E / 2.5 * alpha * area * area / (2 * kPi);
-  std::cout << "shaft moment " << twisted.moment / moment << "; bound " << twist_bound << "\n";
+  std::cout << "moment " << twisted.moment / moment << "; bound " << twist_bound << "\n";
   EXPECT_NEAR(twisted.moment / moment, 1.0, twist_bound);
   const double uniform = energyOf(
       fit.network, [&](const Vec3& X) { return Vec3(alpha * X.z() * Vec3(-X.y(), X.x(), 0.0)); });
   EXPECT_LE(0.5 * twisted.moment * alpha * L, uniform * (1.0 + 1e-9));
+}
+
+INSTANTIATE_TEST_SUITE_P(MatchMean, FittedBody, ::testing::Bool());
+
+TEST(FittedSolid, MatchedMeanIsThatOfTheSolid) {
+  const mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), {3, 3, 3});
+  const SolidFit fit = fitSolid(mesh, 5e3, 1000.0, {0.0, true});
+  double sum = 0.0;
+  for (const Spring& s : fit.network.springs) sum += 2 * s.stiffness * s.length * s.length;
+  EXPECT_NEAR(sum, 12 * 5e3 * 1e-3, 1e-9 * sum);  // 12 E V (7.59)
 }
 
 TEST(FittedSolid, RefusesWhatIsNoBody) {

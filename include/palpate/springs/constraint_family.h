@@ -18,6 +18,10 @@ struct FitSettings {
   /// Time step of an explicit integrator [s] that bounds each stiffness, see largestStiffness().
   /// 0: there is no bound.
   double explicit_step = 0.0;
+  /// Multiplies what the least squares give by one number, so that its mean over all points has the
+  /// magnitude that the continuum demands. Least squares alone make springs too soft, for what asks
+  /// for nothing is the nearer the smaller they are. Not in [Wang 2005].
+  bool match_mean = false;
 };
 
 }  // namespace palpate::springs

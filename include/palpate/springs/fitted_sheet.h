@@ -47,7 +47,8 @@ struct SheetWeights {
 ///
 /// Two least squares, the first for P, each condition over the size of the last one's right side, U
 /// taken as the root of the mean square of the edges where it is missing. Met by all, bending to a
-/// cylinder and stretch along a line are exact, Poisson's ratio is 1/3.
+/// cylinder and stretch along a line are exact, Poisson's ratio is 1/3. `match_mean` is about
+/// `bending` and `stretch`.
 ///
 /// @throws std::invalid_argument as sheetTopology(), check() and requirePositive(); `areal_density`
 /// [kg/m^2].
