@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -63,8 +65,18 @@ void printReport(const Options& options, const MadeSprings& made) {
   }
   std::cout << "  explicit step    stable up to " << 1e3 * springs::largestStep(made.network)
             << " ms\n";
-  if (made.network.points.cols() <= kMaxModesPoints) {
-    const springs::NetworkModes modes = springs::networkModes(made.network);
+  const springs::SpringNetwork& network = made.network;
+  double largest = 0.0;
+  for (const springs::Spring& s : network.springs) {
+    largest = std::max(largest, std::abs(s.preload));
+  }
+  const double imbalance =
+      springs::networkForces(network, network.points).colwise().norm().maxCoeff();
+  const bool balanced = imbalance <= 1e-9 * largest;
+  std::cout << "  out of balance   " << (balanced ? 0.0 : imbalance) << " N at the worst point"
+            << (balanced ? "" : ": free edges contract") << "\n";
+  if (balanced && network.points.cols() <= kMaxModesPoints) {
+    const springs::NetworkModes modes = springs::networkModes(network);
     std::cout << "  free motions     " << modes.neutral << " without energy, " << modes.falling
               << " that lose energy\n";
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "palpate/springs/network_modes.h"
 #include "palpate/springs/network_statics.h"
 #include "palpate/springs/spring_grids.h"
 
@@ -122,6 +123,31 @@ TEST(SheetStatics, FreeEdgesOfTrianglesContractLess) {
   for (int i = 3; i < 13; ++i) {
     EXPECT_LT(std::abs((x.col(node(7, i + 1)) - x.col(node(7, i))).norm() / U - 1.0), 0.1 * square);
   }
+}
+
+// At rest in its plane a free sheet of triangles loses energy by no small motion. One of squares
+// does: its edges are in tension, and press on what is inside.
+TEST(SheetStatics, FreeTrianglesDoNotBuckleAndSquaresDo) {
+  const Sheet sheet{1.0e7, 0.3, 0.1};
+  const double U = 2.0;
+  const auto modesAtRest = [](SpringNetwork network) {
+    const Points x = atRest(network, 0, 1, 1e-6);
+    for (Spring& s : network.springs) {
+      const double u = (x.col(s.b) - x.col(s.a)).norm();
+      s.preload = springForce(s, u);
+      s.length = u;
+    }
+    network.points = x;
+    return networkModes(network);
+  };
+  const NetworkModes triangles =
+      modesAtRest(triangleNetwork(triangleSprings(sheet, U), U, triangleNodes(17, 13), 1.0));
+  const NetworkModes squares =
+      modesAtRest(rectangleNetwork(rectangleSprings(sheet, U), U, rectangleNodes(17, 13), 1.0));
+  EXPECT_EQ(triangles.falling, 0);
+  EXPECT_EQ(triangles.neutral, 6);
+  EXPECT_GT(squares.falling, 0);
+  EXPECT_EQ(squares.neutral, 6);
 }
 
 struct Disc {

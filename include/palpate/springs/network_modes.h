@@ -5,7 +5,7 @@
 
 namespace palpate::springs {
 
-/// Small motions of a free network about its points.
+/// Small motions of a free network about its points, where it is in balance.
 struct NetworkModes {
   int falling;  ///< That lose energy: preload buckles the network by itself.
   int neutral;  ///< Without any: six rigid motions, the others are mechanisms.
