@@ -17,9 +17,10 @@ using Ends = std::pair<int, int>;
 
 Ends sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-// The corners opposite to each edge.
+// The corners opposite to each edge. Neighbours turn alike: they run along their edge to and fro.
 std::map<Ends, std::vector<int>> oppositeCorners(const Eigen::Matrix3Xi& triangles) {
   std::map<Ends, std::vector<int>> edges;
+  std::set<Ends> directed;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const Ends ends = sorted(triangles(k, t), triangles((k + 1) % 3, t));
@@ -29,6 +30,10 @@ std::map<Ends, std::vector<int>> oppositeCorners(const Eigen::Matrix3Xi& triangl
         throw std::invalid_argument("triangle " + std::to_string(t) + ": its edge from point " +
                                     std::to_string(ends.first) + " to " +
                                     std::to_string(ends.second) + " has two triangles already");
+      }
+      if (!directed.emplace(triangles(k, t), triangles((k + 1) % 3, t)).second) {
+        throw std::invalid_argument("triangle " + std::to_string(t) +
+                                    ": turns the other way than its neighbour, or is there twice");
       }
     }
   }

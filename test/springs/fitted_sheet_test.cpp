@@ -119,8 +119,12 @@ TEST(SheetTopology, RefusesSheetsThatAreNone) {
   EXPECT_TRUE(contains(refusal([](auto& s) { s.points.col(2) = s.points.col(1); }),
                        "triangle 0: is collapsed"));
   EXPECT_TRUE(contains(refusal([](auto& s) { s.triangles(1, 3) = 9; }), "triangle 3: a corner"));
-  EXPECT_TRUE(contains(refusal([](auto& s) { s.triangles.col(3) = s.triangles.col(0); }),
+  EXPECT_TRUE(contains(refusal([](auto& s) { s.triangles.col(3) << 2, 0, 4; }),
                        "has two triangles already"));
+  EXPECT_TRUE(contains(refusal([](auto& s) { s.triangles.col(3).reverseInPlace(); }),
+                       "turns the other way than its neighbour"));
+  EXPECT_TRUE(contains(refusal([](auto& s) { s.triangles.col(3) = s.triangles.col(0); }),
+                       "triangle 3: turns the other way than its neighbour, or is there twice"));
   EXPECT_TRUE(contains(refusal([](auto& s) {
                          s.points.conservativeResize(3, 7);
                          s.points.col(6).setConstant(3.0);

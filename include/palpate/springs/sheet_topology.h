@@ -31,8 +31,9 @@ struct SheetTopology {
 /// every inner edge, unless there is a spring already: of the four around a vertex of valence 4 two
 /// are left, of the three around one of valence 3 none [Wang 2005, 6.3].
 ///
-/// @throws std::invalid_argument naming the triangle that is collapsed or has a point that there is
-/// not, the edge of three triangles, or the point of no triangle, counted from 0.
+/// @throws std::invalid_argument naming the triangle that is collapsed, has a point that there is
+/// not, turns the other way than a neighbour, or is the third at an edge, or the point of no
+/// triangle, counted from 0.
 SheetTopology sheetTopology(const Points& points, const Eigen::Matrix3Xi& triangles);
 
 }  // namespace palpate::springs
