@@ -94,6 +94,10 @@ TEST(PlanarMesh, RefusesWhatIsNoPolygon) {
   EXPECT_THROW(meshPolygon(box(1, 1), {}, std::nan("")), std::invalid_argument);
   EXPECT_THROW(meshPolygon(box(1, 1), {}, 1e-5), std::invalid_argument);
   EXPECT_THROW(meshPolygon(box(1, 1), {circle({1, 1}, 0.3, 0.1)}, 0.1), std::invalid_argument);
+  EXPECT_THROW(meshPolygon(box(2, 2), {box(1, 1)}, 0.1), std::invalid_argument);
+  Polygon crossed(2, 4);
+  crossed << 0, 3, 3, 0, 0, 1, 0, 2;
+  EXPECT_THROW(meshPolygon(crossed, {}, 0.5), std::invalid_argument);
 }
 
 }  // namespace

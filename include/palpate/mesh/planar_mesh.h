@@ -18,7 +18,8 @@ using Polygon = Eigen::Matrix2Xd;
 /// smoothing would not.
 ///
 /// @throws std::invalid_argument for a polygon of fewer than 3 corners or one that is not finite,
-/// an edge length that is not > 0, over kMaxPlanarTriangles expected, or sides that cross.
+/// an edge length that is not > 0, over kMaxPlanarTriangles expected, or sides that cross or
+/// touch.
 SurfaceMesh meshPolygon(const Polygon& outline, const std::vector<Polygon>& holes,
                         double edge_length);
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <list>
 #include <map>
@@ -24,10 +25,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Delaunay_mesh_vertex_base_2<Kernel>;
 using Face = CGAL::Delaunay_mesh_face_base_2<Kernel>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-                                               CGAL::Triangulation_data_structure_2<Vertex, Face>,
-                                               CGAL::No_constraint_intersection_tag>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>, CGAL::Exact_predicates_tag>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_2<Triangulation, Criteria>;
 
@@ -47,7 +46,8 @@ void check(const Polygon& polygon, const char* name) {
   }
 }
 
-void insert(const Polygon& polygon, double edge_length, Triangulation* triangulation) {
+// @returns how many corners.
+std::size_t insert(const Polygon& polygon, double edge_length, Triangulation* triangulation) {
   std::vector<Triangulation::Vertex_handle> corners;
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
     const Eigen::Vector2d a = polygon.col(i), b = polygon.col((i + 1) % polygon.cols());
@@ -60,6 +60,20 @@ void insert(const Polygon& polygon, double edge_length, Triangulation* triangula
   for (std::size_t i = 0; i < corners.size(); ++i) {
     triangulation->insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
   }
+  return corners.size();
+}
+
+// Where sides meet elsewhere than at their ends there are more vertices, or more than two sides at
+// one.
+bool simple(const Triangulation& triangulation, std::size_t corners) {
+  if (triangulation.number_of_vertices() != corners) return false;
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
+       ++v) {
+    std::vector<Triangulation::Edge> sides;
+    triangulation.are_there_incident_constraints(v, std::back_inserter(sides));
+    if (sides.size() != 2) return false;
+  }
+  return true;
 }
 
 // A point inside: the middle of a triangle of the polygon's own triangulation.
@@ -67,7 +81,7 @@ Kernel::Point_2 inside(const Polygon& polygon) {
   Triangulation own;
   insert(polygon, std::numeric_limits<double>::infinity(), &own);
   Mesher(own).init();
-  for (const auto face : own.finite_face_handles()) {
+  for (auto face = own.finite_faces_begin(); face != own.finite_faces_end(); ++face) {
     if (face->is_in_domain()) return CGAL::centroid(own.triangle(face));
   }
   throw std::invalid_argument("a hole has no inside");
@@ -78,7 +92,8 @@ Kernel::Point_2 inside(const Polygon& polygon) {
 SurfaceMesh inOrder(const Triangulation& triangulation) {
   std::vector<Triangulation::Face_handle> faces;
   std::map<Kernel::Point_2, int> index;
-  for (const auto face : triangulation.finite_face_handles()) {
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
+       ++face) {
     if (!face->is_in_domain()) continue;
     faces.push_back(face);
     for (int k = 0; k < 3; ++k) index.emplace(face->vertex(k)->point(), 0);
@@ -130,20 +145,19 @@ SurfaceMesh meshPolygon(const Polygon& outline, const std::vector<Polygon>& hole
   // The criterion bounds edges; those of a mesh with this bound are a quarter shorter, mean.
   constexpr double kMeanOfBound = 0.75;
   constexpr double kShape = 0.125;  // sine of 20.7 degrees, squared: the least angle
-  try {
-    Triangulation triangulation;
-    insert(outline, edge_length, &triangulation);
-    for (const Polygon& hole : holes) insert(hole, edge_length, &triangulation);
-    std::list<Kernel::Point_2> seeds;
-    for (const Polygon& hole : holes) seeds.push_back(inside(hole));
-    Mesher mesher(triangulation);
-    mesher.set_seeds(seeds.begin(), seeds.end(), false);
-    mesher.set_criteria(Criteria(kShape, edge_length / kMeanOfBound));
-    mesher.refine_mesh();
-    return inOrder(triangulation);
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    throw std::invalid_argument("sides of the polygons cross");
+  Triangulation triangulation;
+  std::size_t corners = insert(outline, edge_length, &triangulation);
+  for (const Polygon& hole : holes) corners += insert(hole, edge_length, &triangulation);
+  if (!simple(triangulation, corners)) {
+    throw std::invalid_argument("sides of the polygons cross or touch");
   }
+  std::list<Kernel::Point_2> seeds;
+  for (const Polygon& hole : holes) seeds.push_back(inside(hole));
+  Mesher mesher(triangulation);
+  mesher.set_seeds(seeds.begin(), seeds.end(), false);
+  mesher.set_criteria(Criteria(kShape, edge_length / kMeanOfBound));
+  mesher.refine_mesh();
+  return inOrder(triangulation);
 }
 
 }  // namespace palpate::mesh
