@@ -3,7 +3,10 @@
 # graph until the bag has ended, prints a table.
 #
 #   scripts/demo.sh [--device sim] [--rviz] [--screenshot FILE] [--rate R]
+#   scripts/demo.sh --scene NAME
 #
+#   --scene NAME       instead of all that: a scene of config/scenes on its shipped trajectory, without
+#                      ROS; leaves demo/NAME.csv, demo/NAME.png and a picture of the largest force
 #   --device sim       a simulated hand on a simulated device, which feels the force, instead of the bag
 #   --rviz             opens rviz on it
 #   --screenshot FILE  renders rviz without a screen and saves a picture at the largest force
@@ -25,11 +28,17 @@ device=bag
 rviz=false
 screenshot=
 rate=
+scene=
 while [ $# -gt 0 ]; do
   case $1 in
     --device)
       [[ ${2:-} =~ ^(bag|sim)$ ]] || die "--device needs bag or sim"
       device=$2
+      shift ;;
+    --scene)
+      scene=${2:-}
+      [ -f "config/scenes/$scene.yaml" ] ||
+        die "--scene needs one of: $(cd config/scenes && echo *.yaml | sed 's/\.yaml//g')"
       shift ;;
     --rviz) rviz=true ;;
     --screenshot)
@@ -41,7 +50,7 @@ while [ $# -gt 0 ]; do
       [[ ${2:-} =~ ^[0-9]*\.?[0-9]+$ && ! $2 =~ ^[0.]+$ ]] || die "--rate needs a number > 0"
       rate=$2
       shift ;;
-    -h | --help) sed -n '2,15s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,18s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown option '$1'; see --help" ;;
   esac
   shift
@@ -49,6 +58,11 @@ done
 if [ -z "$rate" ]; then
   rate=1
   if [ -n "$screenshot" ]; then rate=0.4; fi
+fi
+if [ -n "$scene" ]; then
+  if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build demo; fi
+  scripts/build.sh palpate
+  exec scripts/demo_scene.py "$scene"
 fi
 if $rviz && [ -z "$screenshot" ] && [ -z "${DISPLAY:-}" ]; then
   die "--rviz needs a screen (DISPLAY is not set); --screenshot FILE does without"

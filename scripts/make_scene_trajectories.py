@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the shipped motions of several instruments, config/trajectories/*.csv, for `palpate replay`.
+"""Writes the shipped motions, config/trajectories/*.csv, for `palpate replay`.
 
     scripts/make_scene_trajectories.py [--out FOLDER]
 
@@ -70,6 +70,18 @@ PALPATE = [
 TOUCH = np.array([0.0202, -0.0181, 0.0539])  # [m]
 WAY_IN = np.array([0.0, math.sin(0.45), math.cos(0.45)])
 
+# t [s], the ball's centre along x and above where it would touch the block, negative: pressed [mm].
+PRESS = [
+    (0.00, 0, 5),
+    (0.20, 0, 5),
+    (0.60, 0, -3),  # press
+    (1.40, 0, -3),  # hold
+    (2.20, 20, -3),  # slide
+    (2.60, 20, -3),
+    (3.00, 20, 10),  # lift
+    (3.40, 20, 10),
+]
+
 
 def placed(of, key):
     place = of.get(key) or {}
@@ -137,11 +149,20 @@ def retraction(scene):
     }
 
 
+def press(scene):
+    t = times(PRESS, 100)
+    ball = minimum_jerk(PRESS, t)
+    height, radius = 0.03, 0.005  # of the block, of the ball [m]
+    zero = np.zeros(len(t))
+    z = height + radius + 1e-3 * ball[:, 1] - placed(scene["instruments"][0], "base")[2, 3]
+    return t, {"x": 1e-3 * ball[:, 0], "y": zero, "z": z, "roll": zero, "pitch": zero, "yaw": zero}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
     folder = parser.parse_args().out
-    for name, motion in (("gallbladder_bimanual", bimanual), ("liver_retraction", retraction)):
+    for name, motion in (("gallbladder_bimanual", bimanual), ("liver_retraction", retraction), ("slab_probe", press)):
         with open(os.path.join(ROOT, "config/scenes", name + ".yaml"), encoding="utf-8") as file:
             t, columns = motion(yaml.safe_load(file))
         path = os.path.join(folder, name + ".csv")

@@ -52,7 +52,9 @@ class Mesh:
 
 
 def surface(mesh):
-    """Triangles that belong to one tetrahedron only, outward, of a meshio mesh."""
+    """Triangles that belong to one tetrahedron only, outward, of a meshio mesh, or all that it has."""
+    if not any(block.type.startswith("tetra") for block in mesh.cells):
+        return np.vstack([block.data for block in mesh.cells if block.type == "triangle"])
     tets = np.vstack([block.data[:, :4] for block in mesh.cells if block.type.startswith("tetra")])
     faces = np.vstack([tets[:, k] for k in ([1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1])])
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
@@ -238,7 +240,7 @@ def meshes_at(scene, options, time):
         path = os.path.join(os.path.dirname(options.scene), tool["urdf"])
         visuals, links = instrument(path, base, joints)
         meshes += visuals
-        force = np.array([float(result[name + axis]) for axis in ("fx", "fy", "fz")])
+        force = np.array([float(result[(name if several else "") + axis]) for axis in ("fx", "fy", "fz")])
         if np.linalg.norm(force) > 1e-3:
             meshes.append(arrow(links[tool["control_frame"]][:3, 3], options.arrow_scale * force))
     return meshes

@@ -95,6 +95,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.damping = organ.damping;
   description.adapt = organ.adapt;
   description.springs = organ.springs;
+  description.sampling = organ.sampling;
   if (!organ.springs.file.empty()) {
     description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
   }

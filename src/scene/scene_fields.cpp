@@ -55,6 +55,7 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
       organ.adapt);
   v.section({"springs", "", "Of model `mass_spring`: what its springs are, and how they go on."},
             organ.springs);
+  v.section({"sampling", "", "Particles of model `sampled_elasticity`."}, organ.sampling);
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);

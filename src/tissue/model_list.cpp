@@ -5,6 +5,7 @@
 
 #include "fem/make_fem.h"
 #include "palpate/base/error.h"
+#include "sampled/sampled_tissue.h"
 #include "springs/make_mass_spring.h"
 #include "tensor_mass/make_tensor_mass.h"
 
@@ -22,6 +23,7 @@ constexpr Entry kModels[] = {
     {"fem", makeFem, true},
     {"mass_spring", makeMassSpring, true},
     {"tensor_mass", makeTensorMass, true},
+    {"sampled_elasticity", makeSampledElasticity, false},
 };
 
 const Entry& find(const std::string& name) {

@@ -224,6 +224,13 @@ std::vector<Case> cases() {
                      s->organs[0].damping = {10.0, 0.002};
                    }});
   }
+  for (const char* model : {"tensor_mass", "sampled_elasticity"}) {
+    all.push_back({model, [model](scene::Scene* s) {
+                     s->organs[0].model = model;
+                     s->organs[0].damping = {10.0, 0.001};
+                     s->organs[0].sampling.coarsest = 0.02;
+                   }});
+  }
   all.push_back({"springs_of_a_region_breathing", [](scene::Scene* s) {
                    s->organs[0].model = "mass_spring";
                    s->organs[0].springs.scheme = "symplectic_euler";

@@ -22,8 +22,9 @@ namespace palpate::test {
 /// from turning inside out and have balanced forces; run times are printed.
 class ShippedReplay {
  public:
-  explicit ShippedReplay(const std::string& name)
-      : name_(name),
+  /// `trajectory`: where it is another scene's, which.
+  explicit ShippedReplay(const std::string& name, const std::string& trajectory = "")
+      : name_(trajectory.empty() ? name : trajectory),
         simulator_(scene::readScene(sourceFolder() + "/config/scenes/" + name + ".yaml")),
         trajectory_(formats::readTrajectory(file())),
         replay_(&simulator_, trajectory_, file()) {}

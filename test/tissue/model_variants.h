@@ -14,13 +14,15 @@ namespace palpate::test {
 struct ModelVariant {
   std::string name, model;
   tissue::SpringSettings springs;
+  tissue::SamplingSettings sampling;
+  double back = 1e-5;  ///< So near to rest it comes again [m].
 };
 
 inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
 
 inline ModelVariant springVariant(const std::string& name, const std::string& scheme,
                                   double step = 0.0, double region = 0.0) {
-  ModelVariant variant{name, "mass_spring", {}};
+  ModelVariant variant{name, "mass_spring", {}, {}};
   variant.springs.scheme = scheme;
   variant.springs.step = step;
   variant.springs.region = region;
@@ -33,7 +35,10 @@ inline std::vector<ModelVariant> modelVariants() {
     all.push_back(springVariant("springs_" + scheme, scheme));
   }
   all.push_back(springVariant("springs_region", "symplectic_euler", 0.0, 0.03));
-  all.push_back({"tensor_mass", "tensor_mass", {}});
+  all.push_back({"tensor_mass", "tensor_mass", {}, {}});
+  all.push_back({"sampled", "sampled_elasticity", {}, {}});
+  // What it parted it joins only where that makes less than this of a difference.
+  all.back().back = all.back().sampling.coarsen_below;
   return all;
 }
 
@@ -43,6 +48,7 @@ inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
                             [held](const Vec3& X) { return held && X.z() <= 0.0; });
   organ.damping = {10.0, 0.002};
   organ.springs = variant.springs;
+  organ.sampling = variant.sampling;
   return organ;
 }
 

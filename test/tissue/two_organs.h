@@ -20,6 +20,7 @@ struct OrganSketch {
   solver::RayleighDamping damping{5.0, 0.0};
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
+  tissue::SamplingSettings sampling;
   material::Solid solid{kLiver, 1060.0, {}};
 
   tissue::OrganDescription describe() const {
@@ -29,6 +30,7 @@ struct OrganSketch {
     organ.damping = damping;
     organ.adapt = adapt;
     organ.springs = springs;
+    organ.sampling = sampling;
     organ.tetrahedra = [this] { return mesh; };
     organ.free = [this](const Points& X) {
       return X.cols() == free.cols() ? free : fem::FreeMask::Ones(3, X.cols());

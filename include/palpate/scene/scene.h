@@ -20,6 +20,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/skip_switches.h"
 #include "palpate/tissue/springs/spring_settings.h"
 #include "palpate/tissue/touching_organs.h"
@@ -49,6 +50,7 @@ struct OrganConfig : BodyConfig {
   std::string element = fem::elementNames().front();
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
+  tissue::SamplingSettings sampling;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

@@ -15,6 +15,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
 #include "palpate/tissue/surroundings.h"
 
@@ -47,6 +48,7 @@ struct OrganDescription {
   contact::FrictionTable friction;  ///< With what it touches.
   AdaptSettings adapt;              ///< For models whose mesh can change.
   SpringSettings springs;           ///< For model mass_spring.
+  SamplingSettings sampling;        ///< For model sampled_elasticity.
 };
 
 /// What the maker of a tissue model gets.

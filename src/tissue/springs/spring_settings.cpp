@@ -27,7 +27,9 @@ void describe(keys::FieldVisitor& v, SpringSettings& springs) {
             "`implicit`: as `solver` says; the others are explicit, in sub-steps. `forward_euler` "
             "and `trapezoidal_euler` need damping."},
            springs.scheme, springSchemeNames());
-  v.number({"step", "s", "Longest sub-step of an explicit one; 0: nine tenths of the stable one."},
+  v.number({"step", "s",
+            "Longest sub-step of an explicit one; 0: nine tenths of what is stable "
+            "in any shape."},
            springs.step, keys::Range::closed(0.0, 1.0));
   v.number({"region", "m",
             "Of an explicit one: only points that were so near a touched one at rest move, until "

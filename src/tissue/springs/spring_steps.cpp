@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "tissue/fem/critical_step.h"
 
 namespace palpate::tissue {
 namespace {
@@ -49,36 +52,38 @@ SpringSteps::SpringSteps(FemBody* body, const SpringElasticity* springs,
       own_damping_(ownDamping(springs->springs(), masses_)),
       minus_weight_(-body->gravity.forces()),
       loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
-      critical_(body->elasticity.get(), body->free,
-                body->surroundings.largestSquare(body->mesh.points, masses_)),
+      square_(springs->springs().largestSquare(masses_) +
+              body->surroundings.largestSquare(body->mesh.points, masses_)),
       touch_(body),
       region_(body->mesh.points, settings.radius, ends(springs->springs(), true),
               ends(springs->springs(), false)) {
-  critical_.begin(body->mesh.points);
+  CriticalStep critical(body->elasticity.get(), body->free,
+                        body->surroundings.largestSquare(body->mesh.points, masses_));
+  critical.begin(body->mesh.points);
   g_ = contact_g_ = next_ = way_ = held_way_ = Points::Zero(3, masses_.size());
   const std::string name = settings.integrator->name;
-  const double longest = longestStep();
-  if (!(longest > 0.0)) {
+  const double at_rest = longestStep(4.0 / (critical.seconds() * critical.seconds()));
+  if (!(at_rest > 0.0)) {
     throw std::invalid_argument("springs.scheme = " + name +
                                 ": any step of it makes what is not damped grow; give damping.mass "
                                 "or damping.stiffness, or choose symplectic_euler or implicit");
   }
-  if (settings.step > longest) {
+  if (settings.step > at_rest) {
     throw std::invalid_argument("springs.step = " + inSeconds(settings.step) + ": " + name +
-                                " is stable up to " + inSeconds(longest) + " s with these springs");
+                                " is stable up to " + inSeconds(at_rest) + " s with these springs");
   }
+  longest_ = kSafety * longestStep(square_);
+  if (settings.step > 0.0) longest_ = std::min(longest_, settings.step);
   body->method = name;
-  body->method_note = name + " in steps of " +
-                      inSeconds(settings.step > 0.0 ? settings.step : kSafety * longest) +
-                      " s; springs at rest allow " + inSeconds(longest) + " s";
+  body->method_note = name + " in steps of " + inSeconds(longest_) + " s; at rest those up to " +
+                      inSeconds(at_rest) + " s are stable";
 }
 
-double SpringSteps::longestStep() const {
-  const double half = critical_.seconds();  // 2 / w
-  if (!std::isfinite(half)) return half;
-  const double w2 = 4.0 / (half * half);
-  const double d = body_.settings.mass_damping + body_.settings.stiffness_damping * w2;
-  return settings_.integrator->longest(w2, d, d + own_damping_);
+// Of modes up to a square of the frequency [s].
+double SpringSteps::longestStep(double square) const {
+  if (!(square > 0.0)) return std::numeric_limits<double>::infinity();
+  const double d = body_.settings.mass_damping + body_.settings.stiffness_damping * square;
+  return settings_.integrator->longest(square, d, d + own_damping_);
 }
 
 void SpringSteps::restart() {
@@ -91,14 +96,12 @@ void SpringSteps::restart() {
 void SpringSteps::save(StateWriter* out) const {
   out->put(contact_g_);
   region_.save(out);
-  critical_.save(out);
 }
 
 void SpringSteps::restore(StateReader* in) {
   touch_.clear();
   in->getSame(&contact_g_);
   region_.restore(in);
-  critical_.restore(in);
   addForces(&g_);
 }
 
@@ -129,10 +132,7 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
   double steps = 0.0;
   {
     const PhaseTimer timer(&out->phases, Phase::kForces);
-    critical_.follow(body_.x);
-    double longest = kSafety * longestStep();
-    if (settings_.step > 0.0) longest = std::min(longest, settings_.step);
-    steps = std::max({1.0, std::ceil(dt / longest), touch_.steps()});
+    steps = std::max({1.0, std::ceil(dt / longest_), touch_.steps()});
   }
   if (!(steps <= kMaxSubSteps)) {
     out->status = solver::SolveStatus::kIterationLimit;

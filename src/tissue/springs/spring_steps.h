@@ -6,7 +6,6 @@
 #include "moving_region.h"
 #include "spring_elasticity.h"
 #include "spring_integrators.h"
-#include "tissue/fem/critical_step.h"
 #include "tissue/fem/explicit_touch.h"
 #include "tissue/fem/step_method.h"
 
@@ -15,7 +14,7 @@ namespace palpate::tissue {
 /// How the springs of a body go on in explicit steps.
 struct SpringStepSettings {
   const SpringIntegrator* integrator;
-  double step;    ///< Longest sub-step [s]; 0: nine tenths of the stable one.
+  double step;    ///< Longest sub-step [s]; 0: nine tenths of what is stable in any shape.
   double radius;  ///< Of MovingRegion [m]; infinity: all moves.
 };
 
@@ -46,7 +45,7 @@ class SpringSteps final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
-  double longestStep() const;
+  double longestStep(double square) const;
   bool run(double dt, int steps, TissueStep* out);
   bool subStep(double h, double s);
   void accelerate();
@@ -57,10 +56,11 @@ class SpringSteps final : public StepMethod {
   const SpringElasticity& elasticity_;
   SpringStepSettings settings_;
   Eigen::VectorXd masses_;
-  double own_damping_;   // bound of the rate at which springs' own dampers damp [1/s]
-  Points minus_weight_;  // 3 x n [N]
-  bool loads_vary_;      // beside gravity
-  CriticalStep critical_;
+  double own_damping_;    // bound of the rate at which springs' own dampers damp [1/s]
+  Points minus_weight_;   // 3 x n [N]
+  bool loads_vary_;       // beside gravity
+  double square_;         // bound of all frequencies' [1/s^2]
+  double longest_ = 0.0;  // sub-step [s]
   ExplicitTouch touch_;
   MovingRegion region_;
   Points g_;  // minus all forces but contact, 3 x n [N]; where nothing moves, of no use

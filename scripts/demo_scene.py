@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Replays a shipped scene on its shipped trajectory, and draws the forces and their largest moment.
+
+    scripts/demo_scene.py NAME
+
+The trajectory is config/trajectories/NAME.csv or, where several scenes share one, that whose name begins
+like NAME up to the first "_". Leaves demo/NAME.csv, demo/NAME.png and demo/NAME_largest_force.png.
+"""
+import csv
+import glob
+import os
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+import yaml  # noqa: E402
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def trajectory_of(name):
+    folder = os.path.join(ROOT, "config/trajectories")
+    own = os.path.join(folder, name + ".csv")
+    if os.path.exists(own):
+        return own
+    shared = sorted(glob.glob(os.path.join(folder, name.split("_")[0] + "_*.csv")))
+    if not shared:
+        sys.exit("demo_scene.py: config/trajectories has none for " + name)
+    return shared[0]
+
+
+def replay(scene, trajectory, out):
+    programs = [os.path.join(ROOT, "build", p) for p in ("devel/lib/palpate/palpate", "src/cli/palpate")]
+    program = next((p for p in programs if os.path.exists(p)), None) or sys.exit("build palpate first")
+    done = subprocess.run([program, "replay", scene, "--trajectory", trajectory, "--out", out, "--profile"], check=False)
+    if done.returncode not in (0, 1):  # 1: some cycles did not converge, which is said
+        sys.exit(done.returncode)
+    with open(out, encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def column(rows, name):
+    return np.array([float(row[name]) for row in rows])
+
+
+def forces(scene, rows):
+    """Of each instrument, its name and the force (n, 3) [N]."""
+    names = [tool["name"] for tool in scene["instruments"]]
+    prefix = [name + "/" for name in names] if len(names) > 1 else [""]
+    return [(name, np.stack([column(rows, p + axis) for axis in ("fx", "fy", "fz")], axis=1))
+            for name, p in zip(names, prefix)]
+
+
+def plot(title, t, tools, path):
+    figure, axes = plt.subplots(figsize=(8, 3.2))
+    for name, force in tools:
+        axes.plot(t, np.linalg.norm(force, axis=1), label=name)
+    axes.set(xlabel="t [s]", ylabel="force [N]", title=title, xlim=(t[0], t[-1]))
+    axes.set_ylim(bottom=0.0)
+    axes.grid(alpha=0.3)
+    axes.legend(frameon=False)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+def draw(scene, name, trajectory, time, path):
+    middle = np.mean([(o.get("pose") or {}).get("position", (0, 0, 0)) for o in scene["organs"]], axis=0)
+    middle = middle + np.array([0.0, 0.0, 0.03])
+    eye = middle + np.array([0.22, -0.34, 0.2])
+    command = [os.path.join(ROOT, "scripts/render_replay.py"), os.path.join(ROOT, "config/scenes", name + ".yaml")]
+    command += ["--trajectory", trajectory, "--time", "%.4f" % time, "--out", path]
+    command += ["--eye", *map(str, eye), "--look-at", *map(str, middle)]
+    subprocess.run(command, check=True)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    name = sys.argv[1]
+    path = os.path.join(ROOT, "config/scenes", name + ".yaml")
+    with open(path, encoding="utf-8") as file:
+        scene = yaml.safe_load(file)
+    trajectory = trajectory_of(name)
+    os.makedirs(os.path.join(ROOT, "demo"), exist_ok=True)
+    out = os.path.join(ROOT, "demo", name)
+    rows = replay(path, trajectory, out + ".csv")
+    t, tools = column(rows, "t"), forces(scene, rows)
+    plot(scene.get("name", name), t, tools, out + ".png")
+    at = int(np.argmax(np.max([np.linalg.norm(force, axis=1) for _, force in tools], axis=0)))
+    draw(scene, name, trajectory, t[at], out + "_largest_force.png")
+    print()
+    for tool, force in tools:
+        print("%-12s largest force %.3f N" % (tool, np.linalg.norm(force, axis=1).max()))
+    print("demo/%s.csv  demo/%s.png  demo/%s_largest_force.png" % (name, name, name))
+
+
+if __name__ == "__main__":
+    main()

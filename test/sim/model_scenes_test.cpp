@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped block of each model beside finite elements: pressed, held, slid over and let go.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "shipped_replay.h"
+
+namespace palpate::sim {
+namespace {
+
+class ModelScenes : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Slabs, ModelScenes,
+                         ::testing::Values("slab_springs", "slab_tensor_mass", "slab_sampled"),
+                         [](const auto& of) { return of.param; });
+
+TEST_P(ModelScenes, PushBackAndLetGo) {
+  test::ShippedReplay replay(GetParam(), "slab_probe");
+  const auto force = [&](double t) { return replay.to(t).instruments[0].spatial.force.norm(); };
+  EXPECT_EQ(force(0.2), 0.0);
+  force(0.8);
+  double last = 0.0, rough = 0.0;  // the force of the cycle before, the largest change of it
+  const double held = replay
+                          .to(1.4,
+                              [&](const StepResult& result) {
+                                const double now = result.instruments[0].spatial.force.norm();
+                                if (last > 0.0) rough = std::max(rough, std::abs(now - last));
+                                last = now;
+                              })
+                          .instruments[0]
+                          .spatial.force.norm();
+  EXPECT_LT(rough, 2e-3 * held);  // no swing under a tool that does not move
+  const double slid = force(2.6);
+  std::printf("%s: %.3f N held, %.3f N after the slide\n", GetParam().c_str(), held, slid);
+  // A ball of 5 mm, 3 mm deep in a half space of 10 kPa: 16/9 E sqrt(R d^3) = 0.21 N, and more on a
+  // table 30 mm below and with edges of 6 mm.
+  EXPECT_GT(held, 0.15);
+  EXPECT_LT(held, 0.6);
+  EXPECT_NEAR(slid, held, 0.5 * held);
+  EXPECT_EQ(force(3.3), 0.0);
+}
+
+}  // namespace
+}  // namespace palpate::sim
