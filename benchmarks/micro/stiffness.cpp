@@ -52,7 +52,7 @@ struct Packed {
     return static_cast<double>(matrix.bytes()) + vectors * static_cast<double>(lanes);
   }
 
-  solver::PcgMatrix matrix{nullptr, bestIsa(), {}};
+  solver::PcgMatrix matrix{nullptr, bestIsa(), Points()};
   std::size_t lanes;
   solver::AlignedVector<double> p;
   solver::AlignedVector<float> Ap, p_nodes;
