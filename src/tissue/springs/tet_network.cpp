@@ -62,7 +62,9 @@ std::string describe(const springs::SolidFit& fit) {
 
 springs::SpringNetwork byLeastSquares(const mesh::TetMesh& mesh, const Edges& edges,
                                       std::vector<std::string>* notes) {
-  springs::SolidFit fit = springs::fitSolid(mesh, 1.0, 1.0);
+  springs::FitSettings right_mean;
+  right_mean.match_mean = true;
+  springs::SolidFit fit = springs::fitSolid(mesh, 1.0, 1.0, right_mean);
   for (springs::Spring& spring : fit.network.springs) {
     const Around& around = edges.at(std::minmax(spring.a, spring.b));
     spring.stiffness *= around.work / around.volume;
