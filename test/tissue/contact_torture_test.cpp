@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of contact by seed: shapes of all kinds and sizes, up to 2 m/s, jumps, starts inside, two
 // tools that pinch, tools larger than the organ, organs thrown at organs. PALPATE_TORTURE says how
-// many, PALPATE_TORTURE_FIRST with which seed they begin.
+// many, PALPATE_TORTURE_FIRST with which seed they begin, PALPATE_TORTURE_MODEL of which tissue
+// model they are.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -23,12 +24,15 @@ int fromEnvironment(const char* name, int otherwise) {
 
 class Scene {
  public:
-  explicit Scene(int seed) : engine_(static_cast<unsigned>(seed)) {
+  // `kind`: of the tissue model, "mass_spring:SCHEME" with another scheme than the default.
+  explicit Scene(int seed, const std::string& kind = "fem") : engine_(static_cast<unsigned>(seed)) {
+    const std::string model = kind.substr(0, kind.find(':'));
+    const bool alone = model == "sampled_elasticity";
     size_ = Vec3(between(0.03, 0.07), between(0.03, 0.07), between(0.02, 0.04));
     const Eigen::Vector3i cells(2 + whole(4), 2 + whole(4), 2 + whole(2));
     const auto bottom = [](const Vec3& X) { return X.z() <= 0.0; };
     organs_ = {test::block("one", Vec3::Zero(), size_, cells, bottom)};
-    if (chance(0.15)) {
+    if (chance(0.15) && !alone) {
       const double gap = between(0.001, 0.006);
       const bool above = chance(0.5);
       const Vec3 at = above ? Vec3(0.0, 0.0, size_.z() + gap) : Vec3(size_.x() + gap, 0.0, 0.0);
@@ -43,6 +47,7 @@ class Scene {
     for (test::OrganSketch& organ : organs_) {
       organ.solid = {law, 1060.0, {}};
       organ.damping = {between(2.0, 20.0), 0.0};
+      if (model != kind) organ.springs.scheme = kind.substr(model.size() + 1);
     }
     const int tools = chance(0.3) ? 2 : 1;
     double thinnest = 0.01;
@@ -53,7 +58,8 @@ class Scene {
     ModelSettings settings;
     settings.sample_spacing = std::max(0.5 * thinnest, 5e-4);
     settings.interactions = interactions();
-    tissue_ = test::makeOrgans(organs_, settings);
+    if (model != "fem") settings.interactions.clear();
+    tissue_ = test::makeOrgans(organs_, settings, nullptr, model);
     if (thrown_) {
       Points v = Points::Zero(3, organs_[1].mesh.numPoints());
       v.row(2).setConstant(-between(0.05, 0.5));
@@ -183,9 +189,10 @@ class Scene {
 TEST(ContactTorture, LeavesNothingBehind) {
   const int scenes = fromEnvironment("PALPATE_TORTURE", 20);
   const int first = fromEnvironment("PALPATE_TORTURE_FIRST", 1);
+  const char* model = std::getenv("PALPATE_TORTURE_MODEL");
   int wrong = 0, inverted = 0, unsolved = 0;
   for (int seed = first; seed < first + scenes; ++seed) {
-    Scene scene(seed);
+    Scene scene(seed, model ? model : "fem");
     const std::string fault = scene.run();
     if (!fault.empty()) std::printf("seed %d: %s\n", seed, fault.c_str());
     wrong += !fault.empty();
