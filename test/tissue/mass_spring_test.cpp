@@ -6,6 +6,9 @@
 #include <functional>
 
 #include "model_variants.h"
+#include "palpate/springs/springs_file.h"
+#include "support/temp_folder.h"
+#include "tissue/springs/tet_network.h"
 
 namespace palpate::tissue {
 namespace {
@@ -61,6 +64,33 @@ TEST(MassSpring, MovesOnlyTheRegionThatIsTouched) {
     last = some.force;
   }
   EXPECT_LT(last, 1.03 * whole.force);
+}
+
+// Volumes, a fit, and the same from a file; in the block's regular tetrahedra they are not the
+// same.
+TEST(MassSpring, TakesItsConstantsFromVolumesAFitOrAFile) {
+  ModelVariant variant = test::springVariant("x", "implicit");
+  const double by_volumes = hold(variant).force;
+  variant.springs.constants = "fitted";
+  const double fitted = hold(variant).force;
+  EXPECT_GT(fitted, 0.3 * by_volumes);
+  EXPECT_LT(fitted, 1.5 * by_volumes);
+
+  const test::TempFolder folder;
+  const test::OrganSketch organ = test::variantBlock(variant);
+  const fem::Composition composition{{organ.solid}, {}, {}};
+  std::vector<std::string> notes;
+  springs::SpringNetwork network =
+      tetNetwork(organ.mesh, Pose::Identity(), composition, variant.springs, &notes);
+  EXPECT_EQ(notes.size(), 1U);
+  variant.springs.constants = "file";
+  variant.springs.file = folder.path("springs.csv");
+  springs::writeSprings(variant.springs.file, network);
+  EXPECT_EQ(hold(variant).force, fitted);
+
+  network.points.col(3).x() += 0.001;  // a ninetieth of the block
+  springs::writeSprings(variant.springs.file, network);
+  EXPECT_THROW(hold(variant), std::invalid_argument);
 }
 
 TEST(MassSpring, IsSteppedNoLongerThanIsStable) {
