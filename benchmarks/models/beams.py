@@ -31,5 +31,5 @@ def run(context):
     ax.plot(list(found), list(found.values()), ".", color=plots.COLOUR["anp"], label="palpate")
     ax.set(xlabel="n, half of the spacings", ylabel="stiffness over 192 E I/L$^3$", ylim=(0, 1.02))
     ax.legend()
-    return section("B8: clamped beam", TEXT, rows,
+    return section("B8: clamped beam (5.2.3)", TEXT, rows,
                    [(plots.save(fig, context.images, "clamped_beam.svg"), "Stiffness of a clamped beam over n")])

@@ -67,6 +67,21 @@ double linearRatio(const Sheet& sheet, Mesh mesh, int n) {
   return moved ? 1.0 / (*moved)(2, disc.middle) / plate(sheet) : 0.0;
 }
 
+// Largest stiffness across the sheet of any mass without preload, over that with it.
+double resistanceWithoutPreload(const Sheet& sheet, Mesh mesh, int n) {
+  Disc disc = clampedDisc(sheet, mesh, n);
+  const auto across = [&] {
+    const Eigen::VectorXd diagonal =
+        networkTangent(disc.network, disc.network.points).diagonal().cwiseAbs();
+    double largest = 0.0;
+    for (Eigen::Index i = 2; i < diagonal.size(); i += 3) largest = std::max(largest, diagonal[i]);
+    return largest;
+  };
+  const double preloaded = across();
+  for (Spring& s : disc.network.springs) s.preload = 0.0;
+  return across() / preloaded;
+}
+
 // Force on the middle over that of the linear plate, at deflections in thicknesses, ascending.
 Eigen::VectorXd forceRatios(const Sheet& sheet, Mesh mesh, int n, bool preload,
                             const Eigen::VectorXd& thicknesses) {
@@ -98,11 +113,13 @@ Eigen::VectorXd forceRatios(const Sheet& sheet, Mesh mesh, int n, bool preload,
 std::string discs(bool quick) {
   const Sheet sheet{1.0e7, 0.3, kThickness}, third{1.0e7, 1.0 / 3.0, kThickness};
   const int finest = quick ? 4 : 32, bent = quick ? 2 : 8;
-  std::vector<double> n, triangles, squares;
+  std::vector<double> n, triangles, squares, bare;
   for (int i = 1; i <= finest; i *= 2) {
     n.push_back(i);
     triangles.push_back(linearRatio(sheet, Mesh::kTriangles, i));
     squares.push_back(linearRatio(sheet, Mesh::kSquares, i));
+    bare.push_back(std::max(resistanceWithoutPreload(sheet, Mesh::kTriangles, i),
+                            resistanceWithoutPreload(sheet, Mesh::kSquares, i)));
   }
   const auto list = [](const std::vector<double>& v) {
     return io::json(Eigen::Map<const Eigen::VectorXd>(v.data(), Eigen::Index(v.size())));
@@ -111,6 +128,7 @@ std::string discs(bool quick) {
   out.add("n", list(n));
   out.add("triangles", list(triangles));
   out.add("squares", list(squares));
+  out.add("without_preload", list(bare));
   out.add("triangles_of_one_third", linearRatio(third, Mesh::kTriangles, finest));
   out.add("squares_of_one_third", linearRatio(third, Mesh::kSquares, finest));
 

@@ -5,7 +5,7 @@ import dataclasses
 import math
 from typing import Optional, Union
 
-from accuracy.rows import table
+from accuracy.rows import table as table_of
 
 
 @dataclasses.dataclass
@@ -18,8 +18,14 @@ class Row:
     ours: float
     reason: str
     limit: Optional[float] = None
+    percent: bool = False  # both are relative errors: shown in per cent, their difference in points
+
+    def shown(self, value):
+        return f"{100 * value:+.1f} %" if self.percent and not isinstance(value, str) else number(value)
 
     def difference(self):
+        if self.percent:
+            return f"{100 * (self.ours - self.published):+.1f} points"
         if not isinstance(self.published, str):
             if self.published == 0.0:
                 return number(self.ours)
@@ -33,13 +39,13 @@ class Row:
 def number(value):
     if isinstance(value, str):
         return value
-    return "0" if abs(value) < 1e-12 else f"{value:.4g}" if math.isfinite(value) else "none"
+    return f"{value:.4g}" if math.isfinite(value) else "none"
 
 
 def rows_table(rows):
-    return table(["quantity", "published", "where", "ours", "difference", "reason"],
-                 [[r.quantity, number(r.published), r.source, number(r.ours), r.difference(), r.reason]
-                  for r in rows])
+    return table_of(["quantity", "published", "where", "ours", "difference", "reason"],
+                    [[r.quantity, r.shown(r.published), r.source, r.shown(r.ours), r.difference(), r.reason]
+                     for r in rows])
 
 
 def section(title, text, rows, figures=()):
