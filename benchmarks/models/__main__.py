@@ -11,9 +11,9 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import beams, directions, discs, free_sheet
+    from . import beams, directions, discs, ends, free_sheet, ideal
 
-PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs}
+PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends, "ideal": ideal}
 HEAD = """# Models of the literature
 
 Tables and curves of [Wang 2005] on networks of springs, computed anew: `scripts/reproduce.sh springs` runs
