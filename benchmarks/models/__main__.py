@@ -11,9 +11,10 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import beams, directions, discs, ends, free_sheet, ideal
+    from . import beams, directions, discs, ends, free_sheet, ideal, plates, solids
 
-PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends, "ideal": ideal}
+PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends,
+         "ideal": ideal, "plates": plates, "solids": solids}
 HEAD = """# Models of the literature
 
 Tables and curves of [Wang 2005] on networks of springs, computed anew: `scripts/reproduce.sh springs` runs

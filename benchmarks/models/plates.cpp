@@ -78,12 +78,35 @@ std::string deflections(const SpringNetwork& network, const NetworkLoads& loads)
   return out.object();
 }
 
+// Largest deflections of fitted springs for small ones, mesh by mesh; NaN where none resist.
+std::string linearByEdge(bool hole, const Eigen::VectorXd& edges) {
+  Eigen::VectorXd points(edges.size()), corner(edges.size()), pressure(edges.size());
+  for (Eigen::Index k = 0; k < edges.size(); ++k) {
+    const SpringNetwork network = fitSheet(kSheet, triangles(hole, edges[k], kClamp), 1.0).network;
+    const Loads loads = loadsOn(network);
+    const auto largest = [&](const NetworkLoads& on) {
+      const auto moved = moveLinearly(network, on);
+      return moved ? moved->row(2).maxCoeff() : std::nan("");
+    };
+    points[k] = double(network.points.cols());
+    corner[k] = largest(loads.corner);
+    pressure[k] = largest(loads.pressure);
+  }
+  io::JsonMembers out;
+  out.add("points", io::json(points));
+  out.add("corner", io::json(corner));
+  out.add("pressure", io::json(pressure));
+  return out.object();
+}
+
 }  // namespace
 
 std::string plates(bool quick) {
   const double edge = quick ? 5.0 : 2.0;
+  const Eigen::VectorXd edges = quick ? Eigen::VectorXd(Eigen::Vector2d(6.0, 5.0))
+                                      : Eigen::VectorXd(Eigen::Vector4d(4.0, 3.0, 2.0, 1.5));
   io::JsonMembers out;
-  out.add("edge", edge);
+  out.add("edges", io::json(edges));
   for (const bool hole : {false, true}) {
     io::JsonMembers plate;
     for (const bool matched : {false, true}) {
@@ -96,8 +119,9 @@ std::string plates(bool quick) {
       fitted.add("pressure", deflections(fit.network, loads.pressure));
       plate.add(matched ? "matched" : "fitted", fitted.object());
     }
-    plate.add("coarse", trianglesJson(triangles(hole, quick ? 6.0 : 2.0, 0.0)));
-    plate.add("fine", trianglesJson(triangles(hole, quick ? 4.0 : 1.0, 0.0)));
+    plate.add("by_edge", linearByEdge(hole, edges));
+    plate.add("coarse", trianglesJson(triangles(hole, quick ? 6.0 : 1.0, 0.0)));
+    plate.add("fine", trianglesJson(triangles(hole, quick ? 4.0 : 0.5, 0.0)));
     out.add(hole ? "hole" : "whole", plate.object());
   }
   return out.object();
