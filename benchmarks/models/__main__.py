@@ -18,10 +18,13 @@ PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "di
 HEAD = """# Models of the literature
 
 Tables and curves of [Wang 2005] on networks of springs, computed anew: `scripts/reproduce.sh springs` runs
-`palpate_models` and writes this page. Ours and the differences were not typed in by hand; what is published is, with its
-place in the source. B numbers are this page's own. Where the print contradicts itself, both versions stand here.
+`palpate_models` and `palpate solve`, and writes this page. Ours and the differences were not typed in by hand; what is
+published is, with its place in the source. B numbers are this page's own. Where the print contradicts itself, both
+versions stand here.
 
-Difference: of ours from what is published, as a part of it; where the source only promises a limit, whether it is kept.
+Difference: of ours from what is published, as a part of it, or in points where both are errors; where the source only
+promises a limit, whether it is kept. *Another program*: the source's networks computed anew with other code, where the
+source has a curve without figures, or none.
 
 """
 SOURCE = """## Source

@@ -10,11 +10,11 @@ from .rows import Row, section
 POISSON = 0.3
 STRETCH, BENDING = (3 * POISSON - 1) / (3 * (1 - POISSON)), (3 * POISSON - 1) / 4
 PRINTED = {0.0: (0.535, 0.50), 22.5: (0.714, None), 45.0: (0.857, 0.20)}  # degrees: modulus, Poisson's ratio
-TEXT = """An endless sheet of squares and one of equilateral triangles, 2 cm apart, h = 0.1 cm, nu = 0.3, are pulled along a
-direction, free to contract, and bent to a cylinder. Theory makes the modulus of both E h (1 + (3 nu - 1)/(3 (1 - nu))),
-the bending stiffness D (1 + (3 nu - 1)/4) and Poisson's ratio 1/3 in every direction. Squares with (5.102) as printed,
-with 8 where (5.86) and (5.100) demand 4, do not have that; their figures are those of the text's own assumption that
-the sheet does not shear. Where it may (dotted), it gives way more between the axes."""
+TEXT = """An endless sheet of squares and one of equilateral triangles, 2 cm apart, h = 0.1 cm, nu = 0.3, are pulled
+along a direction, free to contract, and bent to a cylinder. Theory makes the modulus of both E h (1 + (3 nu - 1)/(3
+(1 - nu))), the bending stiffness D (1 + (3 nu - 1)/4) and Poisson's ratio 1/3 in every direction. Squares with
+(5.102) as printed, with 8 where (5.86) and (5.100) demand 4, do not have that; their figures are those of the text's
+own assumption that the sheet does not shear. Where it may (dotted), it gives way more between the axes."""
 MESHES = ("triangles", "squares")
 
 

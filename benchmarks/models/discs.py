@@ -12,9 +12,10 @@ CHECKED = {"triangles": {1: .269, 2: .438, 4: .632, 8: .775, 16: .879, 32: .931}
            "squares": {1: .388, 2: .500, 4: .668, 8: .810, 16: .888, 32: .931}}
 SOURCE = "5.3.4, network of another program"
 STIFFENED = {"triangles": (1.09, 7.1), "squares": (1.15, 7.4)}  # n = 8, at h and 5 h
-TEXT = """A disc of radius 10 cm, h = 0.01 cm, nu = 0.3, n spacings in its radius, is clamped (its rim and three rings of masses
-beyond are held) and pushed in the middle. Its stiffness is a part of the plate's, 16 pi D/a^2 (4.62). For many masses both
-meshes go to 3/4 (1 + nu) of it, for springs contract as with nu = 1/3. Without preload nothing resists a small deflection."""
+TEXT = """A disc of radius 10 cm, h = 0.01 cm, nu = 0.3, n spacings in its radius, is clamped (its rim and three rings
+of masses beyond are held) and pushed in the middle. Its stiffness is a part of the plate's, 16 pi D/a^2 (4.62). For
+many masses both meshes go to 3/4 (1 + nu) of it, for springs contract as with nu = 1/3. Without preload nothing
+resists a small deflection."""
 
 
 def run(context):
@@ -48,10 +49,10 @@ def run(context):
     for part, ratio in zip(large["spacings"], large["bending_triangles_by_spacings"]):
         rows.append(Row(f"triangles of chapter 4, n = {large['n']:g}, deflected by {part:g} U", 1.0,
                         "4.3.5: as the plate below U", ratio,
-                        f"n is finite, {large['bending_triangles'][0]:.3f} for small deflections; beyond, the sheet stretches"))
+                        f"n is finite, {large['bending_triangles'][0]:.3f} for small ones; beyond, the sheet stretches"))
     bare = large["bending_triangles_without_preload_by_spacings"]
-    rows.append(Row(f"the same without preload, {large['spacings'][0]:g} U", "much smaller, not linear", "4.3.5", bare[0],
-                    "no linear term: its force grows with the cube of the deflection"))
+    rows.append(Row(f"the same without preload, {large['spacings'][0]:g} U", "much smaller, not linear", "4.3.5",
+                    bare[0], "no linear term: its force grows with the cube of the deflection"))
     fold = np.log(bare[1] / bare[0]) / np.log(large["spacings"][1] / large["spacings"][0]) + 1
     rows.append(Row("power of the deflection with which it grows", 3.0, "(4.64) without its linear term", fold,
                     "the next power"))

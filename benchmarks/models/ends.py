@@ -8,9 +8,10 @@ import numpy as np
 from .program import figures
 from .rows import Row, section
 
-TEXT = """A free beam of 32 cm with 30 masses, and free sheets of 32 x 24 cm with spacings of 2 cm, all 0.1 cm thick, come to
-rest under their preload. Without flexion stiffness (k2 = 0) only the outermost springs shorten, by s0 = h^2/(6 U^2) of U in
-a beam and h^2/(6 U^2 + h^2) in squares. With c = k1/k2, shortenings decay by the root of appendix B that is in (-1, 1)."""
+TEXT = """A free beam of 32 cm with 30 masses, and free sheets of 32 x 24 cm with spacings of 2 cm, all 0.1 cm thick,
+come to rest under their preload. Without flexion stiffness (k2 = 0) only the outermost springs shorten, by s0 =
+h^2/(6 U^2) of U in a beam and h^2/(6 U^2 + h^2) in squares. With c = k1/k2, shortenings decay by the root of appendix
+B that is in (-1, 1)."""
 
 
 def run(context):

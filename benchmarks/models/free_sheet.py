@@ -7,9 +7,9 @@ from .program import figures
 from .rows import Row, section
 
 CLAIM = "below 1 %"
-TEXT = """21 x 21 masses in equilateral triangles with the springs of chapter 4 (k1 : k2 = 8 : 1, rest lengths 0 and 6 U) come to
-rest in their plane. The text says that springs more than two structural springs from the boundary keep their length
-within 1 %. Lengths are changes over the spacing."""
+TEXT = """21 x 21 masses in equilateral triangles with the springs of chapter 4 (k1 : k2 = 8 : 1, rest lengths 0 and 6
+U) come to rest in their plane. The text says that springs more than two structural springs from the boundary keep
+their length within 1 %. Lengths are changes over the spacing."""
 
 
 def run(context):

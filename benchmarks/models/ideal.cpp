@@ -36,6 +36,8 @@ std::string ideal(bool /*quick*/) {
   out.add("beam", leastErrors(IdealSprings::ofBeam(beam, U), E * beam.second_moment, U, 1.0));
   out.add("beam_of_tenth_curvature",
           leastErrors(IdealSprings::ofBeam(beam, U), E * beam.second_moment, U, 10.0));
+  out.add("beam_of_unit_curvature",
+          leastErrors(IdealSprings::ofBeam(beam, U), E * beam.second_moment, U, std::sqrt(2.0)));
   out.add("triangles", leastErrors(IdealSprings::ofTriangles(sheet, U), of_sheet, U, 10.0));
   return out.object();
 }

@@ -8,11 +8,11 @@ from .rows import Row, section
 
 CUBE, SHAFT = 1000.0, 523.6  # N/cm, as (7.74) and (7.75) for E = 100 N/cm^2
 TORSION = 100.0 / 2.5 * np.pi * 5.0 ** 4 / 2  # G pi R^4/2 with nu = 1/4, N cm^2
-TEXT = """A cube of 10 cm and a shaft of radius 5 and length 15 cm, E = 100 N/cm^2 (the text has 10, which contradicts its
-1000 dL and 523.6 dL), in tension between ends that glide, the shaft also in torsion between ends that are held. Lattices of
-cubes with edges and face diagonals (7.71), with 2 E h in place of the 4 E h of (7.70), and with edges and body diagonals
-(7.72, 7.73); springs fitted to tetrahedra ("fitted"), and the same with their mean matched ("matched", not in the source).
-Forces in N a cm of extension, moments in N cm a 1/cm of twist."""
+TEXT = """A cube of 10 cm and a shaft of radius 5 and length 15 cm, E = 100 N/cm^2 (the text has 10, which contradicts
+its 1000 dL and 523.6 dL), in tension between ends that glide, the shaft also in torsion between ends that are held.
+Lattices of cubes with edges and face diagonals (7.71), with 2 E h in place of the 4 E h of (7.70), and with edges and
+body diagonals (7.72, 7.73); springs fitted to tetrahedra ("fitted"), and the same with their mean matched ("matched",
+not in the source). Forces in N a cm of extension, moments in N cm a 1/cm of twist."""
 
 
 def of_lattice(found, cells):
@@ -37,7 +37,7 @@ def of_fit(found, name):
              for axis, key in (("x", "contraction_1"), ("y", "contraction_2"))]
     section_error = found["shaft_section"] / (25 * np.pi) - 1
     rows += [Row(f"B21 force of the shaft, {fit}, {shaft['points']:.0f} masses", SHAFT, "(7.75)",
-                 shaft["tension"]["force"], f"{why}; the mesh's section is {100 * section_error:+.1f} % off the circle's"),
+                 shaft["tension"]["force"], f"{why}; its section is {100 * section_error:+.1f} % off the circle's"),
              Row("the same, of the section that its mesh has", shaft["tension"]["force_of_theory"], "E A/L",
                  shaft["tension"]["force"], why),
              Row(f"B22 moment of the shaft, {fit}", TORSION, "7.4.2", shaft["torsion"]["moment"],
