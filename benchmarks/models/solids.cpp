@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "palpate/io/json.h"
 #include "palpate/mesh/volume_mesher.h"
@@ -17,6 +18,7 @@ using namespace springs;
 
 constexpr double E = 100.0, kSize = 10.0, kRadius = 5.0, kLength = 15.0;  // N/cm^2, cm
 constexpr double kPi = 3.14159265358979323846, kExtension = 0.01, kTwist = 1e-3;
+constexpr int kSides = 40;
 
 /// A prism of many sides along z.
 mesh::SurfaceMesh shaftSurface(int sides) {
@@ -168,26 +170,36 @@ std::string fitted(const SolidFit& fit, double length, double area, bool shaft) 
   return out.object();
 }
 
+std::string fittedBodies(double edge, bool matched) {
+  const mesh::TetMesh cube = fill(cubeSurface(), edge), shaft = fill(shaftSurface(kSides), edge);
+  const double section = volumeOf(shaft) / kLength;
+  const FitSettings settings{0.0, matched};
+  io::JsonMembers out;
+  out.add("edge", edge);
+  out.add("section", section);
+  out.add("cube", fitted(fitSolid(cube, E, 1.0, settings), kSize, kSize * kSize, false));
+  out.add("shaft", fitted(fitSolid(shaft, E, 1.0, settings), kLength, section, true));
+  return out.object();
+}
+
 }  // namespace
 
 std::string solids(bool quick) {
   const double edge = quick ? 4.0 : 1.8;
   io::JsonMembers out, modes;
-  out.add("edge", edge);
   for (const int cells : {2, 5}) {
     out.add("cube_" + std::to_string(cells),
             lattice(cells, CubeDiagonals::kFaces, Constants::kCorrected));
   }
   out.add("cube_as_printed", lattice(5, CubeDiagonals::kFaces, Constants::kPrinted));
-  const mesh::TetMesh cube = fill(cubeSurface(), edge), shaft = fill(shaftSurface(40), edge);
-  const double section = volumeOf(shaft) / kLength;
-  out.add("shaft_section", section);
-  for (const bool matched : {false, true}) {
-    const std::string name = matched ? "_matched" : "";
-    const FitSettings settings{0.0, matched};
-    out.add("cube" + name, fitted(fitSolid(cube, E, 1.0, settings), kSize, kSize * kSize, false));
-    out.add("shaft" + name, fitted(fitSolid(shaft, E, 1.0, settings), kLength, section, true));
+  out.add("fitted", fittedBodies(edge, false));
+  out.add("matched", fittedBodies(edge, true));
+  std::string by_edge;
+  for (const double other :
+       quick ? std::vector<double>{5.0, edge} : std::vector<double>{3.0, 2.4, edge, 1.3, 1.0}) {
+    by_edge += (by_edge.empty() ? "" : ", ") + fittedBodies(other, false);
   }
+  out.add("by_edge", "[" + by_edge + "]");
   Eigen::VectorXd body(quick ? 2 : 4), faces(body.size());
   for (int cells = 1; cells <= body.size(); ++cells) {
     const auto extra = [&](CubeDiagonals diagonals) {

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .program import figures
-from .rows import Row, section
+from .rows import Row, number, section, table_of
 
 CUBE, SHAFT = 1000.0, 523.6  # N/cm, as (7.74) and (7.75) for E = 100 N/cm^2
 TORSION = 100.0 / 2.5 * np.pi * 5.0 ** 4 / 2  # G pi R^4/2 with nu = 1/4, N cm^2
@@ -26,16 +26,16 @@ def of_lattice(found, cells):
             Row(f"B18 contraction, {at}", 0.25, "7.4.1", farthest(sides, 0.25), "rounding")]
 
 
-def of_fit(found, name):
-    why = "matched: the mean is the continuum's, its parts are not" if name else "least squares leave springs too soft"
-    cube, shaft = found["cube" + name], found["shaft" + name]
-    fit = "matched" if name else "fitted"
+def of_fit(found, fit):
+    why = {"matched": "the mean is the continuum's, its parts are not",
+           "fitted": "least squares leave springs too soft"}[fit]
+    cube, shaft = found[fit]["cube"], found[fit]["shaft"]
     rows = [Row(f"B20 force of the cube, {fit}, {cube['points']:.0f} masses", CUBE, "(7.74)",
                 cube["tension"]["force"], why)]
     rows += [Row(f"B20 contraction along {axis}, {fit}", 0.25, "7.4.1: wrong, and unequal",
                  cube["tension"][key], "least squares over all masses; unequal, but not by much on this mesh")
              for axis, key in (("x", "contraction_1"), ("y", "contraction_2"))]
-    section_error = found["shaft_section"] / (25 * np.pi) - 1
+    section_error = found[fit]["section"] / (25 * np.pi) - 1
     rows += [Row(f"B21 force of the shaft, {fit}, {shaft['points']:.0f} masses", SHAFT, "(7.75)",
                  shaft["tension"]["force"], f"{why}; its section is {100 * section_error:+.1f} % off the circle's"),
              Row("the same, of the section that its mesh has", shaft["tension"]["force_of_theory"], "E A/L",
@@ -45,6 +45,20 @@ def of_fit(found, name):
              Row("the same, of the section that its mesh has", shaft["torsion"]["moment_of_theory"], "G A^2/(2 pi)",
                  shaft["torsion"]["moment"], why)]
     return rows
+
+
+def by_edge(found):
+    """A table of the fitted bodies' errors mesh by mesh."""
+    def error(answer, key):
+        return f"{100 * (answer[key] / answer[key + '_of_theory'] - 1):+.1f} %"
+    lines = [[f"{mesh['edge']:g}", f"{mesh['cube']['points']:.0f}", error(mesh["cube"]["tension"], "force"),
+              number(mesh["cube"]["tension"]["contraction_1"]), number(mesh["cube"]["tension"]["contraction_2"]),
+              f"{mesh['shaft']['points']:.0f}", error(mesh["shaft"]["tension"], "force"),
+              error(mesh["shaft"]["torsion"], "moment")] for mesh in found["by_edge"]]
+    return ("Errors of fitted bodies over the tetrahedra's edges, of the section that their mesh has; the source calls\n"
+            "force and moment very close to the theory's:\n\n" +
+            table_of(["edge [cm]", "cube: masses", "force", "contraction x", "contraction y", "shaft: masses", "force",
+                      "moment"], lines))
 
 
 def run(context):
@@ -57,5 +71,5 @@ def run(context):
                         "often collapses", "7.4.1", modes, "beside six rigid ones: why it collapses"))
     rows.append(Row("B19 most of them with edges and face diagonals, of as many cells", "does not", "7.4.1",
                     max(found["mechanisms"]["face_diagonals"]), ""))
-    rows += of_fit(found, "") + of_fit(found, "_matched")
-    return section("B18 to B22: cubes and shafts (7.4)", TEXT, rows)
+    rows += of_fit(found, "fitted") + of_fit(found, "matched")
+    return section("B18 to B22: cubes and shafts (7.4)", TEXT + "\n\n" + by_edge(found), rows)
