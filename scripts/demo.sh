@@ -60,7 +60,7 @@ if [ -z "$rate" ]; then
   if [ -n "$screenshot" ]; then rate=0.4; fi
 fi
 if [ -n "$scene" ]; then
-  if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build demo; fi
+  if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build scene; fi
   scripts/build.sh palpate
   exec scripts/demo_scene.py "$scene"
 fi

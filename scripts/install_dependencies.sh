@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that palpate needs. Nothing happens where they are all there.
 #
-#   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo rviz dev accuracy
+#   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo scene rviz dev accuracy
 #                                                     benchmark
 #
 # Without a set: build, test and demo. --list prints the packages and installs nothing.
@@ -37,6 +37,9 @@ demo=(
   python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs
   python3-numpy python3-matplotlib)
 
+# scripts/demo.sh --scene, scripts/render_replay.py: plots and pictures of a replay, without ROS.
+scene=(python3-numpy python3-matplotlib python3-meshio python3-yaml)
+
 # The picture: rviz, and what draws it where there is no screen.
 rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 
@@ -65,9 +68,9 @@ sets=()
 for argument in "$@"; do
   case $argument in
     --list) list_only=true ;;
-    build | test | demo | rviz | dev | accuracy | benchmark) sets+=("$argument") ;;
+    build | test | demo | scene | rviz | dev | accuracy | benchmark) sets+=("$argument") ;;
     -h | --help) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) die "unknown set '$argument'; known: build test demo rviz dev accuracy benchmark" ;;
+    *) die "unknown set '$argument'; known: build test demo scene rviz dev accuracy benchmark" ;;
   esac
 done
 [ ${#sets[@]} -gt 0 ] || sets=(build test demo)
