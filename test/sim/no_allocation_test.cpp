@@ -14,6 +14,25 @@ namespace {
 
 using test::SlabScene;
 
+// The slab of `scene` is pressed twice; what the first time needed is there for the second.
+void pressTwice(const scene::Scene& scene) {
+  Simulator simulator(scene);
+  std::vector<std::vector<LinkPoses>> poses;
+  for (const Eigen::VectorXd& q : SlabScene::press()) {
+    poses.push_back({simulator.linkPoses(0, q)});
+  }
+  int contacts = 0;
+  for (const bool counted : {false, true}) {
+    simulator.reset();
+    simulator.step(poses.front(), 0.01);
+    test::countAllocations(counted);
+    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
+    test::countAllocations(false);
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+}
+
 // A tool presses, and presses again: what the first press needed is there for the second. On its
 // way up it grazes bone.
 class NoAllocation : public ::testing::TestWithParam<bool> {};
@@ -54,21 +73,7 @@ TEST(NoAllocationOfSprings, InACycleOnceItHasSeenOneLikeIt) {
   scene.organs[0].damping.mass = 20.0;
   scene.organs[0].springs.scheme = "symplectic_euler";
   scene.organs[0].springs.region = 0.03;
-  Simulator simulator(scene);
-  std::vector<std::vector<LinkPoses>> poses;
-  for (const Eigen::VectorXd& q : SlabScene::press()) {
-    poses.push_back({simulator.linkPoses(0, q)});
-  }
-  int contacts = 0;
-  for (const bool counted : {false, true}) {
-    simulator.reset();
-    simulator.step(poses.front(), 0.01);
-    test::countAllocations(counted);
-    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
-    test::countAllocations(false);
-  }
-  EXPECT_GT(contacts, 0);
-  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+  pressTwice(scene);
 }
 
 // Nor where the slab breathes on springs, and is glued to something that breathes.
@@ -86,20 +91,7 @@ TEST(NoAllocationOfSurroundings, InACycleOnceItHasSeenOneLikeIt) {
   scene.organs[0].pressure.emplace_back();
   scene.organs[0].pressure[0].pressure = 50.0;
   scene.organs[0].pressure[0].select = mesh::PlaneRegion{0, 0.0};
-  Simulator simulator(scene);
-  const std::vector<Eigen::VectorXd> press = SlabScene::press();
-  std::vector<std::vector<LinkPoses>> poses;
-  for (const Eigen::VectorXd& q : press) poses.push_back({simulator.linkPoses(0, q)});
-  int contacts = 0;
-  for (const bool counted : {false, true}) {
-    simulator.reset();
-    simulator.step(poses.front(), 0.01);
-    test::countAllocations(counted);
-    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
-    test::countAllocations(false);
-  }
-  EXPECT_GT(contacts, 0);
-  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+  pressTwice(scene);
 }
 
 // Nor between the solve and the hand, from the first solve on.

@@ -21,7 +21,8 @@ Mat3 edgesOf(const Points& x, const Eigen::Matrix4Xi& tets, Eigen::Index t) {
 
 CellElasticity::CellElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition)
     : mesh_(mesh), composition_(composition) {
-  if (mesh.quadratic()) throw std::invalid_argument("needs 4-node tetrahedra");
+  if (mesh.quadratic())
+    throw std::invalid_argument("needs 4-node tetrahedra; the mesh has 10-node ones");
   volumes_.resize(mesh.numTets());
   masses_.setZero(mesh.numPoints());
   inverse_edges_.reserve(static_cast<std::size_t>(mesh.numTets()));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "palpate/base/number.h"
 #include "palpate/base/state_bytes.h"
 
 namespace palpate::tissue {
@@ -26,7 +27,9 @@ ParticleTree::ParticleTree(const mesh::TetMesh& mesh, double coarsest, int level
     cells_[k] = static_cast<int>(counts[k]) * widest;
   }
   if (counts.prod() * std::pow(widest, 3) > kMostCells) {
-    throw std::invalid_argument("sampling.coarsest is so small that there are too many particles");
+    throw std::invalid_argument("sampling.coarsest = " + formatNumber(coarsest) +
+                                ": the smallest cubes, which are " + formatNumber(finest_) +
+                                " m, would be more than " + formatNumber(kMostCells));
   }
   // The cubes' middle is the organ's: what does not fill them is as much on both sides.
   origin_ = 0.5 * (low + high) - 0.5 * finest_ * cells_.cast<double>();
@@ -38,7 +41,11 @@ ParticleTree::ParticleTree(const mesh::TetMesh& mesh, double coarsest, int level
       for (int x = 0; x < cells_.x(); x += widest) add({x, y, z}, 0, -1, inside_);
     }
   }
-  if (particles_.empty()) throw std::invalid_argument("sampling.coarsest is larger than the organ");
+  if (particles_.empty()) {
+    throw std::invalid_argument(
+        "sampling.coarsest = " + formatNumber(coarsest) +
+        ": must be less than the organ's thickness; no cube's middle is in it");
+  }
   double volume = 0.0, organ = 0.0;
   for (const Particle& p : particles_) volume += p.level == 0 ? p.volume : 0.0;
   for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {

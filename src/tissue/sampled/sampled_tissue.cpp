@@ -161,7 +161,7 @@ class SampledTissue final : public TissueModel {
   double size_;
   Rest rest_;
   double tolerance_;
-  StateWriter settled_;
+  StateWriter settled_, before_;  // the cycle
   Points x_, surface_v_, on_surface_, forces_;
   TissueStep out_;
 };
@@ -247,15 +247,15 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     return out_;
   }
   rest_.begin(x_);
-  StateWriter before;
-  body_.save(&before);
+  before_.clear();
+  body_.save(&before_);
   touch_.sweep.place(0.0);
   out_.tolerance = tolerance_;
   const int steps = planSteps(dt);
   for (int k = 0; k < steps; ++k) subStep(dt / steps, (k + 1) / static_cast<double>(steps));
   out_.sweep_stages = steps;
   if (steps == 0 || !body_.d.allFinite() || !body_.v.allFinite()) {
-    StateReader back(before.bytes());
+    StateReader back(before_.bytes());
     body_.restore(&back);
     body_.v.setZero();
     touch_.sides.doubt();

@@ -38,20 +38,6 @@ SpringArrays::SpringArrays(const springs::SpringNetwork& network) {
   pull_.resize(size());
 }
 
-double SpringArrays::largestSquare(const Eigen::VectorXd& masses) const {
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(masses.size());  // n/m
-  for (int s = 0; s < size(); ++s) {
-    shares[a(s)] += 1.0 / masses[a(s)];
-    shares[b(s)] += 1.0 / masses[b(s)];
-  }
-  double largest = 0.0;
-  for (int s = 0; s < size(); ++s) {
-    const double stiffest = std::max(stiffness(s), std::abs(preload(s)) / length(s));
-    largest = std::max(largest, stiffest * (shares[a(s)] + shares[b(s)]));
-  }
-  return largest;
-}
-
 void SpringArrays::measure(const Points& x) const {
   const int count = size();
   for (int s = 0; s < count; ++s) way_.col(s) = x.col(b(s)) - x.col(a(s));

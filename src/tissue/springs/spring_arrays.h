@@ -38,10 +38,6 @@ class SpringArrays {
   /// along it, and of its own: at x with velocities v, 3 x n [m/s].
   void addDamping(const Points& x, const Points& v, double ratio, const std::vector<int>& some,
                   Points* g) const;
-  /// Bound of the squares of all frequencies, whatever the shape, where preloads pull by no more
-  /// than stiffness times length: the largest k (n_a/m_a + n_b/m_b), each point's mass being shared
-  /// by its n springs [Irons, Treharne 1971] [1/s^2].
-  double largestSquare(const Eigen::VectorXd& masses) const;
   /// Whether any has a damper of its own.
   bool damps() const { return damps_; }
 

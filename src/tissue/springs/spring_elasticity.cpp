@@ -2,10 +2,13 @@
 #include "spring_elasticity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "palpate/springs/step_bound.h"
 
 namespace palpate::tissue {
 namespace {
@@ -20,16 +23,23 @@ Mat3 tangentOf(const Vec3& way, double u, double stiffness, double force, bool p
   return (along - across) * n * n.transpose() + across * Mat3::Identity();
 }
 
-}  // namespace
-
-SpringElasticity::SpringElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition,
-                                   const springs::SpringNetwork& network)
-    : CellElasticity(mesh, composition), springs_(network) {
+const springs::SpringNetwork& checked(const springs::SpringNetwork& network,
+                                      const mesh::TetMesh& mesh) {
   springs::checkNetwork(network);
   if (network.points.cols() != mesh.numPoints()) {
     throw std::invalid_argument("springs between " + std::to_string(network.points.cols()) +
                                 " points; the mesh has " + std::to_string(mesh.numPoints()));
   }
+  return network;
+}
+
+}  // namespace
+
+SpringElasticity::SpringElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition,
+                                   const springs::SpringNetwork& network)
+    : CellElasticity(mesh, composition),
+      springs_(checked(network, mesh)),
+      largest_square_(std::pow(2.0 / springs::largestStep(network), 2)) {
   std::map<std::pair<int, int>, int> at;  // the first spring between two points
   for (int s = 0; s < springs_.size(); ++s)
     at.emplace(std::minmax(springs_.a(s), springs_.b(s)), s);

@@ -29,6 +29,8 @@ class SpringElasticity final : public CellElasticity {
   void hessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) override;
 
   const SpringArrays& springs() const { return springs_; }
+  /// Bound of the squares of all frequencies, in any shape: springs::largestStep() [1/s^2].
+  double largestSquare() const { return largest_square_; }
 
  private:
   Mat3 cauchyStress(const Points& x, int t, const Mat3& F) override;
@@ -38,6 +40,7 @@ class SpringElasticity final : public CellElasticity {
   void forEdges(int t, const Visit& visit) const;
 
   SpringArrays springs_;
+  double largest_square_;
   std::vector<Eigen::Matrix<int, 6, 1>> of_tet_;  // springs along its edges, or -1
   std::vector<double> shared_;  // volume of the tetrahedra at each spring's edge [m^3]
 };

@@ -59,7 +59,7 @@ const SpringIntegrator& springIntegrator(const std::string& name) {
     if (name == integrator.name) return integrator;
     names.emplace_back(integrator.name);
   }
-  throw std::invalid_argument("integrator = " + name + ": must be one of " + joinNames(names));
+  throw std::invalid_argument("springs.scheme = " + name + ": must be one of " + joinNames(names));
 }
 
 }  // namespace palpate::tissue

@@ -52,7 +52,7 @@ SpringSteps::SpringSteps(FemBody* body, const SpringElasticity* springs,
       own_damping_(ownDamping(springs->springs(), masses_)),
       minus_weight_(-body->gravity.forces()),
       loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
-      square_(springs->springs().largestSquare(masses_) +
+      square_(springs->largestSquare() +
               body->surroundings.largestSquare(body->mesh.points, masses_)),
       touch_(body),
       region_(body->mesh.points, settings.radius, ends(springs->springs(), true),
@@ -129,11 +129,7 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
   out->status = solver::SolveStatus::kNonFinite;
   if (!body_.v.allFinite()) return false;
   out->tolerance = body_.tolerance();
-  double steps = 0.0;
-  {
-    const PhaseTimer timer(&out->phases, Phase::kForces);
-    steps = std::max({1.0, std::ceil(dt / longest_), touch_.steps()});
-  }
+  const double steps = std::max({1.0, std::ceil(dt / longest_), touch_.steps()});
   if (!(steps <= kMaxSubSteps)) {
     out->status = solver::SolveStatus::kIterationLimit;
     return false;
@@ -159,7 +155,7 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   out->sweep_stages = steps;
   touch_.begin();
   for (int k = 1; k <= steps; ++k) {
-    if (!subStep(h, k / static_cast<double>(steps))) {
+    if (!subStep(h, k / static_cast<double>(steps), out)) {
       out->status = solver::SolveStatus::kLineSearchFailed;
       return false;
     }
@@ -179,9 +175,12 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
 }
 
 // One integrator's step of `h`, in which the tools go on to part `s` of their way.
-bool SpringSteps::subStep(double h, double s) {
+bool SpringSteps::subStep(double h, double s, TissueStep* out) {
   body_.surroundings.place(s);
-  addForces(&g_);
+  {
+    const PhaseTimer timer(&out->phases, Phase::kForces);
+    addForces(&g_);
+  }
   next_.setZero();
   way_.setZero();
   const double drag = body_.settings.mass_damping;
@@ -197,7 +196,10 @@ bool SpringSteps::subStep(double h, double s) {
     way_ = way_.cwiseProduct(body_.free) + held_way_;
     next_ = next_.cwiseProduct(body_.free) + held_way_;
   }
-  if (!touch_.go(s, coefficients_, &next_)) return false;
+  {
+    const PhaseTimer timer(&out->phases, Phase::kContact);
+    if (!touch_.go(s, coefficients_, &next_)) return false;
+  }
   way_ += body_.x;
   for (const int i : touch_.nodes()) {
     way_.col(i) = next_.col(i);

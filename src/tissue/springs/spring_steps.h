@@ -47,7 +47,7 @@ class SpringSteps final : public StepMethod {
  private:
   double longestStep(double square) const;
   bool run(double dt, int steps, TissueStep* out);
-  bool subStep(double h, double s);
+  bool subStep(double h, double s, TissueStep* out);
   void accelerate();
   void settleRegion(const TissueStep& out);
   void addForces(Points* g) const;
