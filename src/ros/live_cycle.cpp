@@ -23,18 +23,16 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       samples_(inputs->size()),
       live_(inputs->size(), false),
       poses_(inputs->size()),
+      stamps_(inputs->size()),
       targets_(inputs->size()),
+      stepper_(simulator),
       scene_facts_(advice::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {
   for (const scene::InstrumentConfig& instrument : simulator_.scene().instruments) {
     tools_.emplace_back(instrument.proxy, instrument.device, 1.0 / simulator_.scene().rates.haptic);
   }
-  if (simulator_.scene().solver.deadline <= 0.0) return;
-  simulator_.setInterrupt([this] { return Steady::now() >= deadline_; });
 }
-
-LiveCycle::~LiveCycle() { simulator_.setInterrupt({}); }
 
 void LiveCycle::run() {
   const Steady::time_point start = Steady::now();
@@ -48,11 +46,11 @@ void LiveCycle::run() {
     facts_.any_seen |= samples_[i].valid;
     facts_.any_live |= live_[i];
   }
-  if (facts_.any_live) step(start);
+  step(start);
 
   const Steady::time_point now = Steady::now();
   machine_.update(facts_, inSeconds(now.time_since_epoch()));
-  ++window_ticks_;
+  window_ticks_ += !facts_.late;
   writeHaptic(now);
   writeReport(now);
   writePicture(now);
@@ -60,10 +58,19 @@ void LiveCycle::run() {
 }
 
 void LiveCycle::reset() {
+  if (stepper_.underWay()) {
+    stepper_.abandon();
+    stepper_.wait();
+  }
   simulator_.reset();
   for (haptics::ToolRenderer& tool : tools_) tool.lose();
-  result_ = nullptr;
+  solved_any_ = false;
   ++resets_;
+}
+
+sim::SimulatorState LiveCycle::state() {
+  if (stepper_.underWay()) takeResult(*stepper_.wait());
+  return simulator_.state();
 }
 
 void LiveCycle::checkClock() {
@@ -102,38 +109,60 @@ bool LiveCycle::live(std::size_t i, Steady::time_point now) const {
 ToolState LiveCycle::toolState(std::size_t i, Steady::time_point now) const {
   if (!samples_[i].valid) return ToolState::kWaiting;
   if (!live(i, now)) return ToolState::kStale;
-  return result_ && result_->instruments[i].waiting ? ToolState::kOutside : ToolState::kLive;
+  return solved_any_ && result_.instruments[i].waiting ? ToolState::kOutside : ToolState::kLive;
+}
+
+void LiveCycle::step(Steady::time_point start) {
+  if (!stepper_.underWay()) {
+    if (!facts_.any_live) return;
+    beginStep(start);
+  }
+  facts_.late = !endStep(start);
 }
 
 // A tool whose input is missing is not there.
-void LiveCycle::step(Steady::time_point start) {
+void LiveCycle::beginStep(Steady::time_point start) {
   stamp_ = ros::Time();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
+    stamps_[i] = samples_[i].stamp;
     poses_[i] = live_[i] ? samples_[i].poses : sim::LinkPoses();
     if (!live_[i]) continue;
-    stamp_ = std::max(stamp_, samples_[i].stamp);
+    stamp_ = std::max(stamp_, stamps_[i]);
     input_ages_.push_back(1e3 * inSeconds(start - samples_[i].received));
     const Vec3 p_hand = controlPosition(i), way = tools_[i].target(p_hand) - p_hand;
     for (Pose& X : poses_[i]) X.pretranslate(way);
   }
+  stepper_.begin(poses_, simulator_.scene().solver.step);
+}
+
+// Whether the step under way has ended by the deadline of a cycle that began at `start`.
+bool LiveCycle::endStep(Steady::time_point start) {
   const scene::Scene& scene = simulator_.scene();
-  deadline_ = start + seconds(scene.solver.deadline / scene.rates.simulation);
-  result_ = &simulator_.step(poses_, simulator_.scene().solver.step);
-  cycle_ms_ = 1e3 * inSeconds(Steady::now() - start);
+  const double deadline = scene.solver.deadline / scene.rates.simulation;
+  const sim::StepResult* result =
+      deadline > 0.0 ? stepper_.wait(start + seconds(deadline)) : stepper_.wait();
+  if (result) takeResult(*result);
+  return result;
+}
+
+void LiveCycle::takeResult(const sim::StepResult& result) {
+  result_ = result;
+  solved_any_ = true;
+  cycle_ms_ = 1e3 * stepper_.duration();
   cycle_times_.push_back(cycle_ms_);
-  costs_.add(result_->report, 1e-3 * cycle_ms_);
+  costs_.add(result_.report, stepper_.duration());
 
   facts_.stepped = true;
-  facts_.solved = result_->report.usable();
+  facts_.solved = result_.report.usable();
   ++steps_;
   ++window_steps_;
-  skipped_ += result_->report.skipped;
-  if (!result_->report.ok()) {
+  skipped_ += result_.report.skipped;
+  if (!result_.report.ok()) {
     ++unsolved_;
     if (fault_warning_.due()) {
       ROS_WARN("the solver says %s (residual %.2e N, asked for %.2e N)%s",
-               std::string(solver::toString(result_->report.status)).c_str(),
-               result_->report.residual, result_->report.tolerance,
+               std::string(solver::toString(result_.report.status)).c_str(),
+               result_.report.residual, result_.report.tolerance,
                facts_.solved ? "" : ": the wrench fades out");
     }
   }
@@ -144,16 +173,18 @@ Vec3 LiveCycle::controlPosition(std::size_t i) const {
   return poses_[i][simulator_.controlLink(static_cast<int>(i))].translation();
 }
 
-// After a reset the last wrench stays as a target that is not live, so that it fades.
+// After a reset the last wrench stays as a target that is not live, so that it fades. While a step
+// is late what the last one told holds, until the force loop has not heard from here for too long.
 void LiveCycle::writeHaptic(Steady::time_point now) {
   for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (facts_.late && live_[i]) continue;
     HapticTarget& target = targets_[i];
     target.made = now;
     target.render.live = false;
     if (facts_.stepped) {
-      const sim::InstrumentResult& tool = result_->instruments[i];
+      const sim::InstrumentResult& tool = result_.instruments[i];
       target.valid = true;
-      target.stamp = samples_[i].stamp;
+      target.stamp = stamps_[i];
       target.render = live_[i] && tool.live
                           ? tools_[i].observe(controlPosition(i), tool.X_WC.translation(),
                                               tool.solved, simulator_.scene().solver.step)
@@ -172,7 +203,7 @@ void LiveCycle::writeReport(Steady::time_point now) {
   ReportFrame frame;
   frame.state = reported_;
   frame.stamp = stamp_;
-  if (result_) frame.report = result_->report;
+  if (solved_any_) frame.report = result_.report;
   if (!facts_.stepped) frame.report.skipped = tissue::SkipCounters();
   frame.cycle_ms = facts_.stepped ? cycle_ms_ : 0.0;
   channels_.report.write(frame);
@@ -180,6 +211,7 @@ void LiveCycle::writeReport(Steady::time_point now) {
 }
 
 void LiveCycle::writePicture(Steady::time_point now) {
+  if (stepper_.underWay()) return;
   if (!channels_.picture_wanted.load(std::memory_order_relaxed)) {
     unwatched_pictures_ += facts_.stepped && unwatched_.due(now);
     return;
@@ -190,9 +222,9 @@ void LiveCycle::writePicture(Steady::time_point now) {
   for (int i = 0; i < simulator_.numOrgans(); ++i) {
     picture.organs.push_back(surfaces_.take(simulator_.shape(i), static_cast<std::size_t>(i)));
   }
-  if (result_) {
-    picture.contacts = result_->contacts;
-    for (const sim::InstrumentResult& result : result_->instruments) {
+  if (solved_any_) {
+    picture.contacts = result_.contacts;
+    for (const sim::InstrumentResult& result : result_.instruments) {
       picture.spatial.push_back(result.spatial);
       picture.X_WC.push_back(result.X_WC);
     }

@@ -9,6 +9,7 @@
 #include "node_state.h"
 #include "palpate/haptics/tool_renderer.h"
 #include "palpate/sim/simulator.h"
+#include "step_thread.h"
 #include "surface_copies.h"
 #include "throttle.h"
 
@@ -17,32 +18,34 @@ namespace palpate::node {
 using Inputs = std::vector<std::unique_ptr<Input>>;
 
 /// One cycle of the live node: newest inputs, state, a step of fixed length, results to the
-/// channels. The simulation thread owns it; nothing in it waits.
+/// channels. The simulation thread owns it. It waits for the step until `solver.deadline`, and then
+/// in later cycles; the tools stay where that step has them, and the force as the last one told it.
 class LiveCycle {
  public:
   /// `inputs`: one an instrument. The references outlive this.
   LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels);
 
-  ~LiveCycle();
-  LiveCycle(const LiveCycle&) = delete;
-  LiveCycle& operator=(const LiveCycle&) = delete;
-
   void run();
 
   /// Rest state; the tools come where they are next commanded to a free pose.
   void reset();
+  /// Waits until no step is under way, and then has the simulator for itself.
+  sim::SimulatorState state();
+  /// Has a step that is under way end soon, for a reset or the end. From any thread.
+  void abandonStep() { stepper_.abandon(); }
 
-  NodeState state() const { return machine_.state(); }
   long cycles() const { return steps_; }
 
  private:
   void checkClock();
   void pollInputs();
-  void restart();
   bool live(std::size_t i, Steady::time_point now) const;
   ToolState toolState(std::size_t i, Steady::time_point now) const;
   Vec3 controlPosition(std::size_t i) const;
   void step(Steady::time_point start);
+  void beginStep(Steady::time_point start);
+  bool endStep(Steady::time_point start);
+  void takeResult(const sim::StepResult& result);
   void writeHaptic(Steady::time_point now);
   void writeReport(Steady::time_point now);
   void writePicture(Steady::time_point now);
@@ -57,16 +60,18 @@ class LiveCycle {
 
   std::vector<InputSample> samples_;
   InputSample polled_;
-  std::vector<bool> live_;  // whose input was fresh at the start of the cycle
-  std::vector<sim::LinkPoses> poses_;
+  std::vector<bool> live_;             // whose input was fresh at the start of the cycle
+  std::vector<sim::LinkPoses> poses_;  // of the step under way, as the two below
+  std::vector<ros::Time> stamps_;      // of its inputs
+  ros::Time stamp_;                    // of the newest of them
   std::vector<HapticTarget> targets_;
   std::vector<haptics::ToolRenderer> tools_;  // one an instrument
   SurfaceCopies surfaces_;
-  const sim::StepResult* result_ = nullptr;  // of the last step since the last reset
+  StepThread stepper_;
+  bool solved_any_ = false;  // since the last reset
+  sim::StepResult result_;   // of the last step since then
   CycleFacts facts_;
-  Steady::time_point deadline_;  // of the step under way
-  ros::Time stamp_;              // of the newest input used
-  ros::Time last_now_;           // to see simulated time go back
+  ros::Time last_now_;  // to see simulated time go back
   double cycle_ms_ = 0.0;
   bool said_anything_ = false;
   NodeState reported_ = NodeState::kWaiting;

@@ -32,9 +32,10 @@ const char* toString(ToolState state) {
 }
 
 NodeState StateMachine::update(const CycleFacts& facts, double now) {
-  if (facts.stepped) {
-    if (!facts.solved && !failing_) failing_since_ = now;
-    failing_ = !facts.solved;
+  if (facts.stepped || facts.late) {
+    const bool fails = facts.late || !facts.solved;
+    if (fails && !failing_) failing_since_ = now;
+    failing_ = fails;
   }
   if (!facts.any_seen) {
     failing_ = false;

@@ -31,6 +31,7 @@ struct CycleFacts {
   bool any_live = false;  ///< Some instrument's newest input is fresh enough.
   bool stepped = false;   ///< The simulation made a step in this cycle ...
   bool solved = false;    ///< ... and the tissue took its state.
+  bool late = false;      ///< A step is under way that did not end in time.
 };
 
 /// Turns the facts of the cycles into a state. No clock: the caller says the time.

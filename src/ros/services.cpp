@@ -41,6 +41,7 @@ Services::Services(ros::NodeHandle handle, sim::Simulator* simulator, LiveCycle*
 }
 
 bool Services::reset(Trigger::Request&, Trigger::Response& response) {
+  cycle_.abandonStep();
   response.success = loop_.runBetweenCycles([this] { cycle_.reset(); }, kPatience);
   response.message = response.success ? "back to the rest state at time 0" : kBusy;
   return true;
@@ -48,8 +49,7 @@ bool Services::reset(Trigger::Request&, Trigger::Response& response) {
 
 bool Services::saveState(Trigger::Request&, Trigger::Response& response) {
   const auto state = std::make_shared<sim::SimulatorState>();
-  const bool taken =
-      loop_.runBetweenCycles([this, state] { *state = simulator_.state(); }, kPatience);
+  const bool taken = loop_.runBetweenCycles([this, state] { *state = cycle_.state(); }, kPatience);
   if (!taken) {
     response.success = false;
     response.message = kBusy;

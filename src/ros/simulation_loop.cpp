@@ -26,6 +26,7 @@ void SimulationLoop::start() {
 
 void SimulationLoop::stop() {
   stopping_ = true;
+  cycle_.abandonStep();
   if (thread_.joinable()) thread_.join();
 }
 

@@ -21,7 +21,7 @@ class SimulationLoop {
   ~SimulationLoop();
 
   void start();
-  /// Ends after the running cycle.
+  /// Ends after the running cycle, whose step is abandoned.
   void stop();
 
   /// Has `task` run in the simulation thread between two cycles, and waits for it at most

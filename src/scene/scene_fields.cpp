@@ -216,10 +216,11 @@ void describe(keys::FieldVisitor& v, SolverConfig& solver) {
             solver.max_linear_iterations, keys::Range::closed(1, 100000));
   v.integer({"threads", "", "Threads that share the work; the results are the same bits for any."},
             solver.threads, keys::Range::closed(1, 256));
-  v.number({"deadline", "",
-            "When live, a step that has taken this part of 1/rates.simulation ends with the best "
-            "state so far, status `deadline`; 0: it takes the time it needs. Replays have none."},
-           solver.deadline, keys::Range::closed(0.0, 100.0));
+  v.number(
+      {"deadline", "",
+       "So many times 1/rates.simulation a live cycle waits for its step; then the node goes on, "
+       "the force as the last step told it, and later cycles wait for it. 0: however long."},
+      solver.deadline, keys::Range::closed(0.0, 100.0));
   v.section(
       {"skip", "",
        "Work to leave out where it is not needed. `false` has it done all the same, to compare "

@@ -129,10 +129,12 @@ struct Simulator::Impl {
   void restoreTools(StateReader* in);
 
   /// Whether the wrenches of the tissue, before the anatomy's are added, say something: one that
-  /// ended early, as the best that there was, may be far from a balance.
+  /// ended early, as the best that there was, may be far from a balance, and is wherever it was
+  /// stopped.
   bool isTold() const {
-    if (!result.report.usable()) return false;
-    if (solver::balanced(result.report.status)) return true;
+    const solver::SolveStatus status = result.report.status;
+    if (solver::balanced(status)) return true;
+    if (!solver::usable(status) || status == solver::SolveStatus::kDeadline) return false;
     double largest = 0.0;
     for (const InstrumentResult& tool : result.instruments) {
       largest = std::max(largest, tool.spatial.force.norm());

@@ -37,6 +37,17 @@ TEST(NodeState, FaultIsAFailureThatLasts) {
   EXPECT_EQ(machine.update(good, 2.2 * kFaultAfter), NodeState::kRunning);
 }
 
+TEST(NodeState, AStepThatDoesNotEndIsAFault) {
+  StateMachine machine;
+  const CycleFacts good = facts(true, true, true, true);
+  CycleFacts late = facts(true, true, false, false);
+  late.late = true;
+  EXPECT_EQ(machine.update(good, 0.0), NodeState::kRunning);
+  EXPECT_EQ(machine.update(late, 0.1), NodeState::kRunning);
+  EXPECT_EQ(machine.update(late, 0.2 + kFaultAfter), NodeState::kFault);
+  EXPECT_EQ(machine.update(good, 0.3 + kFaultAfter), NodeState::kRunning);
+}
+
 TEST(NodeState, APauseEndsAFault) {
   StateMachine machine;
   const CycleFacts bad = facts(true, true, true, false);

@@ -117,8 +117,8 @@ class Simulator {
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
 
   /// Asked now and then within every step, after its first iterations: true ends the step with the
-  /// best state so far and the status `deadline`. An empty one, as at first, never does. Results
-  /// then depend on when it said so.
+  /// best state so far and the status `deadline`, whose wrench no hand is told. An empty one, as at
+  /// first, never does. Results then depend on when it said so.
   void setInterrupt(solver::Interrupt interrupt);
 
   /// Back to the rest state at time 0.
