@@ -21,11 +21,13 @@ unsigned char cellType(Eigen::Index points) {
       return 5;
     case 4:
       return 10;
+    case 8:
+      return 12;
     case 10:
       return 24;
     default:
       throw std::invalid_argument("writeVtu: cells of " + std::to_string(points) +
-                                  " points; must be 2, 3, 4 or 10");
+                                  " points; must be 2, 3, 4, 8 or 10");
   }
 }
 

@@ -16,9 +16,16 @@ CellMesh cellsOf(const TetMesh& mesh) {
 }
 
 std::vector<std::pair<int, int>> edgesOf(const CellMesh& mesh) {
-  const Eigen::Index corners = std::min<Eigen::Index>(mesh.cells.rows(), 4);
+  const bool hexahedra = mesh.cells.rows() == 8;
+  const Eigen::Index corners = hexahedra ? 0 : std::min<Eigen::Index>(mesh.cells.rows(), 4);
   std::vector<std::pair<int, int>> edges;
   for (Eigen::Index cell = 0; cell < mesh.numCells(); ++cell) {
+    for (int a = 0; hexahedra && a < 4; ++a) {
+      const int next = (a + 1) % 4;
+      edges.push_back(std::minmax({mesh.cells(a, cell), mesh.cells(next, cell)}));
+      edges.push_back(std::minmax({mesh.cells(4 + a, cell), mesh.cells(4 + next, cell)}));
+      edges.push_back(std::minmax({mesh.cells(a, cell), mesh.cells(4 + a, cell)}));
+    }
     for (Eigen::Index a = 0; a < corners; ++a) {
       for (Eigen::Index b = a + 1; b < corners; ++b) {
         edges.push_back(std::minmax({mesh.cells(a, cell), mesh.cells(b, cell)}));

@@ -56,6 +56,18 @@ TEST(VtuWriter, IsReadBackBitForBit) {
   expectSame(readTetMesh(file), quadratic);
 }
 
+TEST(VtuWriter, HexahedraHaveTheirType) {
+  const test::TempFolder dir;
+  mesh::CellMesh box;
+  box.points = Points::Random(3, 8);
+  box.cells = Eigen::VectorXi::LinSpaced(8, 0, 7);
+  writeVtu(dir.path("a.vtu"), box, {}, {});
+  const std::string bytes = test::fileBytes(dir.path("a.vtu"));
+  EXPECT_EQ(bytes[bytes.rfind("\n</AppendedData>") - 1], 12);  // VTK_HEXAHEDRON, the last block
+  box.cells.conservativeResize(5, 1);
+  EXPECT_THROW(writeVtu(dir.path("b.vtu"), box, {}, {}), std::invalid_argument);
+}
+
 TEST(VtuWriter, SameMeshSameBytesAndNothingLeftBehind) {
   const test::TempFolder dir;
   writeVtu(dir.path("a.vtu"), irrationalBox(), {}, {});

@@ -51,6 +51,18 @@ TEST(Quality, SeesTheWorstOfMany) {
   EXPECT_NEAR(quality.median_dihedral_deg, 45.0, 1e-9);
 }
 
+TEST(EdgeLengths, OfAHexahedronAreItsTwelveEdges) {
+  CellMesh box;
+  box.points.resize(3, 8);
+  for (int k = 0; k < 8; ++k) {
+    box.points.col(k) << 0.01 * (k & 1), 0.02 * (k >> 1 & 1), 0.04 * (k >> 2);
+  }
+  box.cells.resize(8, 1);
+  box.cells << 0, 1, 3, 2, 4, 5, 7, 6;
+  EXPECT_EQ(edgesOf(box).size(), 12u);
+  EXPECT_DOUBLE_EQ(meanEdgeLength(box), 0.07 / 3.0);
+}
+
 TEST(EdgeLengths, OfAKuhnBox) {
   // Cells of 12 mm: 12 edges of the cube, 6 diagonals of faces of 17 mm, one of the cube of 21 mm.
   const EdgeLengths edges = measureEdges(cellsOf(boxMesh(Vec3::Constant(0.012), {1, 1, 1})));

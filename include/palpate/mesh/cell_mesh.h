@@ -14,8 +14,8 @@ namespace palpate::mesh {
 /// made of.
 struct CellMesh {
   Points points;  ///< 3 x n [m].
-  /// k x m, a column a cell, in VTK order: k = 2 lines, 3 triangles, 4 tetrahedra, 10 quadratic
-  /// tetrahedra.
+  /// k x m, a column a cell, in VTK order: k = 2 lines, 3 triangles, 4 tetrahedra, 8 hexahedra, 10
+  /// quadratic tetrahedra.
   Eigen::MatrixXi cells;
   std::vector<int> region;  ///< One tag a cell, or empty: all in region 0.
 
