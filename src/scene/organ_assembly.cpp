@@ -99,6 +99,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   if (!organ.springs.file.empty()) {
     description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
   }
+  description.honeycomb = organ.honeycomb;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
     return readOrganMesh(scene, organ, progress, warnings);
   };

@@ -56,6 +56,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.section({"springs", "", "Of model `mass_spring`: what its springs are, and how they go on."},
             organ.springs);
   v.section({"sampling", "", "Particles of model `sampled_elasticity`."}, organ.sampling);
+  v.section({"honeycomb", "", "The cells of model `honeycomb`, and how they are solved."},
+            organ.honeycomb);
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fem/make_fem.h"
+#include "honeycomb/make_honeycomb.h"
 #include "palpate/base/error.h"
 #include "sampled/sampled_tissue.h"
 #include "springs/make_mass_spring.h"
@@ -24,6 +25,7 @@ constexpr Entry kModels[] = {
     {"mass_spring", makeMassSpring, true},
     {"tensor_mass", makeTensorMass, true},
     {"sampled_elasticity", makeSampledElasticity, false},
+    {"honeycomb", makeHoneycomb, false},
 };
 
 const Entry& find(const std::string& name) {

@@ -238,6 +238,13 @@ std::vector<Case> cases() {
                    s->organs[0].springs.region = 0.03;
                    breathe(&s->organs[0].supports[0]);
                  }});
+  for (const double cut_off : {0.0, 1e-5}) {
+    all.push_back({cut_off > 0.0 ? "honeycomb_cut_off" : "honeycomb", [cut_off](scene::Scene* s) {
+                     s->organs[0].model = "honeycomb";
+                     s->organs[0].honeycomb.cut_off = cut_off;
+                     s->organs[0].honeycomb.max_sweeps = 20;
+                   }});
+  }
   all.push_back({"islands", [](scene::Scene*) {}, true});
   all.push_back({"thrown", [](scene::Scene*) {}, false, 45});
   all.push_back({"thrown_tled", [](scene::Scene* s) { s->solver.method = "tled"; }, false, 45});

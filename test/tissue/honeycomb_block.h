@@ -63,7 +63,8 @@ class HoneycombBlock {
   /// Waves until sides change by no more than `change` [m]; how many.
   int solve(double change, bool outward = false, double cut_off = 0.0, int mixing = 10) {
     tissue::CellWaves waves(balance, outward, cut_off);
-    waves.begin(control);
+    waves.begin(false);
+    waves.findFronts(control);
     const Eigen::Index sides = lattice.numSides(), cells = lattice.numCells();
     tissue::WaveMixing mix(sides + 4 * cells, mixing);
     const double pressure = lattice.size.mean() / kG, turn = lattice.size.mean();

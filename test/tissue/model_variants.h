@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
 #include "two_organs.h"
 
@@ -16,6 +17,8 @@ struct ModelVariant {
   tissue::SpringSettings springs;
   tissue::SamplingSettings sampling;
   double back = 1e-5;  ///< So near to rest it comes again [m].
+  tissue::HoneycombSettings honeycomb = {};
+  bool has_inertia = true;  ///< It can fly.
 };
 
 inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
@@ -39,6 +42,12 @@ inline std::vector<ModelVariant> modelVariants() {
   all.push_back({"sampled", "sampled_elasticity", {}, {}});
   // What it parted it joins only where that makes less than this of a difference.
   all.back().back = all.back().sampling.coarsen_below;
+  for (const std::string& volume : tissue::honeycombVolumeNames()) {
+    ModelVariant cells{"honeycomb_" + volume, "honeycomb", {}, {}};
+    cells.honeycomb.volume = volume;
+    cells.has_inertia = false;
+    all.push_back(cells);
+  }
   return all;
 }
 
@@ -49,6 +58,7 @@ inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
   organ.damping = {10.0, 0.002};
   organ.springs = variant.springs;
   organ.sampling = variant.sampling;
+  organ.honeycomb = variant.honeycomb;
   return organ;
 }
 

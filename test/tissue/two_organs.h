@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,11 +17,13 @@ struct OrganSketch {
   std::string name;
   mesh::TetMesh mesh;  ///< In the world.
   fem::FreeMask free;
+  std::function<bool(const Vec3&)> held;  ///< The same for points of another mesh; empty: none.
   std::string element = fem::elementNames().front();
   solver::RayleighDamping damping{5.0, 0.0};
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
   tissue::SamplingSettings sampling;
+  tissue::HoneycombSettings honeycomb;
   material::Solid solid{kLiver, 1060.0, {}};
 
   tissue::OrganDescription describe() const {
@@ -31,9 +34,15 @@ struct OrganSketch {
     organ.adapt = adapt;
     organ.springs = springs;
     organ.sampling = sampling;
+    organ.honeycomb = honeycomb;
     organ.tetrahedra = [this] { return mesh; };
     organ.free = [this](const Points& X) {
-      return X.cols() == free.cols() ? free : fem::FreeMask::Ones(3, X.cols());
+      if (X.cols() == mesh.numPoints() && X == mesh.points) return free;
+      fem::FreeMask mask = fem::FreeMask::Ones(3, X.cols());
+      for (Eigen::Index i = 0; held && i < X.cols(); ++i) {
+        if (held(Vec3(X.col(i)))) mask.col(i).setZero();
+      }
+      return mask;
     };
     organ.surroundings = [this, of = organ.free](const mesh::TetMesh& m) {
       return tissue::Surroundings(of(m.points));
@@ -52,6 +61,7 @@ OrganSketch block(const std::string& name, const Vec3& low, const Vec3& size,
   organ.name = name;
   organ.mesh = mesh::boxMesh(size, cells);
   organ.mesh.points.colwise() += low;
+  organ.held = held;
   organ.free = fem::FreeMask::Ones(3, organ.mesh.numPoints());
   for (Eigen::Index i = 0; i < organ.mesh.numPoints(); ++i) {
     if (held(Vec3(organ.mesh.points.col(i)))) organ.free.col(i).setZero();

@@ -20,6 +20,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/skip_switches.h"
 #include "palpate/tissue/springs/spring_settings.h"
@@ -51,6 +52,7 @@ struct OrganConfig : BodyConfig {
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
   tissue::SamplingSettings sampling;
+  tissue::HoneycombSettings honeycomb;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

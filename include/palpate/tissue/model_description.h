@@ -14,6 +14,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
@@ -49,6 +50,7 @@ struct OrganDescription {
   AdaptSettings adapt;              ///< For models whose mesh can change.
   SpringSettings springs;           ///< For model mass_spring.
   SamplingSettings sampling;        ///< For model sampled_elasticity.
+  HoneycombSettings honeycomb;      ///< For model honeycomb.
 };
 
 /// What the maker of a tissue model gets.

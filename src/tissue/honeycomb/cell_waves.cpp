@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_waves.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace palpate::tissue {
@@ -27,14 +26,14 @@ CellWaves::CellWaves(const CellBalance& balance, bool outward_only, double cut_o
   pending_.assign(cells, 0.0);
 }
 
-void CellWaves::begin(const CellControl& control, bool goes_on) {
+void CellWaves::begin(bool whole) {
+  std::fill(reached_.begin(), reached_.end(), whole || cut_off_ <= 0.0);
+}
+
+void CellWaves::findFronts(const CellControl& control) {
   const CellLattice& lattice = balance_.lattice();
   order_.clear();
   std::fill(front_.begin(), front_.end(), -1);
-  if (!goes_on) {
-    std::fill(reached_.begin(), reached_.end(), cut_off_ <= 0.0);
-    std::fill(pending_.begin(), pending_.end(), 0.0);
-  }
   const auto put = [this](int cell, int front) {
     if (front_[static_cast<std::size_t>(cell)] >= 0) return;
     front_[static_cast<std::size_t>(cell)] = front;
@@ -87,6 +86,7 @@ void CellWaves::solve(int cell, const CellControl& control, CellState* state) {
   balance_.solveTurns(cell, control.turns, control.turn_loads, state);
   ++solved_;
   if (cut_off_ <= 0.0) return;
+  pending_[number] = 0.0;
   for (std::size_t k = 0; k < 6; ++k) {
     const int other = lattice.neighbour(cell, static_cast<int>(k));
     if (other < 0) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "cell_balance.h"
@@ -29,14 +30,21 @@ class CellWaves {
   /// `cut_off` [m], 0: none. `balance` is kept by reference.
   CellWaves(const CellBalance& balance, bool outward_only, double cut_off);
 
-  /// Before the first wave, and where what is controlled has become other: the fronts. No cell has
-  /// been reached, but where it `goes_on`.
-  void begin(const CellControl& control, bool goes_on = false);
+  /// A solve begins: no cell has been reached, or, where none is to be left out, each `whole`.
+  void begin(bool whole);
+  /// Before the first wave, and where what is controlled has become other: the fronts.
+  void findFronts(const CellControl& control);
   /// One wave; returns how many cells were solved. `moved`: how far each side was moved from
   /// outside since the last one [m].
   int run(const CellControl& control, const Eigen::VectorXd& moved, CellState* state);
-  /// Whether the cell has taken part since begin(): a side of it had moved by the cut-off.
+  /// Whether the cell has taken part since begin(): its sides had moved by the cut-off, in all,
+  /// since it last did.
   bool reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
+
+  /// How far the sides of cells have moved that were left out: all memory between solves.
+  void forget() { std::fill(pending_.begin(), pending_.end(), 0.0); }
+  const std::vector<double>& memory() const { return pending_; }
+  void remember(const std::vector<double>& pending) { pending_ = pending; }
 
  private:
   void solve(int cell, const CellControl& control, CellState* state);

@@ -14,7 +14,8 @@ CornerMap::CornerMap(const CellLattice& lattice, const HeldSides& held,
                      const Eigen::Matrix3Xd& free, const Pose& X_WO)
     : num_sides_(lattice.numSides()),
       X_(X_WO * lattice.corners.colwise().homogeneous()),
-      R_WO_(X_WO.linear()) {
+      R_WO_(X_WO.linear()),
+      arm_(0.5 * lattice.size.mean()) {
   const auto corners = static_cast<std::size_t>(lattice.corners.cols());
   std::vector<std::array<std::vector<int>, 3>> sides(corners);
   std::vector<std::vector<int>> cells(corners);
@@ -95,18 +96,34 @@ Vec3 CornerMap::borne(const Points& f) const {
   return R_WO_ * sum;
 }
 
-// Landweber's iteration: no weight is above 1, and those of a side are at most 4.
+// Conjugate gradients on the normal equations [Bjorck 1996, CGLS], turns by their arms.
 void CornerMap::fit(const Points& x, CellState* state) const {
   state->sides.setZero();
   state->turns.setZero();
-  Points left;
-  Eigen::VectorXd move(state->sides.size()), turns(state->turns.size());
-  for (int k = 0; k < kFitSteps; ++k) {
-    place(*state, &left);
-    left = x - left;
-    move.setZero();
-    pull(left, &move, &turns);
-    state->sides += move;
+  state->pressures.setZero();
+  CellState way = *state, slope = *state;
+  const auto pullLeft = [&](const Points& left) {
+    slope.sides.setZero();
+    slope.turns.setZero();
+    pull(left, &slope.sides, &slope.turns);
+    slope.turns /= arm_ * arm_;
+    return slope.sides.squaredNorm() + arm_ * arm_ * slope.turns.squaredNorm();
+  };
+  Points left = x - X_, moved;
+  double square = pullLeft(left);
+  const double enough = 1e-24 * square;
+  way = slope;
+  for (int k = 0; k < kFitSteps && square > enough; ++k) {
+    place(way, &moved);
+    moved -= X_;
+    const double step = square / moved.squaredNorm();
+    state->sides += step * way.sides;
+    state->turns += step * way.turns;
+    left -= step * moved;
+    const double next = pullLeft(left);
+    way.sides = slope.sides + next / square * way.sides;
+    way.turns = slope.turns + next / square * way.turns;
+    square = next;
   }
 }
 

@@ -36,7 +36,7 @@ class CornerMap {
   void pull(const Points& f, Eigen::VectorXd* sides, Eigen::VectorXd* turns) const;
   /// Of forces on corners the sum that no side takes: held ones bear it; in world [N].
   Vec3 borne(const Points& f) const;
-  /// Of the sides alone: those that place corners as near to x, 3 x n [m], as they can.
+  /// The sides and turns that place corners as near to x, 3 x n [m], as they can; no pressures.
   void fit(const Points& x, CellState* state) const;
 
  private:
@@ -46,6 +46,7 @@ class CornerMap {
   int num_sides_;
   Points X_;
   Mat3 R_WO_;
+  double arm_;  // by which turns count [m]
   std::vector<Term> terms_;
   std::vector<int> first_;
 };

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "honeycomb_organ.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace palpate::tissue {
+namespace {
+
+constexpr int kWavesOnTheWay = 10;  // of a stage that is not the last of a cycle
+constexpr int kMaxSearches = 3;
+constexpr int kMaxSettlings = 3;
+constexpr int kMaxSettlingsOfFriction = 6;
+constexpr int kSettlingWaves = 100;  // under gravity, times those of a cycle
+
+Points weightsOf(const HoneycombParts& parts, const Vec3& gravity) {
+  Points weights(3, parts.lattice.numCells());
+  for (int c = 0; c < parts.lattice.numCells(); ++c) {
+    const double mass = parts.density[static_cast<std::size_t>(c)] * parts.lattice.volume();
+    weights.col(c) = mass * (parts.X_WO.linear().transpose() * gravity);
+  }
+  return weights;
+}
+
+double sizeOf(const Points& X) { return (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(); }
+
+// By which the threshold of motion is one of forces: of what no side is softer than [N/m].
+double softest(const CellFabric& fabric) { return fabric.diagonal.minCoeff(); }
+
+// What the surface is borne by, for contact: masses and moduli around corners.
+void setBearing(const HoneycombParts& parts, contact::ContactPotential* contact) {
+  const CellLattice& lattice = parts.lattice;
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(lattice.corners.cols());
+  Eigen::VectorXd bearing = masses;
+  for (int c = 0; c < lattice.numCells(); ++c) {
+    const auto number = static_cast<std::size_t>(c);
+    for (const int i : lattice.cells[number].corners) {
+      masses[i] += 0.125 * parts.density[number] * lattice.volume();
+      bearing[i] =
+          std::max(bearing[i], 3.0 * parts.shear_modulus[number] / lattice.size.maxCoeff());
+    }
+  }
+  contact->setBearing(parts.free, masses, bearing);
+}
+
+}  // namespace
+
+HoneycombOrgan::HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& settings,
+                               const ModelSettings& scene)
+    : parts_(std::move(parts)),
+      settings_(settings),
+      step_(scene.step),
+      held_(heldSides(parts_.lattice, parts_.free)),
+      fabric_(makeCellFabric(parts_.lattice, held_, parts_.shear_modulus)),
+      weight_(weightsOf(parts_, scene.gravity)),
+      balance_(parts_.lattice, fabric_, held_, weight_, settings.volume == "exact"),
+      map_(parts_.lattice, held_, parts_.free, parts_.X_WO),
+      touch_(map_.rest(), parts_.lattice.triangles, scene),
+      rest_(Rest::kMotion * sizeOf(map_.rest()), scene.skip.sleeping),
+      tolerance_(settings.threshold * softest(fabric_)),
+      solver_(balance_, map_, touch_.contact, settings, tolerance_) {
+  setBearing(parts_, &touch_.contact);
+  settle();
+  HoneycombOrgan::reset();
+}
+
+void HoneycombOrgan::settle() {
+  settled_ = balance_.rest();
+  const CellSolve solve =
+      solver_.solve(kSettlingWaves * settings_.max_sweeps, nullptr, &settled_, true);
+  if (solve.status != solver::SolveStatus::kConverged || balance_.leastRatio(settled_) <= 0.0) {
+    throw std::runtime_error(
+        "no equilibrium of the honeycomb under gravity: it is too soft, too "
+        "heavy, or held too little");
+  }
+}
+
+mesh::CellMesh HoneycombOrgan::cells(int) const {
+  mesh::CellMesh cells;
+  cells.points = map_.rest();
+  cells.cells = parts_.lattice.hexahedra();
+  return cells;
+}
+
+std::vector<std::string> HoneycombOrgan::notes() const {
+  const Vec3 mm = 1e3 * parts_.lattice.size;
+  const auto text = [](double x) {
+    std::string s = std::to_string(x);
+    return s.substr(0, s.find('.') + 3);
+  };
+  return {"honeycomb: " + std::to_string(parts_.lattice.numCells()) + " cells of " + text(mm.x()) +
+          " x " + text(mm.y()) + " x " + text(mm.z()) +
+          " mm, incompressible, quasi-static: damping and Poisson's ratio are not used"};
+}
+
+const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
+  out_.clear();
+  touch_.begin(obstacles, x_, v_, dt, &out_);
+  if (rest_.sleeps(touch_)) {
+    rest_.report(&out_);
+    return out_;
+  }
+  rest_.begin(x_);
+  x_begin_ = x_;
+  begin_state_ = state_;
+  out_.tolerance = tolerance_;
+  solveStages();
+  out_.min_jacobian = balance_.leastRatio(state_);
+  if (!solver::usable(out_.status) || !x_.allFinite() || !(out_.min_jacobian > 0.0)) {
+    state_ = begin_state_;
+    x_ = x_begin_;
+    v_.setZero();
+    touch_.contact.forget();
+    touch_.sides.doubt();
+    out_.status = std::max(out_.status, solver::SolveStatus::kLineSearchFailed);
+    return out_;
+  }
+  v_ = (x_ - x_begin_) / dt;
+  reportForces();  // contact has not yet remembered this step
+  touch_.endStep(x_);
+  if (out_.ok()) touch_.contact.learn(x_, dt);
+  touch_.report(x_, &out_);
+  touch_.countInactive(&out_);
+  rest_.remember(out_);
+  return out_;
+}
+
+void HoneycombOrgan::add(const CellSolve& solve) {
+  out_.status = solve.status;
+  out_.newton_iterations += solve.waves;
+  out_.linear_iterations += solve.cells;
+  out_.residual = solve.residual;
+  map_.place(state_, &x_);
+}
+
+// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+void HoneycombOrgan::solveStages() {
+  touch_.place(0.0);
+  touch_.sweep.beginStep(x_);
+  out_.sweep_stages = 0;
+  const auto solve = [this](int waves) {
+    const PhaseTimer timer(&out_.phases, Phase::kLinearSolve);
+    for (int search = 0; search < kMaxSearches; ++search) {
+      add(solver_.solve(waves, interrupt_, &state_));
+      if (touch_.sweep.candidatesHold(x_)) break;
+      touch_.sweep.search(x_);
+    }
+  };
+  for (double s = 0.0; s < 1.0;) {
+    s = touch_.sweep.next(x_, s, 1.0);
+    touch_.place(s);
+    ++out_.sweep_stages;
+    solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);
+    if (!solver::usable(out_.status)) return;
+  }
+  const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+  for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
+    touch_.contact.settle(x_);
+    solve(settings_.max_sweeps);
+  }
+  out_.satisfied = out_.newton_iterations == 0 && out_.ok();
+}
+
+void HoneycombOrgan::reportForces() {
+  out_.elastic_energy = balance_.elasticEnergy(state_);
+  double volume_error = 0.0;
+  const double unbalanced = solver_.unbalanced(state_, true, &volume_error);
+  if (rest_.isStill(x_, touch_, out_) && unbalanced <= tolerance_) {
+    rest_.fallAsleep();
+    v_.setZero();
+  }
+  Vec3 support = Vec3::Zero();
+  for (int s = 0; s < parts_.lattice.numSides(); ++s) {
+    const auto number = static_cast<std::size_t>(s);
+    const int axis = parts_.lattice.sides[number].axis;
+    support[axis] -= held_.along_normal[number] ? balance_.force(state_, s) : 0.0;
+    support[axis] -= fabric_.shear_to_held[s] * state_.sides[s];
+  }
+  solver_.contactForces(x_, &f_);
+  out_.support_force = map_.frame() * support - map_.borne(f_);
+  out_.gravity_force = map_.frame() * weight_.rowwise().sum();
+}
+
+void HoneycombOrgan::reset() {
+  state_ = settled_;
+  solver_.waves().forget();
+  map_.place(state_, &x_);
+  v_.setZero(3, x_.cols());
+  touch_.forget();
+  rest_.wake();
+}
+
+void HoneycombOrgan::place(int, const Points& positions, const Points& velocities) {
+  map_.fit(positions, &state_);
+  state_.pressures = settled_.pressures;
+  solver_.waves().forget();
+  map_.place(state_, &x_);
+  v_ = velocities;
+  touch_.forget();
+  rest_.wake();
+}
+
+std::string HoneycombOrgan::kind() const {
+  return "honeycomb, " + std::to_string(parts_.lattice.numCells()) + " cells";
+}
+
+State HoneycombOrgan::state() const {
+  StateWriter out;
+  out.put(state_.sides);
+  out.put(state_.pressures);
+  out.put(state_.turns);
+  out.put(v_);
+  out.put(solver_.waves().memory());
+  touch_.save(&out);
+  rest_.save(&out);
+  return {kind(), out.bytes()};
+}
+
+void HoneycombOrgan::restore(const State& state) {
+  checkKind(state, kind());
+  StateReader in(state.bytes);
+  in.getSame(&state_.sides);
+  in.getSame(&state_.pressures);
+  in.getSame(&state_.turns);
+  in.getSame(&v_);
+  std::vector<double> pending;
+  in.get(&pending);
+  if (pending.size() != parts_.lattice.cells.size()) StateReader::fail();
+  solver_.waves().remember(pending);
+  touch_.restore(&in);
+  rest_.restore(&in);
+  in.finish();
+  map_.place(state_, &x_);
+}
+
+}  // namespace palpate::tissue

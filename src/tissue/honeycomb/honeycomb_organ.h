@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cell_solver.h"
+#include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/tissue_model.h"
+#include "tissue/touch/rest.h"
+#include "tissue/touch/touch.h"
+
+namespace palpate::tissue {
+
+/// What a honeycomb is made of.
+struct HoneycombParts {
+  CellLattice lattice;
+  Eigen::Matrix3Xd free;              ///< Of the corners, in O.
+  Pose X_WO;                          ///< Of the lattice's frame.
+  std::vector<double> shear_modulus;  ///< Of each cell [Pa].
+  std::vector<double> density;        ///< Likewise [kg/m^3].
+};
+
+/// An organ of cells, quasi-static: each cycle ends in balance, velocities are differences.
+///
+/// TissueStep: newton_iterations are waves, linear_iterations cells that were solved, min_jacobian
+/// the least of the cells' volumes and edges over those at rest. What is unbalanced within the
+/// tolerance, or left by the cut-off, shows as imbalance.
+class HoneycombOrgan final : public TissueModel {
+ public:
+  /// @throws std::runtime_error where there is no equilibrium under gravity.
+  HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& settings,
+                 const ModelSettings& scene);
+
+  Shape shape(int) const override { return {x_, v_, parts_.lattice.triangles, 0}; }
+  mesh::CellMesh cells(int organ) const override;
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
+  std::vector<std::string> notes() const override;
+  void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
+  void reset() override;
+  void place(int organ, const Points& positions, const Points& velocities) override;
+  State state() const override;
+  void restore(const State& state) override;
+
+  const CellState& cellState() const { return state_; }
+  const CellBalance& balance() const { return balance_; }
+
+ private:
+  std::string kind() const;
+  void settle();
+  void solveStages();
+  void add(const CellSolve& solve);
+  void reportForces();
+
+  HoneycombParts parts_;
+  HoneycombSettings settings_;
+  double step_;  // longest of the scene [s]
+  HeldSides held_;
+  CellFabric fabric_;
+  Points weight_;  // of each cell in O [N]
+  CellBalance balance_;
+  CornerMap map_;
+  Touch touch_;
+  Rest rest_;
+  double tolerance_;  // [N]
+  CellSolver solver_;
+  const solver::Interrupt* interrupt_ = nullptr;
+  CellState settled_, state_, begin_state_;
+  Points x_, v_, x_begin_, f_;
+  TissueStep out_;
+};
+
+}  // namespace palpate::tissue
