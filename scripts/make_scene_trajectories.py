@@ -70,6 +70,8 @@ PALPATE = [
 TOUCH = np.array([0.0202, -0.0181, 0.0539])  # [m]
 WAY_IN = np.array([0.0, math.sin(0.45), math.cos(0.45)])
 
+BALL = 0.005  # radius of the probe's ball [m]
+TOP = 0.03  # of slab.obj [m]
 # t [s], the ball's centre along x and above where it would touch the block, negative: pressed [mm].
 PRESS = [
     (0.00, 0, 5),
@@ -80,6 +82,18 @@ PRESS = [
     (2.60, 20, -3),
     (3.00, 20, 10),  # lift
     (3.40, 20, 10),
+]
+DRAG = [
+    (0.00, -15, 10),
+    (0.40, -15, 10),
+    (1.20, -15, 0),
+    (1.80, -15, -5),  # push
+    (2.20, -15, -5),
+    (3.40, 0, -5),  # drag
+    (3.80, 0, -5),
+    (4.60, 0, 0),
+    (5.20, 0, 10),
+    (6.00, 0, 10),
 ]
 
 
@@ -149,20 +163,28 @@ def retraction(scene):
     }
 
 
-def press(scene):
-    t = times(PRESS, 100)
-    ball = minimum_jerk(PRESS, t)
-    height, radius = 0.03, 0.005  # of the block, of the ball [m]
-    zero = np.zeros(len(t))
-    z = height + radius + 1e-3 * ball[:, 1] - placed(scene["instruments"][0], "base")[2, 3]
-    return t, {"x": 1e-3 * ball[:, 0], "y": zero, "z": z, "roll": zero, "pitch": zero, "yaw": zero}
+def on_slab(waypoints):
+    def motion(scene):
+        t = times(waypoints, 100)
+        ball = 1e-3 * minimum_jerk(waypoints, t)
+        zero = np.zeros(len(t))
+        z = TOP + BALL + ball[:, 1] - placed(scene["instruments"][0], "base")[2, 3]
+        return t, {"x": ball[:, 0], "y": zero, "z": z, "roll": zero, "pitch": zero, "yaw": zero}
+
+    return motion
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
     folder = parser.parse_args().out
-    for name, motion in (("gallbladder_bimanual", bimanual), ("liver_retraction", retraction), ("slab_probe", press)):
+    motions = {
+        "gallbladder_bimanual": bimanual,
+        "liver_retraction": retraction,
+        "slab_probe": on_slab(PRESS),
+        "honeycomb": on_slab(DRAG),
+    }
+    for name, motion in motions.items():
         with open(os.path.join(ROOT, "config/scenes", name + ".yaml"), encoding="utf-8") as file:
             t, columns = motion(yaml.safe_load(file))
         path = os.path.join(folder, name + ".csv")
