@@ -28,6 +28,7 @@ CellSolver::CellSolver(const CellBalance& balance, const CornerMap& map,
   moved_.resize(lattice.numSides());
   sides_.resize(lattice.numSides());
   turns_.resize(3 * lattice.numCells());
+  x_ = map.rest();
 }
 
 void CellSolver::pack(const CellState& state, Eigen::VectorXd* x) const {
@@ -56,7 +57,12 @@ bool CellSolver::counts(int side) const {
 }
 
 double CellSolver::unbalanced(const CellState& state, bool everywhere, double* volume_error) {
-  map_.place(state, &x_);
+  map_.placeSurface(state, &x_);
+  return unbalancedHere(state, everywhere, volume_error);
+}
+
+// x_ are its corners.
+double CellSolver::unbalancedHere(const CellState& state, bool everywhere, double* volume_error) {
   contactForces(x_, &f_);
   sides_.setZero();
   turns_.setZero();
@@ -81,19 +87,22 @@ double CellSolver::unbalanced(const CellState& state, bool everywhere, double* v
   return std::sqrt(square);
 }
 
-// No sample may get to the other side of a tool on the way from `from` to the state: it goes part
-// of that way. True: it may go all the way.
+// No sample may get to the other side of a tool on the way from `from`, of which x_ are the
+// corners, to the state: it goes part of that way. True: it may go all the way. x_ follows.
 bool CellSolver::stayOutside(const Eigen::VectorXd& from, CellState* state) {
-  if (!contact_.hasCandidates()) return true;
+  next_ = x_;
+  map_.placeSurface(*state, &next_);
+  f_ = next_ - x_;
+  const double part = contact_.hasCandidates() ? contact_.maxStep(x_, f_) : 1.0;
+  if (part >= 1.0) {
+    x_.swap(next_);
+    return true;
+  }
   pack(*state, &trial_);
-  map_.place(*state, &f_);
-  unpack(from, state);
-  map_.place(*state, &x_);
-  f_ -= x_;
-  const double part = contact_.maxStep(x_, f_);
-  if (part < 1.0) trial_ = from + part * (trial_ - from);
+  trial_ = from + part * (trial_ - from);
   unpack(trial_, state);
-  return part >= 1.0;
+  x_ += part * f_;
+  return false;
 }
 
 CellSolve CellSolver::solve(int max_waves, const solver::Interrupt* interrupt, CellState* state,
@@ -118,7 +127,7 @@ CellSolve CellSolver::solve(int max_waves, const solver::Interrupt* interrupt, C
       return report;
     }
     pack(*state, &begin_);
-    contact_sides_.solve(std::max(tolerance_, report.residual), state, &control_, &moved_);
+    contact_sides_.solve(std::max(tolerance_, report.residual), state, &x_, &control_, &moved_);
     if (fronts_of_ != control_.sides || turns_of_ != control_.turns) {
       waves_.findFronts(control_);
       fronts_of_ = control_.sides;
@@ -126,10 +135,13 @@ CellSolve CellSolver::solve(int max_waves, const solver::Interrupt* interrupt, C
       mixing_.forget();
     }
     pack(*state, &middle_);
-    report.cells += waves_.run(control_, moved_, state);
+    const int solved = waves_.run(control_, moved_, state);
+    if (solved != solved_) mixing_.forget();  // others take part
+    solved_ = solved;
+    report.cells += solved;
     stayOutside(middle_, state);
     ++report.waves;
-    report.residual = unbalanced(*state, false, &report.volume_error);
+    report.residual = unbalancedHere(*state, false, &report.volume_error);
     pack(*state, &end_);
     if (!end_.allFinite()) {
       report.status = solver::SolveStatus::kNonFinite;
@@ -146,7 +158,7 @@ CellSolve CellSolver::solve(int max_waves, const solver::Interrupt* interrupt, C
     unpack(end_, state);
     if (!stayOutside(middle_, state)) mixing_.forget();
   }
-  report.residual = unbalanced(*state, false, &report.volume_error);
+  report.residual = unbalancedHere(*state, false, &report.volume_error);
   return report;
 }
 

@@ -48,6 +48,7 @@ class CellSolver {
   void pack(const CellState& state, Eigen::VectorXd* x) const;
   void unpack(const Eigen::VectorXd& x, CellState* state) const;
   bool counts(int side) const;
+  double unbalancedHere(const CellState& state, bool everywhere, double* volume_error);
   bool stayOutside(const Eigen::VectorXd& from, CellState* state);
 
   const CellBalance& balance_;
@@ -59,10 +60,11 @@ class CellSolver {
   ContactSides contact_sides_;
   WaveMixing mixing_;
   CellControl control_;
+  int solved_ = 0;                          // cells, in the last wave
   std::vector<bool> fronts_of_, turns_of_;  // control sides and turns that fronts began from
   double pressure_scale_, turn_scale_;      // to [m]
   Eigen::VectorXd begin_, middle_, end_, trial_, moved_, sides_, turns_;
-  Points x_, f_;
+  Points x_, next_, f_;
 };
 
 }  // namespace palpate::tissue

@@ -23,8 +23,8 @@ struct CellControl {
 ///
 /// Outward: a side that an earlier front has moved is active, as prescribed, to the cells behind; a
 /// cell of which all are solves for those that are not controlled. There and back: all sides that
-/// are not controlled are passive, and a second wave runs in the opposite order. Where both
-/// converge they come to the same state, that in which all balances.
+/// are not controlled are passive, and a second wave runs in the opposite order.
+/// Where both converge they come to the same state, that in which all balances.
 class CellWaves {
  public:
   /// `cut_off` [m], 0: none. `balance` is kept by reference.

@@ -9,10 +9,9 @@ namespace {
 
 constexpr int kMaxSteps = 12;
 constexpr int kMaxSearches = 6;
-constexpr double kPart = 0.1;    // of the tolerance that is left
-constexpr double kHelp = 0.3;    // to which a step with earlier factors is to bring what is left
-constexpr double kSteep = 0.5;   // of the first slope, which a step may end with
-constexpr double kGive = 1e-10;  // of what pressures meet, where sides do not let a volume be right
+constexpr double kPart = 0.1;   // of the tolerance that is left
+constexpr double kHelp = 0.3;   // to which a step with earlier factors is to bring what is left
+constexpr double kSteep = 0.5;  // of the first slope, which a step may end with
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -45,13 +44,12 @@ void ContactSides::takeCells(int unknown) {
 
 // What touches in this state, the unknowns that it acts on, and the other sides of their cells:
 // without these the cells' volumes would let nothing move.
-bool ContactSides::gather(const CellState& state) {
+bool ContactSides::gather(const Points& x) {
   for (const int u : unknowns_) local_[index(u)] = -1;
   for (const int c : cells_) cell_local_[index(c)] = -1;
   unknowns_.clear();
   cells_.clear();
-  map_.place(state, &x_);
-  contact_.collect(x_, &contacts_);
+  contact_.collect(x, &contacts_);
   for (const contact::Contact& c : contacts_) {
     for (int k = 0; k < 3; ++k) {
       if (c.touch.weights[k] == 0.0) continue;
@@ -108,7 +106,6 @@ double ContactSides::unbalanced(const CellState& state) {
 }
 
 void ContactSides::addContacts() {
-  const int n = static_cast<int>(unknowns_.size());
   for (const contact::Contact& c : contacts_) {
     const Mat3 K = contact_.convexStiffness(c, contact_.stiffness(c));
     entries_.clear();
@@ -138,33 +135,32 @@ void ContactSides::addContacts() {
       const Vec3 K_a = K * a.by;
       for (const Entry& b : entries_) {
         if (b.local > a.local) break;
-        H_[index(a.local * n + b.local)] += K_a.dot(b.by);
+        matrix_.stiffness(a.local, b.local) += K_a.dot(b.by);
       }
     }
   }
 }
 
-// The stiffness of the unknowns, H_, lower triangle, and the cells' volumes by them, C_.
+// The stiffness of the unknowns, and the cells' volumes by them.
 void ContactSides::assemble(const CellState& state) {
-  const int n = static_cast<int>(unknowns_.size()), m = static_cast<int>(cells_.size());
+  const int n = static_cast<int>(unknowns_.size());
   const CellFabric& fabric = balance_.fabric();
-  H_.assign(index(n * n), 0.0);
-  C_.assign(index(n * m), 0.0);
+  matrix_.reset(n, static_cast<int>(cells_.size()));
   const auto couple = [&](int a, int other, double stiffness) {
     const int b = local_[index(other)];
-    if (b >= 0 && b < a) H_[index(a * n + b)] -= stiffness;
+    if (b >= 0 && b < a) matrix_.stiffness(a, b) -= stiffness;
   };
   for (int a = 0; a < n; ++a) {
     const int unknown = unknowns_[index(a)];
     if (unknown >= num_sides_) {
       const int turn = unknown - num_sides_;
-      H_[index(a * n + a)] = fabric.turning_diagonal[turn];
+      matrix_.stiffness(a, a) = fabric.turning_diagonal[turn];
       for (const Coupling& c : fabric.turning[index(turn)]) {
         couple(a, num_sides_ + c.other, c.stiffness);
       }
       continue;
     }
-    H_[index(a * n + a)] = fabric.diagonal[unknown];
+    matrix_.stiffness(a, a) = fabric.diagonal[unknown];
     for (const Coupling& c : fabric.shear[index(unknown)]) couple(a, c.other, c.stiffness);
     const CellLattice::Side& side = balance_.lattice().sides[index(unknown)];
     for (int b = 0; b < 2; ++b) {
@@ -173,16 +169,15 @@ void ContactSides::assemble(const CellState& state) {
       const int other = balance_.lattice().cells[index(cell)].sides[index(2 * side.axis + b)];
       couple(a, other, fabric.stretch[index(cell)][side.axis]);
       const double area = balance_.areas(state, cell)[side.axis];
-      C_[index(cell_local_[index(cell)] * n + a)] += b == 0 ? area : -area;
+      matrix_.condition(cell_local_[index(cell)], a) += b == 0 ? area : -area;
     }
   }
   addContacts();
 }
 
 // Along y_: d/dt of the energy, with the pressures of `state`.
-double ContactSides::slope(const CellState& state) {
-  map_.place(state, &x_);
-  contact_.collect(x_, &contacts_);
+double ContactSides::slope(const CellState& state, const Points& x) {
+  contact_.collect(x, &contacts_);
   double slope = 0.0;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
     slope -= y_[i] * internalForce(state, unknowns_[i]);
@@ -191,95 +186,73 @@ double ContactSides::slope(const CellState& state) {
   return slope;
 }
 
-// Of the stiffness, and of what pressures meet in it.
-bool ContactSides::factor(const CellState& state) {
-  const int n = static_cast<int>(unknowns_.size()), m = static_cast<int>(cells_.size());
-  assemble(state);
-  factored_.clear();
-  if (!factorize(n, &H_)) return false;
-  S_.assign(index(m * m), 0.0);
-  row_.resize(index(n));
-  using Row = Eigen::Map<const Eigen::VectorXd>;
-  for (int c = 0; c < m; ++c) {
-    const double* C_c = C_.data() + static_cast<std::ptrdiff_t>(c) * n;
-    std::copy(C_c, C_c + n, row_.begin());
-    solveFactorized(n, H_, row_.data());
-    for (int b = 0; b <= c; ++b) {
-      S_[index(c * m + b)] =
-          Row(C_.data() + static_cast<std::ptrdiff_t>(b) * n, n).dot(Row(row_.data(), n));
-    }
-    S_[index(c * m + c)] *= 1.0 + kGive;
+// How the corners of these cells go by y_, d_.
+void ContactSides::findWay() {
+  d_.setZero(3, map_.rest().cols());
+  const auto of = [this](int unknown) {
+    const int local = local_[index(unknown)];
+    return local < 0 ? 0.0 : y_[index(local)];
+  };
+  for (const int c : cells_) {
+    for (const int i : balance_.lattice().cells[index(c)].corners) d_.col(i) = map_.way(i, of);
   }
-  if (!factorize(m, &S_)) return false;
-  factored_ = unknowns_;
-  return true;
 }
 
 // g_ is the gradient here.
-bool ContactSides::step(CellState* state) {
-  const int n = static_cast<int>(unknowns_.size()), m = static_cast<int>(cells_.size());
-  if (factored_ != unknowns_ && !factor(*state)) return false;
-  y_ = g_;
-  solveFactorized(n, H_, y_.data());
-  p_.resize(index(m));
-  using Row = Eigen::Map<const Eigen::VectorXd>;
-  for (int c = 0; c < m; ++c) {
-    p_[index(c)] = Row(C_.data() + static_cast<std::ptrdiff_t>(c) * n, n).dot(Row(y_.data(), n)) -
-                   balance_.volumeError(*state, cells_[index(c)]);
+bool ContactSides::step(CellState* state, Points* x) {
+  if (factored_ != unknowns_) {
+    assemble(*state);
+    factored_.clear();
+    if (!matrix_.factor()) return false;
+    factored_ = unknowns_;
   }
-  solveFactorized(m, S_, p_.data());
-  for (int i = 0; i < n; ++i) {
-    double g = -g_[index(i)];
-    for (int c = 0; c < m; ++c) g += C_[index(c * n + i)] * p_[index(c)];
-    y_[index(i)] = g;
-  }
-  solveFactorized(n, H_, y_.data());
+  v_.clear();
+  for (const int c : cells_) v_.push_back(balance_.volumeError(*state, c));
+  const double first = matrix_.solve(g_, v_, &y_, &p_);
 
   // The pressures go all the way, the others until the energy along their way no longer falls.
-  for (int c = 0; c < m; ++c) state->pressures[cells_[index(c)]] += p_[index(c)];
+  for (std::size_t c = 0; c < cells_.size(); ++c) state->pressures[cells_[c]] += p_[c];
   trial_ = *state;
   const auto go = [&](double t) {
-    for (int i = 0; i < n; ++i) {
-      const int u = unknowns_[index(i)];
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+      const int u = unknowns_[i];
       if (u < num_sides_) {
-        trial_.sides[u] = state->sides[u] + t * y_[index(i)];
+        trial_.sides[u] = state->sides[u] + t * y_[i];
       } else {
-        trial_.turns[u - num_sides_] = state->turns[u - num_sides_] + t * y_[index(i)];
+        trial_.turns[u - num_sides_] = state->turns[u - num_sides_] + t * y_[i];
       }
     }
   };
-  map_.place(*state, &x_);
-  go(1.0);
-  map_.place(trial_, &d_);
-  d_ -= x_;
-  double t = contact_.maxStep(x_, d_);
-  const double first = slope(*state);
+  findWay();
+  double t = contact_.maxStep(*x, d_);
   for (int k = 0; k < kMaxSearches; ++k) {
     go(t);
-    const double now = slope(trial_);
+    x_ = *x + t * d_;
+    const double now = slope(trial_, x_);
     if (!(now > kSteep * std::abs(first))) break;
     t *= first < 0.0 ? std::clamp(first / (first - now), 0.1, 0.9) : 0.5;
   }
   go(t);
+  *x += t * d_;
   state->sides = trial_.sides;
   state->turns = trial_.turns;
   return true;
 }
 
-bool ContactSides::solve(double tolerance, CellState* state, CellControl* control,
+bool ContactSides::solve(double tolerance, CellState* state, Points* x, CellControl* control,
                          Eigen::VectorXd* moved) {
   control->reset(balance_);
   *moved = -state->sides;
   bool touches = false;
   double before = 0.0;
   for (int k = 0; k <= kMaxSteps; ++k) {
-    if (!gather(*state)) break;
+    if (!gather(*x)) break;
     touches = true;
     const double left = unbalanced(*state);
     if (left <= kPart * tolerance || !(left < 1e30) || k == kMaxSteps) break;
     if (k > 0 && left > kHelp * before) factored_.clear();
     before = left;
-    if (!step(state)) break;
+    if (!step(state, x)) break;
   }
   for (int k = 0; k < num_touched_; ++k) {
     const int u = unknowns_[index(k)];

@@ -6,7 +6,7 @@
 
 #include "cell_waves.h"
 #include "corner_map.h"
-#include "dense_cholesky.h"
+#include "dense_saddle.h"
 #include "palpate/contact/contact_potential.h"
 
 namespace palpate::tissue {
@@ -23,19 +23,20 @@ class ContactSides {
 
   /// The factors of matrices serve as long as they help; without those of an earlier solve.
   void forget() { factored_.clear(); }
-  /// Moves them until no more than `tolerance` [N] is unbalanced among them, marks them in
-  /// `control`, beside what is held, and says how far each side went, `moved` [m]. False: nothing
-  /// touches.
-  bool solve(double tolerance, CellState* state, CellControl* control, Eigen::VectorXd* moved);
+  /// Moves them, and with the state its corners x, 3 x n [m], until no more than `tolerance` [N] is
+  /// unbalanced among them, marks them in `control`, beside what is held, and says how far each
+  /// side went, `moved` [m]. False: nothing touches.
+  bool solve(double tolerance, CellState* state, Points* x, CellControl* control,
+             Eigen::VectorXd* moved);
 
  private:
-  bool gather(const CellState& state);
+  bool gather(const Points& x);
   void take(int unknown);
   void takeCells(int unknown);
   double unbalanced(const CellState& state);
-  bool factor(const CellState& state);
-  bool step(CellState* state);
-  double slope(const CellState& state);
+  void findWay();
+  bool step(CellState* state, Points* x);
+  double slope(const CellState& state, const Points& x);
   double internalForce(const CellState& state, int unknown) const;
   void assemble(const CellState& state);
   void addContacts();
@@ -50,10 +51,10 @@ class ContactSides {
   std::vector<int> unknowns_, cells_;  // that are solved for
   int num_touched_ = 0;                // of the unknowns, first: they move what is touched
   std::vector<contact::Contact> contacts_;
-  Points x_, d_;                   // corners, and a step of them [m]
-  std::vector<double> H_, S_, C_;  // row by row
-  std::vector<int> factored_;      // unknowns of which H_ and S_ are factors; empty: none
-  std::vector<double> g_, y_, p_, row_;
+  Points x_, d_;  // corners, and a step of them [m]
+  DenseSaddle matrix_;
+  std::vector<int> factored_;  // unknowns that the matrix is factored for; empty: none
+  std::vector<double> g_, v_, y_, p_;
   struct Entry {
     int local;
     Vec3 by;  // of a sample by an unknown, in world

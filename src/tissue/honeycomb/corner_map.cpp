@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corner_map.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palpate::tissue {
@@ -30,6 +31,9 @@ CornerMap::CornerMap(const CellLattice& lattice, const HeldSides& held,
       cells[static_cast<std::size_t>(i)].push_back(c);
     }
   }
+  surface_.assign(lattice.triangles.data(), lattice.triangles.data() + lattice.triangles.size());
+  std::sort(surface_.begin(), surface_.end());
+  surface_.erase(std::unique(surface_.begin(), surface_.end()), surface_.end());
   first_.push_back(0);
   for (std::size_t i = 0; i < corners; ++i) {
     for (int a = 0; a < 3; ++a) {
@@ -55,16 +59,17 @@ CornerMap::CornerMap(const CellLattice& lattice, const HeldSides& held,
 
 void CornerMap::place(const CellState& state, Points* x) const {
   x->resize(3, X_.cols());
-  for (int i = 0; i < static_cast<int>(X_.cols()); ++i) {
-    Vec3 d = Vec3::Zero();
-    for (int a = 0; a < 3; ++a) {
-      for (const Term* t = begin(i, a); t != end(i, a); ++t) {
-        d[a] += t->weight * (t->unknown < num_sides_ ? state.sides[t->unknown]
-                                                     : state.turns[t->unknown - num_sides_]);
-      }
-    }
-    x->col(i) = X_.col(i) + R_WO_ * d;
-  }
+  const auto of = [&](int u) {
+    return u < num_sides_ ? state.sides[u] : state.turns[u - num_sides_];
+  };
+  for (int i = 0; i < static_cast<int>(X_.cols()); ++i) x->col(i) = X_.col(i) + way(i, of);
+}
+
+void CornerMap::placeSurface(const CellState& state, Points* x) const {
+  const auto of = [&](int u) {
+    return u < num_sides_ ? state.sides[u] : state.turns[u - num_sides_];
+  };
+  for (const int i : surface_) x->col(i) = X_.col(i) + way(i, of);
 }
 
 void CornerMap::pull(const Points& f, Eigen::VectorXd* sides, Eigen::VectorXd* turns) const {

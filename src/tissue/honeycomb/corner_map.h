@@ -32,6 +32,17 @@ class CornerMap {
 
   /// Corners in the world [m].
   void place(const CellState& state, Points* x) const;
+  /// Those of the surface only; the others are as they were.
+  void placeSurface(const CellState& state, Points* x) const;
+  /// Where corner i goes in the world by what way(unknown) says of those that move it [m].
+  template <class Way>
+  Vec3 way(int i, const Way& way) const {
+    Vec3 d = Vec3::Zero();
+    for (int a = 0; a < 3; ++a) {
+      for (const Term* t = begin(i, a); t != end(i, a); ++t) d[a] += t->weight * way(t->unknown);
+    }
+    return R_WO_ * d;
+  }
   /// += what forces `f` on the corners, world, 3 x n [N], are to sides [N] and turns [N m].
   void pull(const Points& f, Eigen::VectorXd* sides, Eigen::VectorXd* turns) const;
   /// Of forces on corners the sum that no side takes: held ones bear it; in world [N].
@@ -49,6 +60,7 @@ class CornerMap {
   double arm_;  // by which turns count [m]
   std::vector<Term> terms_;
   std::vector<int> first_;
+  std::vector<int> surface_;  // corners of triangles, ascending
 };
 
 }  // namespace palpate::tissue
