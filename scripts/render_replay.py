@@ -52,10 +52,16 @@ class Mesh:
 
 
 def surface(mesh):
-    """Triangles that belong to one tetrahedron only, outward, of a meshio mesh, or all that it has."""
-    if not any(block.type.startswith("tetra") for block in mesh.cells):
+    """Triangles that belong to one tetrahedron or hexahedron only, outward, of a meshio mesh, or all that it has."""
+    tets = [block.data[:, :4] for block in mesh.cells if block.type.startswith("tetra")]
+    # Along a diagonal from corner 0 to 6: neighbours on a grid cut their common side alike.
+    paths = [(1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1)]
+    for block in mesh.cells:
+        if block.type == "hexahedron":
+            tets += [block.data[:, [0, a, b, 6]] for a, b in paths]
+    if not tets:
         return np.vstack([block.data for block in mesh.cells if block.type == "triangle"])
-    tets = np.vstack([block.data[:, :4] for block in mesh.cells if block.type.startswith("tetra")])
+    tets = np.vstack(tets)
     faces = np.vstack([tets[:, k] for k in ([1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1])])
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     return faces[first[count == 1]]

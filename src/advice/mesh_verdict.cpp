@@ -20,7 +20,8 @@ constexpr double kWanted = 0.08;       // a hand hardly tells it
 
 Eigen::Matrix3Xi outside(const mesh::CellMesh& cells) {
   if (cells.cells.rows() == 3) return cells.cells;
-  if (cells.cells.rows() < 4) return Eigen::Matrix3Xi(3, 0);
+  const bool tetrahedra = cells.cells.rows() == 4 || cells.cells.rows() == 10;
+  if (!tetrahedra) return Eigen::Matrix3Xi(3, 0);
   return mesh::boundaryTriangles(cells.cells.topRows(4));
 }
 
