@@ -90,9 +90,11 @@ std::vector<std::string> HoneycombOrgan::notes() const {
     std::string s = std::to_string(x);
     return s.substr(0, s.find('.') + 3);
   };
-  return {"honeycomb: " + std::to_string(parts_.lattice.numCells()) + " cells of " + text(mm.x()) +
-          " x " + text(mm.y()) + " x " + text(mm.z()) +
-          " mm, incompressible, quasi-static: damping and Poisson's ratio are not used"};
+  return {
+      "honeycomb: " + std::to_string(parts_.lattice.numCells()) + " cells of " + text(mm.x()) +
+      " x " + text(mm.y()) + " x " + text(mm.z()) +
+      " mm, incompressible, quasi-static: damping and Poisson's ratio are not used, and only tools "
+      "and anatomy touch it"};
 }
 
 const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {

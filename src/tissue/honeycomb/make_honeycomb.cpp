@@ -117,6 +117,9 @@ std::unique_ptr<TissueModel> makeHoneycomb(const ModelDescription& description) 
   const mesh::TetMesh mesh = organ.tetrahedra();
   const fem::Composition composition = organ.composition(mesh);
   refuse(organ, composition);
+  if (description.settings.touching.self) {
+    throw std::invalid_argument("contact.self: cells of model honeycomb do not touch each other");
+  }
   HoneycombParts parts = partsOf(mesh, composition, organ.honeycomb.cell_size);
   parts.free = freeInOrgan(organ, parts.lattice.corners);
   parts.X_WO = organ.X_WO;
