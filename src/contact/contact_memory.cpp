@@ -19,7 +19,8 @@ constexpr double kOnTriangle = 0.1;
 
 void ContactPotential::beginStep(const Points& x) {
   for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
-  if (response_->followsMotion() || response_->remembers()) x_begin_ = x;
+  begun_ = response_->followsMotion() || response_->remembers();
+  if (begun_) x_begin_ = x;
   if (!response_->remembers()) return;
   gather(x);
   response_->beginStep(touches_);
@@ -123,7 +124,7 @@ std::vector<Response::Places::Node> ContactPotential::placesOf(const std::vector
 }
 
 void ContactPotential::forget() {
-  x_begin_.resize(3, 0);
+  begun_ = false;
   at_end_.clear();
   response_->forget();
 }

@@ -148,7 +148,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
     touch.bearing = bearingOf(touch);
     if (skip_inactive && !response_->active(touch)) continue;
     if (with_frame || motion) obstacle.measureFrame(&touch);
-    if (motion && x_begin_.cols() > 0) obstacle.measureMotion(s.position(x_begin_), &touch);
+    if (motion && begun_) obstacle.measureMotion(s.position(x_begin_), &touch);
     visit(touch);
   }
 }
@@ -165,7 +165,7 @@ void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_fr
 template <class Visit>
 void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
-  const bool motion = response_->followsMotion() && x_begin_.cols() > 0;
+  const bool motion = response_->followsMotion() && begun_;
   faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
     touch->bearing = bearingOf(*touch);
     if (!response_->active(*touch)) return;
@@ -333,7 +333,7 @@ double ContactPotential::mobilityOf(const Touch& touch) const {
 
 void ContactPotential::gatherLearnable(const Points& x, double h) {
   touches_.clear();
-  const bool begun = x_begin_.cols() == x.cols();
+  const bool begun = begun_ && x_begin_.cols() == x.cols();
   Vec3 together = Vec3::Zero();
   if (begun) together = (x - x_begin_).rowwise().mean();
   forEach(x, true, true, [&](Touch& touch) {

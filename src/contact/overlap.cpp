@@ -100,8 +100,24 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
   return windingNumber(x, triangles, X_WG * middle(geometry)) > 0.5;
 }
 
+// Of a thin shape, or a round one, all over it.
+std::vector<TouchBall> sunkBalls(const instrument::Geometry& geometry) {
+  const double radius = inscribedRadius(geometry);
+  if (radius >= kThin && !isRound(geometry)) return {{middle(geometry), radius}};
+  const std::vector<TouchBall> all = faceBalls(geometry);
+  const std::size_t stride = std::max<std::size_t>(1, all.size() / kAsked);
+  std::vector<TouchBall> balls;
+  for (std::size_t k = 0; k < all.size(); k += stride) balls.push_back(all[k]);
+  return balls;
+}
+
 bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
                const Eigen::Matrix3Xi& triangles, double most) {
+  return hasSunkIn(geometry, sunkBalls(geometry), X_WG, x, triangles, most);
+}
+
+bool hasSunkIn(const instrument::Geometry& geometry, const std::vector<TouchBall>& balls,
+               const Pose& X_WG, const Points& x, const Eigen::Matrix3Xi& triangles, double most) {
   if (!overlaps(geometry, X_WG, x, triangles)) return false;
   const double radius = inscribedRadius(geometry);
   if (radius >= kThin) {
@@ -113,14 +129,10 @@ bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Poi
       }
     }
   }
-  const bool whole = radius < kThin || isRound(geometry);
-  const std::vector<TouchBall> balls =
-      whole ? faceBalls(geometry) : std::vector<TouchBall>{{middle(geometry), radius}};
-  const std::size_t stride = std::max<std::size_t>(1, balls.size() / kAsked);
-  for (std::size_t k = 0; k < balls.size(); k += stride) {
-    const Vec3 center = X_WG * balls[k].center_G;
+  for (const TouchBall& ball : balls) {
+    const Vec3 center = X_WG * ball.center_G;
     if (windingNumber(x, triangles, center) < 0.5) continue;
-    if (distanceTo(x, triangles, center) > kPressed - balls[k].radius) return true;
+    if (distanceTo(x, triangles, center) > kPressed - ball.radius) return true;
   }
   return false;
 }

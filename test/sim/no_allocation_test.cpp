@@ -76,7 +76,7 @@ TEST(NoAllocationOfSprings, InACycleOnceItHasSeenOneLikeIt) {
   pressTwice(scene);
 }
 
-// Nor where it is of cells, exact ones or some of them left out.
+// Nor where it is of cells, exact ones, of which cycles fail here, or some of them left out.
 class NoAllocationOfCells : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NoAllocationOfCells, InACycleOnceItHasSeenOneLikeIt) {
@@ -86,21 +86,7 @@ TEST_P(NoAllocationOfCells, InACycleOnceItHasSeenOneLikeIt) {
   scene.organs[0].honeycomb.volume = GetParam();
   scene.organs[0].honeycomb.cut_off = scene.organs[0].honeycomb.volume == "exact" ? 0.0 : 1e-5;
   scene.organs[0].honeycomb.max_sweeps = 20;
-  Simulator simulator(scene);
-  std::vector<std::vector<LinkPoses>> poses;
-  for (const Eigen::VectorXd& q : SlabScene::press()) {
-    poses.push_back({simulator.linkPoses(0, q)});
-  }
-  int contacts = 0;
-  for (const bool counted : {false, true}) {
-    simulator.reset();
-    simulator.step(poses.front(), 0.01);
-    test::countAllocations(counted);
-    for (const auto& pose : poses) contacts += simulator.step(pose, 0.01).report.contacts;
-    test::countAllocations(false);
-  }
-  EXPECT_GT(contacts, 0);
-  EXPECT_EQ(test::allocations(), 0U) << "in " << poses.size() << " cycles";
+  pressTwice(scene);
 }
 
 INSTANTIATE_TEST_SUITE_P(Volumes, NoAllocationOfCells, ::testing::Values("linear", "exact"));

@@ -163,7 +163,8 @@ class ContactPotential final : public fem::EnergyTerm {
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;
-  Points x_begin_;               // of the step, where the response follows motions or remembers
+  Points x_begin_;               // of the step, where the response follows motions or remembers;
+  bool begun_ = false;           // since it forgot
   std::vector<Contact> at_end_;  // of the last step, where the response remembers
   std::vector<Touch> touches_;
 };

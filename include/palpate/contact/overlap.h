@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/contact/touch_balls.h"
 #include "palpate/instrument/geometry.h"
 
 namespace palpate::contact {
@@ -25,5 +27,11 @@ bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Poin
 /// `most` of the way to its middle.
 bool hasSunkIn(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,
                const Eigen::Matrix3Xi& triangles, double most = 0.9);
+/// Balls of the shape that are asked whether they are behind the surface.
+std::vector<TouchBall> sunkBalls(const instrument::Geometry& geometry);
+/// The same with these given, without an allocation.
+bool hasSunkIn(const instrument::Geometry& geometry, const std::vector<TouchBall>& balls,
+               const Pose& X_WG, const Points& x, const Eigen::Matrix3Xi& triangles,
+               double most = 0.9);
 
 }  // namespace palpate::contact

@@ -12,6 +12,7 @@ namespace {
 
 // Of the way to its middle: deeper than that a shape that comes anew is held, not pressed out.
 constexpr double kDeep = 0.25;
+constexpr double kPressedOut = 0.9;  // and one that has been outside
 
 bool holds(const std::vector<int>& numbers, int number) {
   return std::binary_search(numbers.begin(), numbers.end(), number);
@@ -36,9 +37,9 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
     if (holds(inside_, obstacle.number)) {
       in = contact::overlaps(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
     } else if (!holds(outside_, obstacle.number)) {
-      in = holds(doubted_, obstacle.number)
-               ? contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles)
-               : contact::hasSunkIn(*obstacle.geometry, obstacle.X_WG_begin, x, triangles, kDeep);
+      const double most = holds(doubted_, obstacle.number) ? kPressedOut : kDeep;
+      in = contact::hasSunkIn(*obstacle.geometry, ballsOf(obstacle), obstacle.X_WG_begin, x,
+                              triangles, most);
     }
     if (in) {
       next_inside_.push_back(obstacle.number);
@@ -49,6 +50,12 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
   doubted_.clear();
   outside_.swap(next_outside_);
   inside_.swap(next_inside_);
+}
+
+const std::vector<contact::TouchBall>& Sides::ballsOf(const contact::Obstacle& obstacle) {
+  std::vector<contact::TouchBall>& balls = balls_[obstacle.geometry];
+  if (balls.empty()) balls = contact::sunkBalls(*obstacle.geometry);
+  return balls;
 }
 
 void Sides::save(StateWriter* to) const {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "palpate/base/state_bytes.h"
 #include "palpate/contact/obstacle.h"
+#include "palpate/contact/touch_balls.h"
 
 namespace palpate::tissue {
 
 /// Which instruments' shapes are inside a body though they were not pushed in: those that began
 /// there, a quarter of the way to their middle or deeper, or got there by a leap or while nothing
 /// could be solved. They exert no force until they are clear of it, so that none lifts the surface
-/// from within, or is thrown out.
+/// from within, or is thrown out. A geometry stays as it is as long as obstacles have it.
 class Sides {
  public:
   /// Looks where the obstacles are that may touch in a cycle that begins, with the surface at x,
@@ -29,9 +31,12 @@ class Sides {
   void restore(StateReader* from);
 
  private:
+  const std::vector<contact::TouchBall>& ballsOf(const contact::Obstacle& obstacle);
+
   std::vector<int> outside_, inside_;  // numbers, ascending; as of the last look()
   std::vector<int> doubted_;           // that were outside before a cycle failed
   std::vector<int> next_outside_, next_inside_;
+  std::map<const instrument::Geometry*, std::vector<contact::TouchBall>> balls_;  // once asked
 };
 
 }  // namespace palpate::tissue
