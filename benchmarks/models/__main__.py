@@ -11,16 +11,17 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import beams, directions, discs, ends, free_sheet, ideal, plates, solids
+    from . import beams, cells, directions, discs, ends, free_sheet, ideal, plates, solids, table_2_1, touched
 
 PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends,
-         "ideal": ideal, "plates": plates, "solids": solids}
+         "ideal": ideal, "plates": plates, "solids": solids,
+         "cells": cells, "touched": touched, "table_2_1": table_2_1}
 HEAD = """# Models of the literature
 
-Tables and curves of [Wang 2005] on networks of springs, computed anew: `scripts/reproduce.sh springs` runs
-`palpate_models` and `palpate solve`, and writes this page. Ours and the differences were not typed in by hand; what is
-published is, with its place in the source. B numbers are this page's own. Where the print contradicts itself, both
-versions stand here.
+Tables and curves of [Wang 2005], computed anew, and every model under the same tool: `scripts/reproduce.sh springs` runs
+`palpate_models`, `palpate solve` and `palpate replay`, and writes this page. Ours and the differences were not typed in by
+hand; what is published is, with its place in the source. B numbers are this page's own. Where the print contradicts
+itself, both versions stand here.
 
 Difference: of ours from what is published, as a part of it, or in points where both are errors; where the source only
 promises a limit, whether it is kept. *Another program*: the source's networks computed anew with other code, where the

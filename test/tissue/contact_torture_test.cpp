@@ -27,7 +27,7 @@ class Scene {
   // `kind`: of the tissue model, "mass_spring:SCHEME" with another scheme than the default.
   explicit Scene(int seed, const std::string& kind = "fem") : engine_(static_cast<unsigned>(seed)) {
     const std::string model = kind.substr(0, kind.find(':'));
-    const bool alone = model == "sampled_elasticity";
+    const bool alone = !ownsAllOrgans(model);
     size_ = Vec3(between(0.03, 0.07), between(0.03, 0.07), between(0.02, 0.04));
     const Eigen::Vector3i cells(2 + whole(4), 2 + whole(4), 2 + whole(2));
     const auto bottom = [](const Vec3& X) { return X.z() <= 0.0; };
@@ -60,10 +60,11 @@ class Scene {
     settings.interactions = interactions();
     if (model != "fem") settings.interactions.clear();
     tissue_ = test::makeOrgans(organs_, settings, nullptr, model);
+    for (int o = 0; o < tissue_->numOrgans(); ++o) rest_.push_back(tissue_->positions(o));
     if (thrown_) {
-      Points v = Points::Zero(3, organs_[1].mesh.numPoints());
+      Points v = Points::Zero(3, rest_[1].cols());
       v.row(2).setConstant(-between(0.05, 0.5));
-      tissue_->place(1, organs_[1].mesh.points, v);
+      tissue_->place(1, rest_[1], v);
     }
     for (const instrument::Geometry& s : shapes_) poses_.push_back(outside(s));
     if (chance(0.1)) poses_[0].translation() = 0.5 * size_;  // it begins inside
@@ -92,8 +93,7 @@ class Scene {
     }
     if (thrown_) return {};
     for (std::size_t o = 0; o < organs_.size(); ++o) {
-      const double off =
-          (tissue_->positions(static_cast<int>(o)) - organs_[o].mesh.points).cwiseAbs().maxCoeff();
+      const double off = (tissue_->positions(static_cast<int>(o)) - rest_[o]).cwiseAbs().maxCoeff();
       if (off > 1e-3 * size_.norm()) return "not back: " + std::to_string(1e3 * off) + " mm";
     }
     return {};
@@ -181,6 +181,7 @@ class Scene {
   std::vector<instrument::Geometry> shapes_;
   std::vector<Pose> poses_;
   std::unique_ptr<TissueModel> tissue_;
+  std::vector<Points> rest_;  // of each organ
   double dt_ = 0.0, speed_ = 0.0;
   bool jumps_ = false, thrown_ = false, inverted_ = false;
   int unsolved_ = 0;
