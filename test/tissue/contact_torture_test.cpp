@@ -211,5 +211,8 @@ TEST(ContactTorture, LeavesNothingBehindWhereItOnceDid) {
   for (const int seed : {5425, 5647, 6429}) EXPECT_EQ(Scene(seed).run(), "") << seed;
 }
 
+// Particles that a blade suddenly met from behind were thrown, cycle after cycle, as if solved.
+TEST(ContactTorture, ThrowsNoParticles) { EXPECT_EQ(Scene(8, "sampled_elasticity").run(), ""); }
+
 }  // namespace
 }  // namespace palpate::tissue

@@ -16,9 +16,17 @@ namespace {
 
 constexpr double kSafety = 0.7;     // of the bound of the stable step
 constexpr double kContact = 100.0;  // shear moduli over the least distance of particles
+// Contact moves no particle farther in a sub-step than this part of the least distance of them:
+// what does was not there in the sub-step before, and would throw it.
+constexpr double kContactWay = 0.5;
 constexpr int kMostSubSteps = 20000;
 constexpr int kMostAdaptations = 12;
 constexpr int kMostSettlingSteps = 200000;
+
+// The least distance of particles [m].
+double finestOf(const SamplingSettings& sampling) {
+  return sampling.coarsest / (1 << (sampling.levels - 1));
+}
 
 class SampledTissue final : public TissueModel {
  public:
@@ -31,6 +39,7 @@ class SampledTissue final : public TissueModel {
         gravity_(settings.gravity),
         damping_(organ.damping.mass),
         lag_(organ.damping.stiffness),
+        finest_(finestOf(organ.sampling)),
         most_change_(organ.sampling.max_velocity_change),
         touch_(X_, triangles_, settings),
         size_((X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm()),
@@ -100,7 +109,6 @@ class SampledTissue final : public TissueModel {
   // Of the triangles all of whose corners are, parts smaller than the smallest particles.
   std::vector<Umbrella::Anchor> heldParts(const fem::FreeMask& free,
                                           const SamplingSettings& sampling) const {
-    const double finest = sampling.coarsest / (1 << (sampling.levels - 1));
     std::vector<Umbrella::Anchor> parts;
     for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
       Mat3 corners;
@@ -111,7 +119,8 @@ class SampledTissue final : public TissueModel {
       }
       if (!held) continue;
       const Vec3 u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);
-      const int n = static_cast<int>(std::ceil(3.0 * std::max(u.norm(), v.norm()) / finest));
+      const int n =
+          static_cast<int>(std::ceil(3.0 * std::max(u.norm(), v.norm()) / finestOf(sampling)));
       const Vec3 area = 0.5 * u.cross(v) / (n * n);
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j < 2 * (n - i) - 1; ++j) {  // upright and upside down in turn
@@ -147,7 +156,7 @@ class SampledTissue final : public TissueModel {
   void settle();
   bool comeToRest();
   int planSteps(double dt);
-  void subStep(double h, double s);
+  bool subStep(double h, double s);
   void report();
 
   Points X_;
@@ -156,13 +165,14 @@ class SampledTissue final : public TissueModel {
   Vec3 gravity_;
   double damping_;  // by mass [1/s]
   double lag_;      // by stiffness [s]
+  double finest_;   // distance of particles [m]
   double most_change_;
   Touch touch_;
   double size_;
   Rest rest_;
   double tolerance_;
   StateWriter settled_, before_;  // the cycle
-  Points x_, surface_v_, on_surface_, forces_;
+  Points x_, surface_v_, on_surface_, forces_, contact_;
   TissueStep out_;
 };
 
@@ -213,7 +223,8 @@ int SampledTissue::planSteps(double dt) {
   return wanted <= kMostSubSteps ? static_cast<int>(wanted) : 0;
 }
 
-void SampledTissue::subStep(double h, double s) {
+// Whether contact did not throw anything.
+bool SampledTissue::subStep(double h, double s) {
   touch_.sweep.beginStep(x_);
   touch_.sweep.place(s);
   if (!touch_.sweep.candidatesHold(x_)) touch_.sweep.search(x_);
@@ -222,7 +233,13 @@ void SampledTissue::subStep(double h, double s) {
     on_surface_.setZero();
     touch_.contact.addGradient(x_, &on_surface_);
     on_surface_ *= -1.0;
-    body_.surface().addForces(on_surface_, &forces_);
+    contact_.setZero(3, forces_.cols());
+    body_.surface().addForces(on_surface_, &contact_);
+    for (Eigen::Index i = 0; i < contact_.cols(); ++i) {
+      if (!(h * h * contact_.col(i).norm() <= kContactWay * finest_ * body_.masses[i]))
+        return false;
+    }
+    forces_ += contact_;
   }
   for (const Umbrella::Link& link : body_.umbrella().links()) {
     Vec3 way = -body_.d.col(link.a) - lag_ * body_.v.col(link.a), on_b;
@@ -237,6 +254,7 @@ void SampledTissue::subStep(double h, double s) {
   body_.surface().interpolate(body_.d, &x_);
   x_ += X_;
   touch_.contact.endStep(x_);
+  return true;
 }
 
 const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
@@ -252,17 +270,19 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   touch_.sweep.place(0.0);
   out_.tolerance = tolerance_;
   const int steps = planSteps(dt);
-  for (int k = 0; k < steps; ++k) subStep(dt / steps, (k + 1) / static_cast<double>(steps));
-  out_.sweep_stages = steps;
-  if (steps == 0 || !body_.d.allFinite() || !body_.v.allFinite()) {
+  int done = 0;
+  while (done < steps && subStep(dt / steps, (done + 1) / static_cast<double>(steps))) ++done;
+  out_.sweep_stages = done;
+  if (steps == 0 || done < steps || !body_.d.allFinite() || !body_.v.allFinite()) {
     StateReader back(before_.bytes());
     body_.restore(&back);
     body_.v.setZero();
     touch_.sides.doubt();
     touch_.contact.forget();
     follow();
-    out_.status =
-        steps == 0 ? solver::SolveStatus::kIterationLimit : solver::SolveStatus::kNonFinite;
+    out_.status = steps == 0     ? solver::SolveStatus::kIterationLimit
+                  : done < steps ? solver::SolveStatus::kLineSearchFailed
+                                 : solver::SolveStatus::kNonFinite;
     return out_;
   }
   body_.surface().interpolate(body_.v, &surface_v_);
@@ -332,9 +352,9 @@ std::unique_ptr<TissueModel> makeSampledElasticity(const ModelDescription& descr
   // learn.
   ModelSettings settings = description.settings;
   const material::Solid& solid = composition.solids.front();
-  const double finest = organ.sampling.coarsest / (1 << (organ.sampling.levels - 1));
   settings.contact.stiffness =
-      std::min(settings.contact.stiffness, kContact * material::moduli(solid.law).mu / finest);
+      std::min(settings.contact.stiffness,
+               kContact * material::moduli(solid.law).mu / finestOf(organ.sampling));
   return std::make_unique<SampledTissue>(mesh, free, solid, organ, settings);
 }
 
