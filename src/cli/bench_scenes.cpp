@@ -80,13 +80,19 @@ scene::FinePlaceConfig finePlace(const BenchChoice& choice, double radius, mesh:
   return place;
 }
 
+scene::SupportConfig heldAt(int axis, double at, double tolerance) {
+  scene::SupportConfig support;
+  support.select = mesh::PlaneRegion{axis, at, tolerance};
+  return support;
+}
+
 // A box of about `tets` tetrahedra, or graded along the tool's `way`; held at z = 0.
 scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
                        const BenchChoice& choice, const std::string& folder,
                        const mesh::Polyline& way = {}) {
   scene::OrganConfig organ;
   organ.name = "body";
-  organ.supports = {{mesh::PlaneRegion{2, 0.0, -1.0}}};
+  organ.supports = {heldAt(2, 0.0, -1.0)};
   if (!choice.finest) {
     if (choice.edge_length) refuse("a box", "--edge-length", "give --tets, or --finest beside it");
     const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
@@ -101,7 +107,7 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
     organ.surface = "body.obj";
     organ.edge_length = {choice.edge_length.value_or(std::max(0.2 * size.x(), *choice.finest)),
                          {finePlace(choice, kRadius, way)}};
-    organ.supports = {{mesh::PlaneRegion{2, 0.0, 1e-6}}};
+    organ.supports = {heldAt(2, 0.0, 1e-6)};
   }
   organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
   organ.element = choice.element.value_or(organ.element);
@@ -172,7 +178,7 @@ BenchCase flap(const BenchChoice& choice, const std::string& folder) {
   if (choice.finest) organ.edge_length.near[0].radius = 1.6 * radius;
   organ.material = gel(5.0e4, choice.poisson_ratio.value_or(0.45));
   organ.damping.mass = 20.0;
-  organ.supports = {{mesh::PlaneRegion{0, 0.0, 1e-6}}, {mesh::PlaneRegion{0, size.x(), 1e-6}}};
+  organ.supports = {heldAt(0, 0.0, 1e-6), heldAt(0, size.x(), 1e-6)};
   addBall(folder, &made.scene, radius);
   made.joints = [=](double t) {
     const Vec3 slid = kSpeed * std::max(0.0, t - down) * Vec3::UnitX();
