@@ -86,6 +86,11 @@ Mat3 InversionGuard::edges(const Points& x, Eigen::Index e) const {
   return edges;
 }
 
+void InversionGuard::keepOnly(const std::vector<int>& tets) {
+  tets_ = tets_(Eigen::all, tets).eval();
+  volumes_ = volumes_(tets).eval();
+}
+
 double InversionGuard::least(const Points& x) const {
   double least = 1.0;
   for (Eigen::Index e = 0; e < tets_.cols(); ++e) {

@@ -96,6 +96,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.adapt = organ.adapt;
   description.springs = organ.springs;
   description.sampling = organ.sampling;
+  description.hybrid = organ.hybrid;
   if (!organ.springs.file.empty()) {
     description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
   }

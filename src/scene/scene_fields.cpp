@@ -58,6 +58,7 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.section({"sampling", "", "Particles of model `sampled_elasticity`."}, organ.sampling);
   v.section({"honeycomb", "", "The cells of model `honeycomb`, and how they are solved."},
             organ.honeycomb);
+  v.section({"hybrid", "", "Of model `hybrid`: which part is of tensors."}, organ.hybrid);
   describe(v, static_cast<BodyConfig&>(organ));
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);

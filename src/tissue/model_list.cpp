@@ -5,6 +5,7 @@
 
 #include "fem/make_fem.h"
 #include "honeycomb/make_honeycomb.h"
+#include "hybrid/make_hybrid.h"
 #include "palpate/base/error.h"
 #include "sampled/sampled_tissue.h"
 #include "springs/make_mass_spring.h"
@@ -24,6 +25,7 @@ constexpr Entry kModels[] = {
     {"fem", makeFem, true},
     {"mass_spring", makeMassSpring, true},
     {"tensor_mass", makeTensorMass, true},
+    {"hybrid", makeHybrid, true},
     {"sampled_elasticity", makeSampledElasticity, false},
     {"honeycomb", makeHoneycomb, false},
 };

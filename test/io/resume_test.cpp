@@ -231,6 +231,17 @@ std::vector<Case> cases() {
                      s->organs[0].sampling.coarsest = 0.02;
                    }});
   }
+  for (const char* exchange : {"monolithic", "loop"}) {
+    all.push_back(
+        {std::string("hybrid_") + exchange, [exchange](scene::Scene* s) {
+           s->organs[0].model = "hybrid";
+           s->organs[0].damping = {10.0, 0.0};
+           s->organs[0].hybrid.exchange = exchange;
+           s->organs[0].material.density = 1e5;  // the loop is stable
+           s->gravity.setZero();
+           s->organs[0].hybrid.region = mesh::BoxRegion{Vec3::Constant(-1.0), Vec3(0.05, 1.0, 1.0)};
+         }});
+  }
   all.push_back({"springs_of_a_region_breathing", [](scene::Scene* s) {
                    s->organs[0].model = "mass_spring";
                    s->organs[0].springs.scheme = "symplectic_euler";

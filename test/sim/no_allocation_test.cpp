@@ -91,6 +91,21 @@ TEST_P(NoAllocationOfCells, InACycleOnceItHasSeenOneLikeIt) {
 
 INSTANTIATE_TEST_SUITE_P(Volumes, NoAllocationOfCells, ::testing::Values("linear", "exact"));
 
+// Nor where a part of it is linear and solved for beforehand, in both ways to join the parts.
+TEST(NoAllocationOfHybrids, InACycleOnceItHasSeenOneLikeIt) {
+  for (const char* exchange : {"monolithic", "loop"}) {
+    SlabScene slab;
+    scene::Scene scene = slab.scene();
+    scene.organs[0].model = "hybrid";
+    scene.organs[0].damping = {20.0, 0.0};
+    scene.organs[0].hybrid.exchange = exchange;
+    scene.organs[0].material.density = 1e5;  // the loop is stable
+    scene.gravity.setZero();
+    scene.organs[0].hybrid.region = mesh::BoxRegion{Vec3::Constant(-1.0), Vec3(0.05, 1.0, 1.0)};
+    pressTwice(scene);
+  }
+}
+
 // Nor where the slab breathes on springs, and is glued to something that breathes.
 TEST(NoAllocationOfSurroundings, InACycleOnceItHasSeenOneLikeIt) {
   SlabScene slab;

@@ -19,6 +19,8 @@ struct ModelVariant {
   double back = 1e-5;  ///< So near to rest it comes again [m].
   tissue::HoneycombSettings honeycomb = {};
   bool has_inertia = true;  ///< It can fly.
+  tissue::HybridSettings hybrid = {};
+  double stiffness_damping = 0.002;  ///< [s]
 };
 
 inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
@@ -48,6 +50,10 @@ inline std::vector<ModelVariant> modelVariants() {
     cells.has_inertia = false;
     all.push_back(cells);
   }
+  ModelVariant hybrid{"hybrid", "hybrid", {}, {}};
+  hybrid.hybrid.region = mesh::SphereRegion{Vec3(0.02, 0.03, 0.03), 0.02};
+  hybrid.stiffness_damping = 0.0;
+  all.push_back(hybrid);
   return all;
 }
 
@@ -55,10 +61,11 @@ inline std::vector<ModelVariant> modelVariants() {
 inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
   OrganSketch organ = block("block", Vec3::Zero(), Vec3(0.06, 0.06, 0.03), Eigen::Vector3i(6, 6, 3),
                             [held](const Vec3& X) { return held && X.z() <= 0.0; });
-  organ.damping = {10.0, 0.002};
+  organ.damping = {10.0, variant.stiffness_damping};
   organ.springs = variant.springs;
   organ.sampling = variant.sampling;
   organ.honeycomb = variant.honeycomb;
+  organ.hybrid = variant.hybrid;
   return organ;
 }
 

@@ -24,6 +24,7 @@ struct OrganSketch {
   tissue::SpringSettings springs;
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
+  tissue::HybridSettings hybrid;
   material::Solid solid{kLiver, 1060.0, {}};
 
   tissue::OrganDescription describe() const {
@@ -35,6 +36,7 @@ struct OrganSketch {
     organ.springs = springs;
     organ.sampling = sampling;
     organ.honeycomb = honeycomb;
+    organ.hybrid = hybrid;
     organ.tetrahedra = [this] { return mesh; };
     organ.free = [this](const Points& X) {
       if (X.cols() == mesh.numPoints() && X == mesh.points) return free;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "palpate/fem/energy_term.h"
 #include "palpate/mesh/tet_mesh.h"
 
@@ -23,6 +25,8 @@ class InversionGuard final : public EnergyTerm {
   /// `stiffness`: k [Pa].
   InversionGuard(const mesh::TetMesh& mesh, double stiffness);
 
+  /// From now on it keeps these tetrahedra only, of a mesh that is not quadratic.
+  void keepOnly(const std::vector<int>& tets);
   /// The smallest J at x, 3 x n [m].
   double least(const Points& x) const;
   void setActive(bool active) { active_ = active; }

@@ -21,6 +21,7 @@
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
+#include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/skip_switches.h"
 #include "palpate/tissue/springs/spring_settings.h"
@@ -53,6 +54,7 @@ struct OrganConfig : BodyConfig {
   tissue::SpringSettings springs;
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
+  tissue::HybridSettings hybrid;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

@@ -15,6 +15,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
+#include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
@@ -51,6 +52,7 @@ struct OrganDescription {
   SpringSettings springs;           ///< For model mass_spring.
   SamplingSettings sampling;        ///< For model sampled_elasticity.
   HoneycombSettings honeycomb;      ///< For model honeycomb.
+  HybridSettings hybrid;            ///< For model hybrid.
 };
 
 /// What the maker of a tissue model gets.

@@ -8,10 +8,9 @@
 #include "tissue/fem/make_organs.h"
 
 namespace palpate::tissue {
-namespace {
 
-void refuse(const std::string& model, const OrganDescription& organ,
-            const fem::Composition& composition) {
+void refuseForCells(const std::string& model, const OrganDescription& organ,
+                    const fem::Composition& composition) {
   if (organ.adapt.on()) {
     throw std::invalid_argument("adapt: the mesh of model " + model + " stays; leave adapt out");
   }
@@ -27,15 +26,13 @@ void refuse(const std::string& model, const OrganDescription& organ,
   }
 }
 
-}  // namespace
-
 std::unique_ptr<TissueModel> makeCells(const std::string& model,
                                        const ModelDescription& description, const PartsOf& parts) {
   return makeOrgans(description, [&](const OrganDescription& organ) {
     mesh::TetMesh mesh = organ.tetrahedra();
     const Surroundings surroundings = organ.surroundings(mesh);
     const fem::Composition composition = organ.composition(mesh);
-    refuse(model, organ, composition);
+    refuseForCells(model, organ, composition);
     mesh.points = (organ.X_WO * mesh.points.colwise().homogeneous()).eval();
     FemSettings settings = settingsOf(organ, description);
     const OwnParts own = parts(mesh, composition, organ);
