@@ -50,7 +50,7 @@ class FemOrgans final : public TissueModel {
       if (b.body->motion()) continue;
       all.push_back(noteOn(*b.organ, "method " + b.body->body().method +
                                          " solves organs one by one: it touches no other organ, "
-                                         "nor itself; choose an implicit method if it should"));
+                                         "nor itself; an implicit method of another model would"));
     }
     return all;
   }
