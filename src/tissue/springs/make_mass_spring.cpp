@@ -24,7 +24,7 @@ OwnParts partsOf(const mesh::TetMesh& mesh, const fem::Composition& composition,
                               organ.springs.region};
   if (settings.radius == 0.0) settings.radius = std::numeric_limits<double>::infinity();
   parts.method = [elasticity, settings](FemBody* body) {
-    return std::make_unique<SpringSteps>(body, elasticity.get(), settings);
+    return std::make_unique<SpringSteps>(body, &elasticity->forces(), settings);
   };
   return parts;
 }

@@ -43,12 +43,12 @@ std::string inSeconds(double value) {
 
 }  // namespace
 
-SpringSteps::SpringSteps(FemBody* body, const SpringElasticity* springs,
+SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
                          const SpringStepSettings& settings)
     : body_(*body),
-      elasticity_(*springs),
+      forces_(*springs),
       settings_(settings),
-      masses_(springs->masses()),
+      masses_(body->elasticity->masses()),
       own_damping_(ownDamping(springs->springs(), masses_)),
       minus_weight_(-body->gravity.forces()),
       loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
@@ -113,7 +113,7 @@ void SpringSteps::addForces(Points* g) const {
   } else {
     *g = minus_weight_;
   }
-  const SpringArrays& springs = elasticity_.springs();
+  const SpringArrays& springs = forces_.springs();
   if (region_.whole()) {
     springs.addGradient(body_.x, g);
   } else {

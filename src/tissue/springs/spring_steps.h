@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "moving_region.h"
-#include "spring_elasticity.h"
+#include "spring_forces.h"
 #include "spring_integrators.h"
 #include "tissue/fem/explicit_touch.h"
 #include "tissue/fem/step_method.h"
@@ -31,9 +31,9 @@ struct SpringStepSettings {
 /// times the sub-steps (time_steps), then fails.
 class SpringSteps final : public StepMethod {
  public:
-  /// `springs`: the body's elasticity. @throws std::invalid_argument, with the limit, for a step
-  /// that is longer than the stable one at rest, or where there is none.
-  SpringSteps(FemBody* body, const SpringElasticity* springs, const SpringStepSettings& settings);
+  /// `springs`: those of the body's elasticity. @throws std::invalid_argument, with the limit, for
+  /// a step that is longer than the stable one at rest, or where there is none.
+  SpringSteps(FemBody* body, const SpringForces* springs, const SpringStepSettings& settings);
 
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;
@@ -53,7 +53,7 @@ class SpringSteps final : public StepMethod {
   void addForces(Points* g) const;
 
   FemBody& body_;
-  const SpringElasticity& elasticity_;
+  const SpringForces& forces_;
   SpringStepSettings settings_;
   Eigen::VectorXd masses_;
   double own_damping_;    // bound of the rate at which springs' own dampers damp [1/s]
