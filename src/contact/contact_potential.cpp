@@ -60,7 +60,7 @@ void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
     if (same) {
       placed_[b].move(obstacles[b]);
     } else {
-      placed_.emplace_back(obstacles[b]);
+      placed_.emplace_back(obstacles[b], margin_);
     }
   }
   if (faces_ && !same) faces_->setObstacles(placed_);
@@ -79,7 +79,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   bool coarse = faces_ && nodes_only_;
   const PlacedObstacle& placed = placed_[obstacle];
   const instrument::Geometry& geometry = *placed.obstacle().geometry;
-  const double ball = boundingRadius(geometry) + reach;
+  const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
   for (const Patch& patch : patches_) {
     if (skip_distant_) {
       // The distance changes by at most the way: skip triangles that are too far as a whole.
@@ -88,7 +88,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
                                    (x.col(patch.nodes[2]) - corner).norm());
       const Vec3 corner_G = placed.toObstacle(corner);
       if (corner_G.norm() > ball + size) continue;
-      if (signedDistanceValue(geometry, corner_G) > reach + size) continue;
+      if (signedDistanceValue(geometry, corner_G) > far + size) continue;
     }
     if (patch.triangle >= 0) {
       const double spacing = faces_->sampleSpacing(patch.triangle, x);

@@ -14,9 +14,10 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& n) {
   return t;
 }
 
-PlacedObstacle::PlacedObstacle(const Obstacle& obstacle)
+PlacedObstacle::PlacedObstacle(const Obstacle& obstacle, double margin)
     : obstacle_(obstacle),
-      radius_(inscribedRadius(*obstacle.geometry)),
+      margin_(margin),
+      radius_(inscribedRadius(*obstacle.geometry) + margin),
       X_GW_(obstacle.X_WG_end.inverse()),
       X_GW_begin_(obstacle.X_WG_begin.inverse()) {}
 

@@ -58,6 +58,27 @@ TEST(Touch, HasGapFrameAndCurvatureOfTheDistance) {
   }
 }
 
+// In the middle of a sheet: nearer to the shape by half of the thickness on either side, along the
+// same normal, and with so much more room to the shape's middle.
+TEST(Touch, IsNearerByTheMarginOfASheet) {
+  std::mt19937 rng{5};
+  constexpr double kMargin = 0.003;
+  for (const auto& [name, geometry] : testShapes()) {
+    const Obstacle obstacle{&geometry, 0, randomPose(&rng, 0.01), randomPose(&rng, 0.01)};
+    const PlacedObstacle thin(obstacle), thick(obstacle, kMargin);
+    EXPECT_EQ(thick.radius(), thin.radius() + kMargin) << name;
+    const Vec3 p_W = obstacle.X_WG_end * Vec3(randomPoints(&rng, 1, 0.01).col(0));
+    Touch a, b;
+    for (const auto& [placed, touch] : {std::pair(&thin, &a), std::pair(&thick, &b)}) {
+      placed->measureGap(p_W, touch);
+      placed->measureFrame(touch);
+    }
+    EXPECT_EQ(b.gap, a.gap - kMargin) << name;
+    EXPECT_EQ(thick.gap(p_W), b.gap) << name;
+    EXPECT_EQ(b.normal_W, a.normal_W) << name;
+  }
+}
+
 // A sample that goes along with the obstacle does not slip, however that moves and turns.
 TEST(Touch, DoesNotSlipOnWhatItRidesOn) {
   std::mt19937 rng{3};

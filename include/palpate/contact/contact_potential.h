@@ -34,9 +34,13 @@ class ContactPotential final : public fem::EnergyTerm {
   /// surface, outward; `spacing`: of the samples, as for sampleSurface().
   void meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
+  /// The samples lie in the middle of a sheet of this thickness [m]: either side of it touches
+  /// where a sample is nearer to an obstacle than half of that. Before the first setObstacles().
+  void setThickness(double thickness) { margin_ = 0.5 * thickness; }
+
   const std::vector<SurfaceSample>& samples() const { return samples_; }
-  /// See Response::reach().
-  double reach() const { return response_->reach(); }
+  /// From the samples: see Response::reach().
+  double reach() const { return response_->reach() + margin_; }
 
   /// Places the obstacles where their ways end; a step has begun where they begin. Same number and
   /// order as at the last findCandidates(), or call that next.
@@ -158,6 +162,7 @@ class ContactPotential final : public fem::EnergyTerm {
   std::unique_ptr<FacePoints> faces_;
   bool nodes_only_ = false;  // are samples
   std::unique_ptr<Response> response_;
+  double margin_ = 0.0;      // see setThickness() [m]
   Eigen::VectorXd masses_;   // of the nodes, infinite where held [kg]; empty: they weigh nothing
   Eigen::VectorXd bearing_;  // see setBearing(); empty: nothing is known of it
   bool skip_distant_ = true, skip_inactive_ = true;

@@ -66,7 +66,9 @@ struct Touch {
 /// An obstacle where its way ends, and from where touches with it are measured.
 class PlacedObstacle {
  public:
-  explicit PlacedObstacle(const Obstacle& obstacle);
+  /// `margin` [m]: so far outside of the shape its surface is, for samples in the middle of a sheet
+  /// that is twice as thick.
+  explicit PlacedObstacle(const Obstacle& obstacle, double margin = 0.0);
 
   /// Where the way ends now; of the same shape.
   void move(const Obstacle& obstacle);
@@ -75,17 +77,18 @@ class PlacedObstacle {
 
   const Obstacle& obstacle() const { return obstacle_; }
   double radius() const { return radius_; }
+  double margin() const { return margin_; }
   Vec3 toObstacle(const Vec3& p_W) const { return X_GW_ * p_W; }
 
   /// Signed distance of a point that is given in world [m].
   double gap(const Vec3& p_W) const {
-    return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W);
+    return signedDistanceValue(*obstacle_.geometry, X_GW_ * p_W) - margin_;
   }
   /// Fills p_W, p_G, gap, radius, room and number.
   void measureGap(const Vec3& p_W, Touch* touch) const {
     touch->p_W = p_W;
     touch->p_G = X_GW_ * p_W;
-    touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G);
+    touch->gap = signedDistanceValue(*obstacle_.geometry, touch->p_G) - margin_;
     touch->radius = touch->room = radius_;
     touch->number = obstacle_.number;
   }
@@ -97,7 +100,7 @@ class PlacedObstacle {
 
  private:
   Obstacle obstacle_;
-  double radius_;
+  double margin_, radius_;
   Pose X_GW_, X_GW_begin_;
 };
 

@@ -6,17 +6,20 @@
 namespace palpate::tissue {
 
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-             int organ, std::function<double(double)> excess, const Eigen::Matrix4Xi& tets)
+             int organ, std::function<double(double)> excess, const Eigen::Matrix4Xi& tets,
+             double thickness)
     : contact(contact::sampleSurface(X, triangles, settings.sample_spacing),
               contact::makeResponse(settings.contact, settings.responses)),
       sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
       needles(X, tets, settings.contact.stiffness),
       triangles_(triangles),
+      has_inside_(thickness == 0.0),
       organ_(organ),
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
-  contact.meetFaces(X, triangles, settings.sample_spacing);
+  if (has_inside_) contact.meetFaces(X, triangles, settings.sample_spacing);
+  contact.setThickness(thickness);
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
 
@@ -27,7 +30,7 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
   out->far_bodies = sweep.begin(obstacles, x, way);
   needles.begin(sweep.near(), x);
   sweep.leaveOut(needles.inside());
-  sides.look(sweep.near(), x, triangles_);
+  if (has_inside_) sides.look(sweep.near(), x, triangles_);
   sweep.leaveOut(sides.inside());
   out->tools_inside = static_cast<int>(sides.inside().size());
   place(1.0);

@@ -21,9 +21,11 @@ class Touch {
   /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
   /// obstacle's inscribed radius; empty: nobody knows.
   /// `tets`: between the points, for needles; without columns none gets in.
+  /// `thickness` [m]: of a sheet of which the triangles are the middle; 0: they enclose a body. A
+  /// sheet has no inside: tools touch either side, by its samples alone, and none is let be.
   Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
         int organ = 0, std::function<double(double r)> excess = {},
-        const Eigen::Matrix4Xi& tets = {});
+        const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0);
   Touch(const Touch&) = delete;  // the sweep refers to the contact
   Touch& operator=(const Touch&) = delete;
 
@@ -59,6 +61,7 @@ class Touch {
 
  private:
   const Eigen::Matrix3Xi triangles_;
+  bool has_inside_;
   int organ_;
   std::function<double(double)> excess_;
   std::vector<Vec3> too_much_;  // by instrument [N]
