@@ -30,12 +30,18 @@ std::string resolve(const std::string& uri, const std::string& scene_file, const
   }
 }
 
-mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& file,
-                                   const std::string& scene_file,
-                                   std::vector<std::string>* warnings) {
+mesh::SurfaceMesh readAsItIs(const OrganConfig& organ, const std::string& file,
+                             const std::string& scene_file) {
   mesh::SurfaceMesh surface = formats::readSurface(file);
   surface.points *= organ.scale;
   mesh::checkSize(surface.points, scene_file, "organ " + organ.name + ".scale");
+  return surface;
+}
+
+mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& file,
+                                   const std::string& scene_file,
+                                   std::vector<std::string>* warnings) {
+  mesh::SurfaceMesh surface = readAsItIs(organ, file, scene_file);
   mesh::SurfaceReport report;
   surface = mesh::repairSurface(surface, file, &report);
   for (const std::string& repair : report.repairs) warnings->push_back(file + ": " + repair);
@@ -95,6 +101,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.damping = organ.damping;
   description.adapt = organ.adapt;
   description.springs = organ.springs;
+  description.cloth = organ.cloth;
   description.sampling = organ.sampling;
   description.hybrid = organ.hybrid;
   if (!organ.springs.file.empty()) {
@@ -107,6 +114,11 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.surface = [&scene, &organ, warnings] {
     return readOrganSurface(organ, scene.file, warnings);
   };
+  if (!organ.surface.empty()) {
+    description.sheet = [&scene, &organ, key] {
+      return readAsItIs(organ, resolve(organ.surface, scene.file, key + ".surface"), scene.file);
+    };
+  }
   description.free = [&scene, &organ, key](const Points& X) { return glued(scene, organ, X, key); };
   description.surroundings = [&scene, &organ, key](const mesh::TetMesh& mesh) {
     return surroundingsOf(scene, organ, mesh, key);

@@ -22,19 +22,35 @@ void describe(keys::FieldVisitor& v, PoseConfig& pose) {
             pose.roll_pitch_yaw, keys::Range::closed(-10.0, 10.0));
 }
 
+namespace {
+
+// What an organ's mesh comes from.
+void describeSource(keys::FieldVisitor& v, const OrganConfig& organ, bool surface,
+                    bool tetrahedra) {
+  const bool cloth = organ.model == "cloth";
+  v.rule(cloth ? surface != organ.cloth.made() : surface != tetrahedra, "",
+         cloth ? "model cloth needs either a surface or cloth.width, .length and .spacing"
+               : "needs exactly one of surface, tetrahedra");
+  v.rule(!(cloth && tetrahedra), "tetrahedra", "model cloth is a sheet, and takes no tetrahedra");
+  v.rule(!cloth || organ.cloth.thickness > 0.0, "cloth.thickness", "model cloth needs one above 0");
+  v.rule(cloth || !organ.cloth.made(), "cloth.width", "is for model cloth");
+}
+
+}  // namespace
+
 void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.name({"name", "", "Names the organ in markers and reports.", keys::Need::kRequired},
          organ.name);
-  const bool surface = v.text(
-      {"surface", "",
-       "Closed surface to be filled with tetrahedra: .obj, .off, .stl, .ply or .wrl; a path from "
-       "the scene's folder, absolute, `file://` or `package://`."},
-      organ.surface);
+  const bool surface = v.text({"surface", "",
+                               "Closed surface to be filled with tetrahedra, or of model `cloth` "
+                               "the sheet, open or closed, "
+                               "as it is: .obj, .off, .stl, .ply or .wrl; a path from "
+                               "the scene's folder, absolute, `file://` or `package://`."},
+                              organ.surface);
   const bool tetrahedra = v.text({"tetrahedra", "",
                                   "Mesh that is used as it is: .msh, .vtk, .vtu or .mesh; a path "
                                   "as for `surface`."},
                                  organ.tetrahedra);
-  v.rule(surface != tetrahedra, "", "needs exactly one of surface, tetrahedra");
   v.number({"scale", "", "Metres in one unit of the file: 0.001 for a mesh in millimetres."},
            organ.scale, keys::Range::above(0.0, 1.0e6));
   v.numberOrSection({"edge_length", "m",
@@ -53,13 +69,18 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
        "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
        "near, before it touches, and joined behind it."},
       organ.adapt);
-  v.section({"springs", "", "Of model `mass_spring`: what its springs are, and how they go on."},
+  v.section({"springs", "",
+             "Of models `mass_spring` and `cloth`: what their springs are, and how they go on."},
             organ.springs);
+  v.section({"cloth", "", "Of model `cloth`: a sheet, and how it begins."}, organ.cloth);
+  describeSource(v, organ, surface, tetrahedra);
   v.section({"sampling", "", "Particles of model `sampled_elasticity`."}, organ.sampling);
   v.section({"honeycomb", "", "The cells of model `honeycomb`, and how they are solved."},
             organ.honeycomb);
   v.section({"hybrid", "", "Of model `hybrid`: which part is of tensors."}, organ.hybrid);
   describe(v, static_cast<BodyConfig&>(organ));
+  v.rule(organ.model != "cloth" || organ.regions.empty(), "regions",
+         "model cloth has one material; leave regions out");
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);
   v.list({"supports", "", "What holds the organ; it needs some where there is gravity."},

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "cloth/make_cloth.h"
 #include "fem/make_fem.h"
 #include "honeycomb/make_honeycomb.h"
 #include "hybrid/make_hybrid.h"
@@ -25,6 +26,7 @@ constexpr Entry kModels[] = {
     {"fem", makeFem, true},
     {"mass_spring", makeMassSpring, true},
     {"tensor_mass", makeTensorMass, true},
+    {"cloth", makeCloth, true},
     {"hybrid", makeHybrid, true},
     {"sampled_elasticity", makeSampledElasticity, false},
     {"honeycomb", makeHoneycomb, false},

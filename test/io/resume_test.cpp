@@ -242,6 +242,12 @@ std::vector<Case> cases() {
            s->organs[0].hybrid.region = mesh::BoxRegion{Vec3::Constant(-1.0), Vec3(0.05, 1.0, 1.0)};
          }});
   }
+  for (const char* scheme : {"implicit", "symplectic_euler"}) {
+    for (const bool rolled : {false, true}) {
+      all.push_back({std::string("cloth_") + scheme + (rolled ? "_rolled" : ""),
+                     [scheme, rolled](scene::Scene* s) { test::beASheet(scheme, rolled, s); }});
+    }
+  }
   all.push_back({"springs_of_a_region_breathing", [](scene::Scene* s) {
                    s->organs[0].model = "mass_spring";
                    s->organs[0].springs.scheme = "symplectic_euler";

@@ -44,6 +44,31 @@ TEST_F(SceneErrors, TheGoodOneHasNone) {
   EXPECT_NO_THROW(readScene(folder_.write("good.yaml", kGood)));
 }
 
+TEST_F(SceneErrors, SheetsThatCannotBe) {
+  const std::string sheet =
+      "model: cloth\n    cloth: {thickness: 1.0e-3, width: 0.1, length: 0.1, spacing: 0.005}";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = sheet;
+    const std::size_t at = text.find(from);
+    return problemsWith("surface: liver.obj", text.replace(at, from.size(), to));
+  };
+  std::string good = kGood;
+  good.replace(good.find("surface: liver.obj"), std::string("surface: liver.obj").size(), sheet);
+  EXPECT_NO_THROW(readScene(folder_.write("sheet.yaml", good)));
+  EXPECT_TRUE(hasProblem(with("model: cloth", "model: cloth\n    tetrahedra: liver.vtu"),
+                         "organs[0].tetrahedra", "takes no tetrahedra"));
+  EXPECT_TRUE(hasProblem(with("model: cloth", "model: cloth\n    surface: liver.obj"), "organs[0]",
+                         "either a surface or cloth.width"));
+  EXPECT_TRUE(hasProblem(with("1.0e-3", "0.0"), "organs[0].cloth.thickness", "above 0"));
+  EXPECT_TRUE(hasProblem(with("spacing: 0.005", "rolled: {}"), "organs[0].cloth", "needs all of"));
+  EXPECT_TRUE(hasProblem(with("0.005}", "0.005, rolled: {gap_least: 2.0e-3}}"),
+                         "organs[0].cloth.rolled.gap_least", "less than gap_most"));
+  EXPECT_TRUE(hasProblem(problemsWith("surface: liver.obj",
+                                      "surface: liver.obj\n    cloth: {width: 0.1, length: 0.1, "
+                                      "spacing: 0.01}"),
+                         "organs[0].cloth.width", "for model cloth"));
+}
+
 TEST_F(SceneErrors, NoSuchFile) {
   EXPECT_TRUE(hasProblem(test::problemsOf([&] { readScene(folder_.path("absent.yaml")); }), "",
                          "no such file"));

@@ -106,6 +106,18 @@ TEST(NoAllocationOfHybrids, InACycleOnceItHasSeenOneLikeIt) {
   }
 }
 
+// Nor where it is a sheet, laid flat or rolled up.
+TEST(NoAllocationOfCloth, InACycleOnceItHasSeenOneLikeIt) {
+  for (const char* scheme : {"implicit", "symplectic_euler"}) {
+    for (const bool rolled : {false, true}) {
+      SlabScene slab;
+      scene::Scene scene = slab.scene();
+      test::beASheet(scheme, rolled, &scene);
+      pressTwice(scene);
+    }
+  }
+}
+
 // Nor where the slab breathes on springs, and is glued to something that breathes.
 TEST(NoAllocationOfSurroundings, InACycleOnceItHasSeenOneLikeIt) {
   SlabScene slab;

@@ -62,4 +62,32 @@ instruments:
   TempFolder folder_;
 };
 
+/// A sheet of rubber in the place of that slab, held along two edges; or rolled up below the probe,
+/// held along one, in a medium in which it unrolls slowly.
+inline void beASheet(const std::string& scheme, bool rolled, scene::Scene* scene) {
+  scene::OrganConfig& organ = scene->organs[0];
+  organ.model = "cloth";
+  organ.tetrahedra.clear();
+  organ.springs.scheme = scheme;
+  organ.cloth.thickness = 1e-3;
+  organ.cloth.width = organ.cloth.length = 0.1;
+  organ.cloth.spacing = 0.005;
+  organ.material.constants = {{"young_modulus", {1e6}}, {"poisson_ratio", {0.3}}};
+  organ.damping = {20.0, 0.0};
+  organ.pose.position = Vec3(-0.05, -0.05, 0.04);
+  organ.supports.resize(1);
+  organ.supports[0].select = mesh::BoxRegion{Vec3(-1.0, -1.0, -1.0), Vec3(1.0, 0.005, 1.0)};
+  scene->solver.max_newton_iterations = 60;
+  if (rolled) {
+    scene->gravity.setZero();
+    organ.pose.position = Vec3(-0.05, 0.0, 0.02);
+    organ.cloth.rolled.emplace();
+    organ.cloth.rolled->radius = 0.014;
+    organ.damping.mass = 500.0;
+    return;
+  }
+  organ.supports.push_back(organ.supports[0]);
+  organ.supports[1].select = mesh::BoxRegion{Vec3(-1.0, 0.094, -1.0), Vec3(1.0, 1.0, 1.0)};
+}
+
 }  // namespace palpate::test

@@ -40,8 +40,7 @@ TEST_P(EveryModel, IsPressedAndComesBack) {
     const TissueStep& step = tissue->step({visit.next()}, kStep);
     ASSERT_TRUE(step.ok()) << visit.time() << " " << solver::toString(step.status);
     // Solved for or asleep, forces within the tolerance are let be.
-    const bool exact =
-        !step.slept && GetParam().model == "mass_spring" && GetParam().springs.scheme != "implicit";
+    const bool exact = !step.slept && GetParam().isExplicit();
     EXPECT_LT(imbalance(step).norm(), exact ? 1e-9 : most * step.tolerance) << visit.time();
     EXPECT_GT(step.min_jacobian, 0.0);
     peak = std::max(peak, onTool(step).z());

@@ -21,6 +21,11 @@ struct ModelVariant {
   bool has_inertia = true;  ///< It can fly.
   tissue::HybridSettings hybrid = {};
   double stiffness_damping = 0.002;  ///< [s]
+
+  /// Whether its sums are exact, for nothing is solved for.
+  bool isExplicit() const {
+    return (model == "mass_spring" || model == "cloth") && springs.scheme != "implicit";
+  }
 };
 
 inline void PrintTo(const ModelVariant& variant, std::ostream* out) { *out << variant.name; }
@@ -40,6 +45,10 @@ inline std::vector<ModelVariant> modelVariants() {
     all.push_back(springVariant("springs_" + scheme, scheme));
   }
   all.push_back(springVariant("springs_region", "symplectic_euler", 0.0, 0.03));
+  for (const char* scheme : {"implicit", "symplectic_euler"}) {
+    all.push_back({std::string("cloth_") + scheme, "cloth", {}, {}});
+    all.back().springs.scheme = scheme;
+  }
   all.push_back({"tensor_mass", "tensor_mass", {}, {}});
   all.push_back({"sampled", "sampled_elasticity", {}, {}});
   // What it parted it joins only where that makes less than this of a difference.
@@ -57,8 +66,31 @@ inline std::vector<ModelVariant> modelVariants() {
   return all;
 }
 
-/// A block 60 x 60 x 30 mm that is held at its bottom, or not at all.
+/// A sheet of rubber, 60 x 62 x 1 mm, in the place of a block's top, held at its edges.
+inline OrganSketch sheetSketch(bool held = true) {
+  OrganSketch organ;
+  organ.name = "sheet";
+  organ.cloth.thickness = 0.001;
+  organ.cloth.width = 0.06;
+  organ.cloth.length = 0.062;
+  organ.cloth.spacing = 0.006;
+  organ.solid.law =
+      material::makeMaterial("neo_hookean", {{"young_modulus", {1e6}}, {"poisson_ratio", {0.3}}});
+  organ.X_WO.translation().z() = 0.03;
+  organ.damping = {20.0, 1e-5};
+  organ.held = [held](const Vec3& X) {
+    return held && (X.x() < 0.004 || X.x() > 0.059 || X.y() < 1e-6 || X.y() > 0.061);
+  };
+  return organ;
+}
+
+/// A block 60 x 60 x 30 mm that is held at its bottom, or not at all; of model cloth its top.
 inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
+  if (variant.model == "cloth") {
+    OrganSketch sheet = sheetSketch(held);
+    sheet.springs = variant.springs;
+    return sheet;
+  }
   OrganSketch organ = block("block", Vec3::Zero(), Vec3(0.06, 0.06, 0.03), Eigen::Vector3i(6, 6, 3),
                             [held](const Vec3& X) { return held && X.z() <= 0.0; });
   organ.damping = {10.0, variant.stiffness_damping};

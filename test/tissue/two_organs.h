@@ -22,10 +22,12 @@ struct OrganSketch {
   solver::RayleighDamping damping{5.0, 0.0};
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
+  tissue::ClothSettings cloth;
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;
   material::Solid solid{kLiver, 1060.0, {}};
+  Pose X_WO = Pose::Identity();  ///< Of model cloth, whose points `held` gets in its frame.
 
   tissue::OrganDescription describe() const {
     tissue::OrganDescription organ;
@@ -34,6 +36,8 @@ struct OrganSketch {
     organ.damping = damping;
     organ.adapt = adapt;
     organ.springs = springs;
+    organ.cloth = cloth;
+    organ.X_WO = X_WO;
     organ.sampling = sampling;
     organ.honeycomb = honeycomb;
     organ.hybrid = hybrid;

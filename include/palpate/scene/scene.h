@@ -20,6 +20,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/cloth/cloth_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
@@ -44,7 +45,7 @@ struct PoseConfig {
 struct OrganConfig : BodyConfig {
   std::string name;
   std::string surface;           ///< Surface file, or
-  std::string tetrahedra;        ///< tetrahedra file: exactly one of the two.
+  std::string tetrahedra;        ///< tetrahedra file, or what `cloth` makes: exactly one of them.
   double scale = 1.0;            ///< File unit to metre.
   EdgeLengthConfig edge_length;  ///< Of the tetrahedra that fill a surface.
   PoseConfig pose;               ///< Organ to world.
@@ -52,6 +53,7 @@ struct OrganConfig : BodyConfig {
   std::string element = fem::elementNames().front();
   tissue::AdaptSettings adapt;
   tissue::SpringSettings springs;
+  tissue::ClothSettings cloth;
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;

@@ -14,6 +14,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
+#include "palpate/tissue/cloth/cloth_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/model_settings.h"
@@ -34,6 +35,8 @@ struct OrganDescription {
   std::function<mesh::TetMesh()> tetrahedra;
   /// Its closed surface, outward: read and repaired, or the boundary of its tetrahedra.
   std::function<mesh::SurfaceMesh()> surface;
+  /// Its surface as the file has it, open or closed, of an organ that has one; may be empty.
+  std::function<mesh::SurfaceMesh()> sheet;
   /// What the supports leave free of points X, 3 x n, for models that know no other surroundings:
   /// it throws where the organ has some.
   std::function<fem::FreeMask(const Points& X)> free;
@@ -49,7 +52,8 @@ struct OrganDescription {
   solver::RayleighDamping damping;
   contact::FrictionTable friction;  ///< With what it touches.
   AdaptSettings adapt;              ///< For models whose mesh can change.
-  SpringSettings springs;           ///< For model mass_spring.
+  SpringSettings springs;           ///< For models mass_spring and cloth.
+  ClothSettings cloth;              ///< For model cloth.
   SamplingSettings sampling;        ///< For model sampled_elasticity.
   HoneycombSettings honeycomb;      ///< For model honeycomb.
   HybridSettings hybrid;            ///< For model hybrid.

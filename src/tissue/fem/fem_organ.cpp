@@ -13,20 +13,30 @@ constexpr double kKeptVolume = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
 
+Drive driveBy(const fem::EnergyTerm* load) {
+  Drive drive;
+  if (load != nullptr) drive.loads.push_back(load);
+  return drive;
+}
+
 }  // namespace
 
 FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
                    const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
                    const Eigen::Matrix3Xi& surface, const OwnParts& own)
-    : body_(mesh, composition, surroundings, settings, pool, {}, own.elasticity, surface),
+    : own_load_(own.load),
+      body_(mesh, composition, surroundings, settings, pool, driveBy(own_load_.get()),
+            own.elasticity, surface.cols() > 0 ? surface : own.surface),
       method_(own.method ? own.method(&body_) : makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),
-      settled_(body_.mesh.points),
+      settled_(own.start.cols() > 0 ? own.start : body_.mesh.points),
       own_method_(own.method != nullptr),
+      own_start_(own.start.cols() > 0),
       own_notes_(own.notes) {}
 
 void FemOrgan::settle() {
+  if (own_start_) return reset();
   settled_ = settleUnderLoads(&body_);
   body_.surroundings.seal(settled_);
   method_->settle(&settled_);

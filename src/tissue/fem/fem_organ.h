@@ -22,6 +22,10 @@ struct OwnParts {
   /// Its method; empty: settings.method.
   std::function<std::unique_ptr<StepMethod>(FemBody*)> method;
   std::vector<std::string> notes;  ///< What was decided, and the user should know.
+  Eigen::Matrix3Xi surface = {};   ///< Without columns: that of the tetrahedra.
+  /// Beside gravity and contact; null: none. Nothing but positions matters to it.
+  std::shared_ptr<const fem::EnergyTerm> load = nullptr;
+  Points start = {};  ///< Where it begins, at rest, 3 x n [m]; without columns: in equilibrium.
 };
 
 /// A body of finite elements that is stepped by one method, sleeps where nothing happens, and
@@ -33,7 +37,8 @@ class FemOrgan final : public OrganBodies {
            const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
            const Eigen::Matrix3Xi& surface = {}, const OwnParts& own = {});
 
-  /// Begins at the equilibrium under gravity, which reset() goes back to from now on.
+  /// Begins at the equilibrium under gravity, or where its own parts say, which reset() goes back
+  /// to from now on.
   /// @throws as makeFemTissue()
   void settle();
   /// Goes on where `old` is, which is the same body on another mesh, of which this one's came by
@@ -102,11 +107,12 @@ class FemOrgan final : public OrganBodies {
   void reportSolved();
   void reportState();
 
+  std::shared_ptr<const fem::EnergyTerm> own_load_;
   FemBody body_;
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
   Points settled_;
-  bool own_method_;
+  bool own_method_, own_start_;
   std::vector<std::string> own_notes_;
   TissueStep out_;
 };

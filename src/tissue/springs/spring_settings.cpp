@@ -13,12 +13,15 @@ std::vector<std::string> springSchemeNames() {
 }
 
 void describe(keys::FieldVisitor& v, SpringSettings& springs) {
-  v.choice({"constants", "",
-            "Of each spring: E V/L^2 by the `volumes` V around edges of length L, `fitted` to the "
-            "material by least squares over the directions at its ends, or as `file` says."},
-           springs.constants, {"volumes", "fitted", "file"});
+  v.choice(
+      {"constants", "",
+       "Of each spring: E V/L^2 by the `volumes` V around edges of length L, `fitted` to the "
+       "material by least squares over the directions at its ends, or as `file` says. Of model "
+       "`cloth` a sheet that is read is always fitted, one that is made not by `volumes`."},
+      springs.constants, {"volumes", "fitted", "file"});
   v.text({"file", "",
-          "Network between the points of the organ's tetrahedra, as `palpate springs` writes it; a "
+          "Network between the points of the organ's tetrahedra or sheet, as `palpate springs` "
+          "writes it; a "
           "path as for `surface`."},
          springs.file);
   v.rule((springs.constants == "file") == !springs.file.empty(), "file",

@@ -52,7 +52,7 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
       own_damping_(ownDamping(springs->springs(), masses_)),
       minus_weight_(-body->gravity.forces()),
       loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
-      square_(springs->largestSquare() +
+      square_(springs->largestSquare() + settings.load_square +
               body->surroundings.largestSquare(body->mesh.points, masses_)),
       touch_(body),
       region_(body->mesh.points, settings.radius, ends(springs->springs(), true),

@@ -16,6 +16,7 @@ struct SpringStepSettings {
   const SpringIntegrator* integrator;
   double step;    ///< Longest sub-step [s]; 0: nine tenths of what is stable in any shape.
   double radius;  ///< Of MovingRegion [m]; infinity: all moves.
+  double load_square = 0.0;  ///< Bound of frequencies by the body's loads, squared [1/s^2].
 };
 
 /// Explicit steps of point masses, springs and dampers,
