@@ -42,5 +42,22 @@ TEST_P(ModelScenes, PushBackAndLetGo) {
   EXPECT_EQ(force(3.3), 0.0);
 }
 
+// A sheet between two edges is a rope more than a plate: what pulls is its stretch.
+TEST(ClothScene, PushesBackAndLetsGo) {
+  test::ShippedReplay replay("cloth");
+  const auto force = [&](double t) { return replay.to(t).instruments[0].spatial.force.norm(); };
+  const Points rest = replay.simulator().positions(0);
+  EXPECT_EQ(force(0.2), 0.0);
+  const double held = force(1.4), slid = force(2.5);
+  std::printf("cloth: %.3f N held, %.3f N after the slide\n", held, slid);
+  // 7.5 mm deep in the middle of a span of 0.1 m strips of 10 to 50 mm, of E h = 5 kN/m, are
+  // stretched by 1.1 %, and pull at 0.15 to 1: 2 E h w (d/l)^3.
+  EXPECT_GT(held, 2.0 * 5e3 * 0.01 * std::pow(0.0075 / 0.05, 3));
+  EXPECT_LT(held, 2.0 * 5e3 * 0.10 * std::pow(0.0075 / 0.05, 3));
+  EXPECT_GT(slid, 0.3 * held);
+  EXPECT_EQ(force(3.5), 0.0);
+  EXPECT_LT((replay.simulator().positions(0) - rest).cwiseAbs().maxCoeff(), 5e-4);
+}
+
 }  // namespace
 }  // namespace palpate::sim
