@@ -11,11 +11,12 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import beams, cells, directions, discs, ends, free_sheet, ideal, plates, solids, table_2_1, touched
+    from . import (beams, cells, directions, discs, ends, free_sheet, hung_cloth, ideal, plates, solids, table_2_1, touched,
+                   unrolling)
 
 PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends,
-         "ideal": ideal, "plates": plates, "solids": solids,
-         "cells": cells, "touched": touched, "table_2_1": table_2_1}
+         "ideal": ideal, "plates": plates, "solids": solids, "hung_cloth": hung_cloth, "unrolling": unrolling, "cells": cells,
+         "touched": touched, "table_2_1": table_2_1}
 HEAD = """# Models of the literature
 
 Tables and curves of [Wang 2005], computed anew, and every model under the same tool: `scripts/reproduce.sh springs` runs

@@ -17,6 +17,10 @@ std::string directions(bool quick);
 std::string freeSheet(bool quick);
 /// Clamped discs under a force in the middle, over 16 pi D/a^2 (4.3.5, 5.3.4).
 std::string discs(bool quick);
+/// Cloth that hangs from two corners (4.4), with and without preload.
+std::string hungCloth(bool quick);
+/// Sheets that unroll: of 15 x 15 masses (4.4), and of polypropylene from a tube (6.4.2).
+std::string unrolling(bool quick);
 /// Square errors of straight lines for the ideal springs (4.2.2, 4.3.2).
 std::string ideal(bool quick);
 /// Fitted plates that are clamped at an end (6.4.1), and triangles to compute them otherwise.
