@@ -48,12 +48,12 @@ def draw(context, found, name, title, file):
             axis.plot(100 * np.array(y), 100 * np.array(z), label=f"{time:g} s", linewidth=1.2)
         axis.set(title=f"{name}, {SETS[key]}", xlabel="y [cm]", ylabel="z [cm]")
         axis.set_aspect("equal", adjustable="datalim")
-    axes[0].legend(fontsize=7, loc="center")
+    axes[1].legend(fontsize=7)
     for key, colour in zip(SETS, ("tet10", "anp")):
         axes[2].plot(found[key]["t"], found[key]["open"], color=plots.COLOUR[colour], label=SETS[key])
     axes[2].axvline(found["with"]["flat_at"], color=plots.COLOUR["reference"], linestyle="--", label="flat, with preload")
     axes[2].set(xlabel="t [s]", ylabel="open", ylim=(0, 1.05))
-    axes[2].legend(fontsize=7, loc="center right", frameon=True, framealpha=1.0, edgecolor="white")
+    axes[2].legend(fontsize=7, frameon=True, framealpha=1.0, edgecolor="white")
     return plots.save(fig, context.images, file), title
 
 

@@ -258,6 +258,25 @@ TEST(RolledCloth, GoesOnFromAStateAndAfterAReset) {
   }
 }
 
+// By every method that knows layers, within what Newton's tolerance leaves.
+TEST(RolledCloth, UnrollsAlikeByEveryMethodThatKnowsLayers) {
+  Points reference;
+  for (const char* method : {"implicit_pcg", "implicit_direct", "implicit_async", "lbfgs"}) {
+    ModelSettings settings = weightless();
+    settings.method = method;
+    settings.max_newton_iterations = 1000;
+    const auto tissue = make(rolledSheet(), settings);
+    for (int k = 0; k < 10; ++k) ASSERT_TRUE(tissue->step({}, 0.005).ok()) << method << " " << k;
+    if (reference.cols() == 0) reference = tissue->positions();
+    EXPECT_LT((tissue->positions() - reference).cwiseAbs().maxCoeff(), 2e-4) << method;
+  }
+  for (const char* method : {"tled", "linear_precomputed", "auto"}) {
+    ModelSettings settings = weightless();
+    settings.method = method;
+    EXPECT_THROW(make(rolledSheet(), settings), std::invalid_argument) << method;
+  }
+}
+
 std::string refusal(const std::function<void(test::OrganSketch*)>& change) {
   test::OrganSketch sheet = rolledSheet();
   change(&sheet);

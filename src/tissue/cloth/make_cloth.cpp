@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/error.h"
 #include "palpate/contact/layer_contact.h"
 #include "palpate/springs/network_statics.h"
 #include "rolled_shape.h"
@@ -120,6 +121,17 @@ std::function<std::unique_ptr<StepMethod>(FemBody*)> methodOf(
   };
 }
 
+// The others know nothing of layers, whose stiffness would bound their step, or has to be known
+// before they begin.
+void checkMethodOfRoll(const OrganDescription& organ, const std::string& method) {
+  if (organ.springs.scheme != SpringSettings().scheme) return;
+  const std::vector<std::string> known = {"implicit_pcg", "implicit_direct", "implicit_async",
+                                          "lbfgs"};
+  if (std::count(known.begin(), known.end(), method) > 0) return;
+  throw std::invalid_argument("cloth.rolled: method " + method +
+                              " knows no layers; choose one of " + joinNames(known));
+}
+
 std::unique_ptr<OrganBodies> makeSheet(const OrganDescription& organ,
                                        const ModelDescription& description) {
   const fem::Composition composition = organ.composition({});
@@ -135,6 +147,7 @@ std::unique_ptr<OrganBodies> makeSheet(const OrganDescription& organ,
   double layers_square = 0.0;
   Points start;
   if (organ.cloth.rolled) {
+    checkMethodOfRoll(organ, description.settings.method);
     start =
         organ.X_WO *
         rolledUp(network.points, meanLength(network), *organ.cloth.rolled).colwise().homogeneous();

@@ -66,7 +66,10 @@ CycleCounts countCycle(FemBody* body) {
   counts.poisson_ratio = body->largest_poisson_ratio;
   fem::Stiffness A = body->elasticity->makeMatrix();
   assembleAtRest(body, &A);
-  counts.tets = {static_cast<double>(body->mesh.numTets()), body->mesh.quadratic(), A.hasVolume()};
+  // Of a sheet its triangles, which have about as many springs as elements have edges.
+  const Eigen::Index cells =
+      body->mesh.numTets() > 0 ? body->mesh.numTets() : body->triangles.cols();
+  counts.tets = {static_cast<double>(cells), body->mesh.quadratic(), A.hasVolume()};
   counts.blocks = A.blocks().numBlocks();
   if (A.hasVolume()) counts.volume_entries = static_cast<double>(A.volume().rows.cols());
   counts.linear_iterations = trialIterations(body, A);
