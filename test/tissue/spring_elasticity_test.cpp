@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "support/random.h"
 #include "tissue/springs/spring_elasticity.h"
@@ -54,6 +56,28 @@ TEST_F(Springs, GradientIsThatOfTheEnergy) {
     here.data()[k] -= h;
     const double slope = (elasticity_.energy(there) - elasticity_.energy(here)) / (2.0 * h);
     EXPECT_NEAR(g.data()[k], slope, 1e-7 * g.cwiseAbs().maxCoeff());
+  }
+}
+
+// Also where a spring has no length.
+TEST_F(Springs, HaveTheSameBitsWithAnyInstructions) {
+  const springs::SpringNetwork net = network();
+  x_.col(net.springs[1].b) = x_.col(net.springs[1].a);
+  const SpringArrays reference(net, Isa::kBaseline);
+  Points expected = Points::Zero(3, x_.cols());
+  const double energy = reference.addGradient(x_, &expected);
+  ASSERT_TRUE(std::isfinite(energy) && expected.allFinite());
+  std::vector<int> all(net.springs.size());
+  std::iota(all.begin(), all.end(), 0);
+  Points one_by_one = Points::Zero(3, x_.cols());
+  reference.addGradient(x_, all, &one_by_one);
+  EXPECT_LT((one_by_one - expected).norm(), 1e-14 * expected.norm());
+  for (const Isa isa : availableIsas()) {
+    const SpringArrays springs(net, isa);
+    Points g = Points::Zero(3, x_.cols());
+    EXPECT_EQ(springs.addGradient(x_, &g), energy) << toString(isa);
+    EXPECT_EQ(springs.energy(x_), energy) << toString(isa);
+    EXPECT_EQ(g, expected) << toString(isa);
   }
 }
 

@@ -55,6 +55,17 @@ inline Lanes select(LaneBits condition, Lanes a, Lanes b) {
   return (Lanes)(((LaneBits)a & condition) | ((LaneBits)b & ~condition));
 }
 
+/// Rounded as IEEE 754 has it.
+inline Lanes squareRoot(Lanes x) {
+#if defined(__AVX512F__)
+  return _mm512_sqrt_pd(x);
+#elif defined(__AVX2__)
+  return _mm256_sqrt_pd(x);
+#else
+  return Lanes{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+#endif
+}
+
 /// x^(-1/3) for normal x > 0, to rounding: a guess from the exponent (3 % off), then the iteration
 /// y <- y (1 + e/3 + 2/9 e^2), e = 1 - x y^3, which cubes the error.
 inline Lanes inverseCubeRoot(Lanes x) {

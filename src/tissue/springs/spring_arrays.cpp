@@ -12,10 +12,12 @@ namespace {
 
 // Shorter springs have no direction [m^2].
 constexpr double kNowhere = std::numeric_limits<double>::min();
+constexpr std::size_t kBatch = 8;
 
 }  // namespace
 
-SpringArrays::SpringArrays(const springs::SpringNetwork& network) {
+SpringArrays::SpringArrays(const springs::SpringNetwork& network, Isa isa)
+    : kernel_(springKernel(isa)) {
   std::vector<int> order(network.springs.size());
   std::iota(order.begin(), order.end(), 0);
   const auto ends = [&](int s) {
@@ -33,48 +35,52 @@ SpringArrays::SpringArrays(const springs::SpringNetwork& network) {
     damping_.push_back(spring.damping);
     damps_ = damps_ || spring.damping > 0.0;
   }
-  way_.resize(3, size());
-  distance_.resize(size());
-  pull_.resize(size());
+  size_ = static_cast<int>(a_.size());
+  const std::size_t filled = (a_.size() + kBatch - 1) / kBatch * kBatch;
+  for (std::vector<int>* of : {&a_, &b_}) of->resize(filled, 0);
+  for (std::vector<double>* of : {&stiffness_, &preload_, &length_, &damping_}) of->resize(filled);
+  for (const int end : a_) a3_.push_back(3 * end);
+  for (const int end : b_) b3_.push_back(3 * end);
+  force_.resize(static_cast<Eigen::Index>(filled), 3);
+  energy_.resize(static_cast<Eigen::Index>(filled));
 }
 
 void SpringArrays::measure(const Points& x) const {
-  const int count = size();
-  for (int s = 0; s < count; ++s) way_.col(s) = x.col(b(s)) - x.col(a(s));
-  const double* way = way_.data();
-  double* distance = distance_.data();
-  for (int s = 0; s < count; ++s) {
-    const double square =
-        way[3 * s] * way[3 * s] + way[3 * s + 1] * way[3 * s + 1] + way[3 * s + 2] * way[3 * s + 2];
-    distance[s] = std::sqrt(square);
-  }
+  kernel_({a3_.data(), b3_.data(), stiffness_.data(), preload_.data(), length_.data(),
+           static_cast<int>(a3_.size())},
+          x.data(), force_.data(), energy_.data());
 }
 
 double SpringArrays::energy(const Points& x) const {
+  if (size_ == 0) return 0.0;
   measure(x);
-  double sum = 0.0;
-  for (int s = 0; s < size(); ++s) sum += energy(s, distance_[s]);
-  return sum;
+  return energy_.sum();
 }
 
+// Springs of one first end follow one another: what they do to it is written once.
 double SpringArrays::addGradient(const Points& x, Points* g) const {
+  if (size_ == 0) return 0.0;
   measure(x);
-  const int count = size();
-  const double *distance = distance_.data(), *preload = preload_.data(),
-               *stiffness = stiffness_.data(), *length = length_.data();
-  double* pull = pull_.data();  // over the distance
-  double sum = 0.0;
-  for (int s = 0; s < count; ++s) {
-    const double longer = distance[s] - length[s];
-    pull[s] = (preload[s] + stiffness[s] * longer) / std::max(distance[s], kNowhere);
+  const double *fx = force_.col(0).data(), *fy = force_.col(1).data(), *fz = force_.col(2).data();
+  const int *a = a3_.data(), *b = b3_.data();
+  double* out = g->data();
+  for (int s = 0; s < size_;) {
+    double* from = out + a[s];
+    double x0 = from[0], y0 = from[1], z0 = from[2];
+    for (const int first = a[s]; s < size_ && a[s] == first; ++s) {
+      double* to = out + b[s];
+      x0 -= fx[s];
+      y0 -= fy[s];
+      z0 -= fz[s];
+      to[0] += fx[s];
+      to[1] += fy[s];
+      to[2] += fz[s];
+    }
+    from[0] = x0;
+    from[1] = y0;
+    from[2] = z0;
   }
-  for (int s = 0; s < count; ++s) sum += energy(s, distance[s]);
-  for (int s = 0; s < count; ++s) {
-    const Vec3 force = pull[s] * way_.col(s);
-    g->col(a(s)) -= force;
-    g->col(b(s)) += force;
-  }
-  return sum;
+  return energy_.sum();
 }
 
 void SpringArrays::addGradient(const Points& x, const std::vector<int>& some, Points* g) const {

@@ -3,17 +3,18 @@
 
 #include <vector>
 
+#include "kernels/spring_kernels.h"
 #include "palpate/springs/spring_network.h"
 
 namespace palpate::tissue {
 
-/// The springs of a network as one array a quantity, ordered by their first ends, and what they do
-/// in loops that compilers turn into vector instructions. Sums run in a fixed order.
+/// The springs of a network as one array a quantity, ordered by their first ends, and what they do,
+/// with vector instructions. Sums run in a fixed order.
 class SpringArrays {
  public:
-  explicit SpringArrays(const springs::SpringNetwork& network);
+  explicit SpringArrays(const springs::SpringNetwork& network, Isa isa = bestIsa());
 
-  int size() const { return static_cast<int>(a_.size()); }
+  int size() const { return size_; }
   int a(int s) const { return a_[static_cast<std::size_t>(s)]; }
   int b(int s) const { return b_[static_cast<std::size_t>(s)]; }
   /// Force at the distance u [N], its derivative [N/m], and the energy [J].
@@ -44,12 +45,15 @@ class SpringArrays {
  private:
   void measure(const Points& x) const;
 
-  std::vector<int> a_, b_;
+  SpringKernel kernel_;
+  int size_ = 0;
+  // Filled up to whole batches, see SpringSpan.
+  std::vector<int> a_, b_, a3_, b3_;
   std::vector<double> stiffness_, preload_, length_, damping_;
   bool damps_ = false;
-  // Scratch: from a to b, 3 x size, and how far.
-  mutable Points way_;
-  mutable Eigen::VectorXd distance_, pull_;
+  // Scratch, a row a spring.
+  mutable Eigen::MatrixX3d force_;
+  mutable Eigen::VectorXd energy_;
 };
 
 }  // namespace palpate::tissue
