@@ -11,17 +11,17 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import (beams, cells, directions, discs, ends, free_sheet, hung_cloth, ideal, plates, solids, table_2_1, touched,
-                   unrolling)
+    from . import (beams, cells, directions, discs, ends, free_sheet, hung_cloth, ideal, plates, solids, table_2_1,
+                   touched, unrolling)
 
 PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends,
-         "ideal": ideal, "plates": plates, "solids": solids, "hung_cloth": hung_cloth, "unrolling": unrolling, "cells": cells,
-         "touched": touched, "table_2_1": table_2_1}
+         "ideal": ideal, "plates": plates, "solids": solids, "hung_cloth": hung_cloth, "unrolling": unrolling,
+         "cells": cells, "touched": touched, "table_2_1": table_2_1}
 HEAD = """# Models of the literature
 
-Tables and curves of [Wang 2005], computed anew, and every model under the same tool: `scripts/reproduce.sh springs` runs
-`palpate_models`, `palpate solve` and `palpate replay`, and writes this page. Ours and the differences were not typed in by
-hand; what is published is, with its place in the source. B numbers are this page's own. Where the print contradicts
+Tables and curves of [Wang 2005], computed anew, and every model under the same tool: `scripts/reproduce.sh springs`
+runs `palpate_models`, `palpate solve` and `palpate replay`, and writes this page. Ours and the differences were not typed
+in by hand; what is published is, with its place in the source. B numbers are this page's own. Where the print contradicts
 itself, both versions stand here.
 
 Difference: of ours from what is published, as a part of it, or in points where both are errors; where the source only

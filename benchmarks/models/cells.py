@@ -13,8 +13,9 @@ SIDE, CELL = 0.1, 0.01  # [m]
 MOTION = [(0, -10, 2), (0.1, -10, 2), (0.4, -10, -5), (0.6, -10, -5), (1.2, 10, -5), (1.4, 10, -5)]
 PUSHED, DRAGGED = (0.1, 0.6), (0.6, 1.4)  # [s]
 TEXT = """A cube of 10 cm in cells of 1 cm, on a table, pushed 5 mm deep by a ball of 5 mm that clings to it, and
-dragged 2 cm, with E = 10 kPa, each cycle solved until no side moves farther than 1 um in a wave of forces. The source calls the surface jerky at large
-deformation (3.6): the largest jump of the force from a cycle to the next is in the table."""
+dragged 2 cm, with E = 10 kPa, each cycle solved until no side moves farther than 1 um in a wave of forces. The source
+calls the surface jerky at large deformation (3.6): the largest jump of the force from a cycle to the next is in the
+table."""
 WHY = "a Pentium IV of 2 GHz there, a core of this machine here; its threshold and cut-off are not given"
 
 
@@ -42,12 +43,12 @@ def run(context):
     for volume, r in found.items():
         for word, phase in (("pushed", PUSHED), ("dragged", DRAGGED)):
             ms = r.ms[r.within(*phase) & r.touches]
-            rows.append(Row(f"B1 cycles a second, 1000 cells, volumes {volume}, {word}", 100.0, "3.5", 1e3 / np.mean(ms),
-                            WHY))
+            rows.append(Row(f"B1 cycles a second, 1000 cells, volumes {volume}, {word}", 100.0, "3.5",
+                            1e3 / np.mean(ms), WHY))
             lines.append([volume, word, f"{np.median(ms):.1f}", f"{np.percentile(ms, 99):.1f}",
                           str(int((~r.good)[r.within(*phase)].sum())), str(len(ms)),
                           f"{np.abs(np.diff(r.force[r.within(*phase), 2])).max():.3f}",
                           f"{r.force[r.within(*phase), 2].max():.3f}"])
-    table = table_of(["volumes", "", "ms a cycle: median", "p99", "cycles not solved", "of", "largest jump of the force [N]",
-                      "largest force [N]"], lines)
+    table = table_of(["volumes", "", "ms a cycle: median", "p99", "cycles not solved", "of",
+                      "largest jump of the force [N]", "largest force [N]"], lines)
     return section("B1: a thousand cells full of fluid (3.5)", TEXT + "\n\n" + table, rows)

@@ -54,8 +54,9 @@ class Replay:
     def __init__(self, folder, organ, waypoints, solver=None, top=TOP, friction=0.0):
         folder.mkdir(parents=True, exist_ok=True)
         out = folder / "replay.csv"
-        command = [program(), "replay", write_scene(folder, organ, solver or {}, top + ABOVE, friction), "--trajectory", write_motion(folder, waypoints),
-                   "--out", out, "--threads", "1"]
+        scene = write_scene(folder, organ, solver or {}, top + ABOVE, friction)
+        command = [program(), "replay", scene, "--trajectory", write_motion(folder, waypoints), "--out", out,
+                   "--threads", "1"]
         done = subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         if done.returncode not in (0, 1):  # 1: cycles that did not converge, which the table shows
             raise Failed(done.stderr.strip() or f"palpate replay: status {done.returncode}")

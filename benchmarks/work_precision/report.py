@@ -10,6 +10,7 @@ wrench; `palpate bench`) on a fixed scene and puts the time beside the error aga
 `scripts/benchmark.sh` runs everything, one measurement after the other, and writes this page;
 `scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. No figure on
 this page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
+Other models than finite elements, each under the same tool: [models.md](models.md#under-a-tool).
 
 **How errors are measured.** The reference of a run is the same scene on the same mesh with the same
 element and law, stepped by `bdf2` with steps of 0.5 ms to a relative tolerance of 1e-7 and one of 1 nm
