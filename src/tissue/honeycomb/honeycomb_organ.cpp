@@ -109,6 +109,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
   begin_state_ = state_;
   out_.tolerance = tolerance_;
   solveStages();
+  if (isPierced()) out_.status = solver::SolveStatus::kLineSearchFailed;
   out_.min_jacobian = balance_.leastRatio(state_);
   if (!solver::usable(out_.status) || !x_.allFinite() || !(out_.min_jacobian > 0.0)) {
     state_ = begin_state_;
@@ -127,6 +128,15 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
   touch_.countInactive(&out_);
   rest_.remember(out_);
   return out_;
+}
+
+// Whether a tool is deeper in the surface than one may get. Held sides bear any force, so that the
+// solve sees nothing wrong in it.
+bool HoneycombOrgan::isPierced() {
+  touch_.contact.collect(x_, &contacts_);
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const contact::Contact& c) {
+    return c.touch.penetration() > c.touch.room;
+  });
 }
 
 void HoneycombOrgan::add(const CellSolve& solve) {

@@ -49,6 +49,7 @@ class HoneycombOrgan final : public TissueModel {
   std::string kind() const;
   void settle();
   void solveStages();
+  bool isPierced();
   void add(const CellSolve& solve);
   void reportForces();
 
@@ -67,6 +68,7 @@ class HoneycombOrgan final : public TissueModel {
   const solver::Interrupt* interrupt_ = nullptr;
   CellState settled_, state_, begin_state_;
   Points x_, v_, x_begin_, f_;
+  std::vector<contact::Contact> contacts_;  // scratch
   TissueStep out_;
 };
 
