@@ -108,7 +108,7 @@ int run(bool sends_realtime) {
   // Requests wait for the simulation; joint positions must not wait for requests.
   ros::CallbackQueue requests;
   private_handle.setCallbackQueue(&requests);
-  Services services(private_handle, simulator.get(), &cycle, &simulation, params.state_directory);
+  Services services(private_handle, &cycle, &simulation, params.state_directory);
   CallbackThread request_thread("requests", &requests, false);
   CallbackThread input_thread("input", ros::getGlobalCallbackQueue(), true);
   diagnostics.setRealtime({sends_realtime, lockMemory()});

@@ -33,9 +33,9 @@ std::string stateFileName() {
 
 }  // namespace
 
-Services::Services(ros::NodeHandle handle, sim::Simulator* simulator, LiveCycle* cycle,
-                   SimulationLoop* loop, const std::string& state_directory)
-    : simulator_(*simulator), cycle_(*cycle), loop_(*loop), state_directory_(state_directory) {
+Services::Services(ros::NodeHandle handle, LiveCycle* cycle, SimulationLoop* loop,
+                   const std::string& state_directory)
+    : cycle_(*cycle), loop_(*loop), state_directory_(state_directory) {
   reset_ = handle.advertiseService(kResetService, &Services::reset, this);
   save_state_ = handle.advertiseService(kSaveStateService, &Services::saveState, this);
 }

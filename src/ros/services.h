@@ -16,8 +16,8 @@ namespace palpate::node {
 class Services {
  public:
   /// `state_directory`: where ~save_state writes; made when needed.
-  Services(ros::NodeHandle handle, sim::Simulator* simulator, LiveCycle* cycle,
-           SimulationLoop* loop, const std::string& state_directory);
+  Services(ros::NodeHandle handle, LiveCycle* cycle, SimulationLoop* loop,
+           const std::string& state_directory);
 
  private:
   using Trigger = std_srvs::Trigger;
@@ -25,7 +25,6 @@ class Services {
   bool reset(Trigger::Request& request, Trigger::Response& response);
   bool saveState(Trigger::Request& request, Trigger::Response& response);
 
-  sim::Simulator& simulator_;
   LiveCycle& cycle_;
   SimulationLoop& loop_;
   std::string state_directory_;
