@@ -30,14 +30,19 @@ class Pace {
     return plan;
   }
 
-  /// A cycle began. What it was early is no more than one period in all, and comes back slowly.
+  /// A cycle began. What cycles are early is no more than one period in all; it comes back with
+  /// what others are late, and else slowly.
   void began(Steady::time_point now) {
-    if (now < due_) credit_ -= due_ - now;
-    credit_ = std::min(credit_ + of(kRefund), period_);
+    earn(now - due_ + of(kRefund));
     due_ = now + period_;
   }
-  /// A cycle ended: ticks that it covered are not made up for.
-  void ended(Steady::time_point now) { due_ = std::max(due_, now); }
+  /// A cycle ended: ticks that it covered are not made up for, but the next may be early instead,
+  /// to fall into step again.
+  void ended(Steady::time_point now) {
+    if (now <= due_) return;
+    earn(now - due_);
+    due_ = now;
+  }
 
  private:
   static constexpr double kPatience = 0.08, kRefund = 0.001;  // of a period
@@ -45,6 +50,7 @@ class Pace {
   Steady::duration of(double share) const {
     return std::chrono::duration_cast<Steady::duration>(share * period_);
   }
+  void earn(Steady::duration time) { credit_ = std::min(credit_ + time, period_); }
 
   Steady::duration period_, credit_ = period_;
   Steady::time_point due_;

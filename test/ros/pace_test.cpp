@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -15,8 +16,8 @@ struct Ran {
 };
 
 // Cycles of 3 ms at 100 Hz with inputs each `interval` from `phase` on [s], 30 s of them; the first
-// ten do not count.
-Ran run(double interval, double phase, double jitter = 0.0) {
+// ten do not count. Each `disturbed` seconds a cycle takes 23.7 ms.
+Ran run(double interval, double phase, double jitter = 0.0, double disturbed = 1e3) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> shake(-jitter, jitter);
   std::vector<double> inputs;
@@ -50,7 +51,8 @@ Ran run(double interval, double phase, double jitter = 0.0) {
       ++cycles;
       if (heard > 0) ages.push_back(1e3 * (now - inputs[heard - 1]));
     }
-    now += 0.003;
+    const bool disturbs = std::floor(now / disturbed) < std::floor((now + 0.01) / disturbed);
+    now += disturbs ? 0.0237 : 0.003;
     pace.ended(at(now));
   }
   std::sort(ages.begin(), ages.end());
@@ -64,6 +66,16 @@ TEST(Pace, FallsIntoStepWithInputsThatComeAsOften) {
       EXPECT_LT(ran.age, 1.0) << phase << " " << interval;
       EXPECT_NEAR(ran.rate, std::min(1.0 / interval, 100.2), 0.5);
     }
+  }
+}
+
+// Each long cycle costs two that are not made up for; in 1.5 s there are some 150.
+TEST(Pace, FallsIntoStepAgainAfterCyclesThatTookTooLong) {
+  for (const double phase : {0.001, 0.003, 0.005, 0.008}) {
+    const Ran ran = run(0.01, phase, 2e-4, 1.5);
+    EXPECT_LT(ran.age, 1.0) << phase;
+    EXPECT_GT(ran.rate, 97.0) << phase;
+    EXPECT_LT(ran.rate, 100.3) << phase;
   }
 }
 
