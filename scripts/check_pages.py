@@ -24,7 +24,7 @@ PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS an
     "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
                                                     "benchmarks"]),
     "docs/hands.md": ("scripts/hands.sh", ["include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
-    "docs/models.md": ("scripts/reproduce.sh springs", ["include/palpate/analysis", "src/analysis",
+    "docs/models.md": ("scripts/reproduce.sh", ["include/palpate/analysis", "src/analysis",
                                                         "benchmarks/models"])}
 MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
 
@@ -69,14 +69,21 @@ def changes(root, commit, page):
 
 
 def check(root, page):
-    """(problem or None, what there is to say) about a page. @throws CannotTell"""
-    command = PAGES[page][0]
-    found = MADE_FROM.findall((root / page).read_text(encoding="utf-8"))
+    """(problem or None, what there is to say) about a page, by the part of it that is oldest. @throws CannotTell"""
+    found = sorted(set(MADE_FROM.findall((root / page).read_text(encoding="utf-8"))))
     if not found:
-        return f"{page} names no commit; run {command}", ""
-    commit, dirty = found[-1]
+        return f"{page} names no commit; run {PAGES[page][0]}", ""
+    parts = [check_commit(root, page, commit, dirty) for commit, dirty in found]
+    problem, said, _ = max(parts, key=lambda part: (part[0] is not None, part[2]))
+    return problem, said
+
+
+def check_commit(root, page, commit, dirty):
+    """The same of a part that is of this commit, and how old it is. @throws CannotTell"""
+    command = PAGES[page][0]
     if dirty:
-        return None, f"WARNING: {page} was made with changes that are in no commit, on top of {commit}; run {command}."
+        said = f"WARNING: {page} was made with changes that are in no commit, on top of {commit}; run {command}."
+        return None, said, sys.maxsize
     look_for_clone(root)
     known = git(root, "cat-file", "-e", commit + "^{commit}").returncode == 0
     if not known and is_shallow(root):
@@ -84,14 +91,14 @@ def check(root, page):
     if not known or git(root, "merge-base", "--is-ancestor", commit, "HEAD").returncode != 0:
         if known and is_shallow(root):
             raise CannotTell(f"this clone is too shallow to say whether it comes from {commit}")
-        return f"{page} is of {commit}, which this branch does not come from; run {command}", ""
+        return f"{page} is of {commit}, which this branch does not come from; run {command}", "", 0
     touched, number = changes(root, commit, page)
     if number == 0:
-        return None, f"{page} is of {commit}: nothing that decides its figures has changed since."
+        return None, f"{page} is of {commit}: nothing that decides its figures has changed since.", 0
     most = sorted(touched, key=lambda place: (-touched[place], place))
-    return None, (f"WARNING: {page} is of {commit}; {number} commits have since changed what decides its "
-                  f"figures ({', '.join(f'{p} {touched[p]}' for p in most)}). Run {command} before you rely "
-                  "on them.")
+    said = (f"WARNING: {page} is of {commit}; {number} commits have since changed what decides its figures "
+            f"({', '.join(f'{p} {touched[p]}' for p in most)}). Run {command} before you rely on them.")
+    return None, said, number
 
 
 def check_lists(root):

@@ -1,18 +1,13 @@
 #!/usr/bin/env bash
 # Computes tables and curves of the literature anew, and writes docs/models.md and docs/images/models/.
 #
-#   scripts/reproduce.sh springs [--quick] [--list] [PART ...]
+#   scripts/reproduce.sh [--quick] [--list] [CHAPTER ...] [PART ...]
 #
-# --quick runs small versions; with it, or with names of parts, the page goes to build/models/ instead. --list
-# prints the names. From the environment: PALPATE_NO_BUILD=1 takes the programs that are built,
-# PALPATE_NO_INSTALL=1 installs nothing.
+# CHAPTER: makes these chapters of the page anew (tool, springs, ...), the others stay. --quick runs small versions;
+# with it, or with names of parts, the page goes to build/models/ instead. --list prints the names. From the
+# environment: PALPATE_NO_BUILD=1 takes the programs that are built, PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-if [ "${1:-}" != springs ]; then
-  sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
-  exit 2
-fi
-shift
 # shellcheck disable=SC1091
 . scripts/env.sh
 

@@ -51,4 +51,4 @@ def rows_table(rows):
 def section(title, text, rows, figures=()):
     """A part of the page; figures: (file name, caption)."""
     pictures = "".join(f"\n![{caption}](images/models/{file})\n" for file, caption in figures)
-    return f"## {title}\n\n{text}\n{pictures}\n{rows_table(rows)}\n"
+    return f"### {title}\n\n{text}\n{pictures}\n{rows_table(rows)}\n"

@@ -44,4 +44,4 @@ def run(context):
         lines.append([model, *(said or ["-"] * 4), *ours, void if row else ""])
     table = table_of(["model", "efficiency", "large deformation", "precomputation with cut and suture", "theory",
                       "ours", "mesh", "rate", "error, pressed", "10 mm deep", "a cut would void"], lines)
-    return f"## Table 2.1: the models beside each other\n\n{TEXT}\n\n{table}\n"
+    return f"### Table 2.1: the models beside each other\n\n{TEXT}\n\n{table}\n"

@@ -197,7 +197,7 @@ def run(context):
     stiff = truths.get(0.49, truth)
     text = TEXT.format(held=truth.held, deep=truth.deep.force[-1, 2], held_off=100 * truth.held_off,
                        deep_off=100 * truth.deep_off, held_49=stiff.held, deep_49=stiff.deep.force[-1, 2])
-    return (f"## Under a tool\n\n{text}\n\n![Time of a cycle over error of the force]"
+    return (f"### Under a tool\n\n{text}\n\n![Time of a cycle over error of the force]"
             f"(images/models/{picture(context, measured)})\n\n{table(measured, elements)}\n\n"
             "The best of each model's meshes on which a cycle takes no longer than it simulates, and how many times\n"
             f"the error of the best elements there, of the same material, it has:\n\n{best(measured)}\n")

@@ -79,6 +79,17 @@ class Pages(unittest.TestCase):
         self.assertIn("4 commits have since changed what decides its figures (fem 3, benchmarks 1)", said)
         self.assertEqual(self.check(options=["--release"])[0], 1)
 
+    def test_a_page_is_as_old_as_the_oldest_of_its_parts(self):
+        old = self.git("rev-parse", "--short=12", "HEAD")
+        self.write("src/fem/one.cpp", "// later\n")
+        new = self.commit()
+        for first, second in ((old, new), (new, old)):
+            self.made_from(f"Commit {first}; a processor\n\n## Part\n\nCommit {second}")
+            status, said = self.check()
+            self.assertEqual((status, said.count(f"is of {old}; 1 commits")), (0, 4), said)
+        self.made_from(f"Commit {new}\n\n## Part\n\nCommit 0123456789ab")
+        self.assertEqual(self.check()[0], 1)
+
     def test_a_page_of_a_tree_with_changes_is_not_released(self):
         self.write("src/fem/one.cpp", "// in no commit\n")
         state = provenance.State.now(self.root)

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapters of the page: what each is about, its parts by name and its source."""
+
+import dataclasses
+
+
+@dataclasses.dataclass
+class Chapter:
+    title: str
+    head: str
+    parts: list  # names in PARTS of __main__.py
+    source: str
+
+
+CHAPTERS = {
+    "tool": Chapter(
+        "Every model under the same tool",
+        "What a cycle costs, and how far its force is from the converged one: the place of each model on the plane of "
+        "time and error.",
+        ["touched", "table_2_1"],
+        "Table 2.1: X. Wang, *Deformable Haptic Models for Surgical Simulation*, PhD thesis, University of Texas at "
+        "Arlington, 2005."),
+    "springs": Chapter(
+        "Springs, tensors, cells and cloth",
+        "Tables and curves of [Wang 2005]; `palpate_models`, `palpate solve` and `palpate replay` compute them. B numbers "
+        "are this page's own. *Another program*: the source's networks computed anew with other code, where the source has "
+        "a curve without figures, or none.",
+        ["beams", "directions", "free_sheet", "discs", "ends", "ideal", "plates", "solids", "hung_cloth", "unrolling",
+         "cells"],
+        "X. Wang, *Deformable Haptic Models for Surgical Simulation*, PhD thesis, University of Texas at Arlington, "
+        "2005."),
+}
