@@ -18,7 +18,7 @@ using test::onTool;
 using test::Visit;
 
 ModelVariant variantOf(const HoneycombSettings& settings) {
-  ModelVariant variant{"honeycomb", "honeycomb", {}};
+  ModelVariant variant{"honeycomb", "honeycomb", {}, {}};
   variant.honeycomb = settings;
   variant.has_inertia = false;
   return variant;

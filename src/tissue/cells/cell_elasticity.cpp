@@ -92,8 +92,4 @@ mesh::LumpedMasses CellElasticity::lumpedMasses() const {
   return masses;
 }
 
-void CellElasticity::goOnFrom(const fem::Elasticity&, const mesh::MeshChange&) {
-  throw std::invalid_argument("its mesh cannot change");
-}
-
 }  // namespace palpate::tissue

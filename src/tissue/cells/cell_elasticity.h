@@ -3,38 +3,25 @@
 
 #include <vector>
 
-#include "palpate/fem/elasticity.h"
+#include "unchanging_elasticity.h"
 
 namespace palpate::tissue {
 
 /// What models of tetrahedra have in common that are no finite elements: a law of their own between
-/// the corners, masses lumped by volume, no viscous memory, and a mesh that stays.
-class CellElasticity : public fem::Elasticity {
+/// the corners, and masses lumped by volume.
+class CellElasticity : public UnchangingElasticity {
  public:
   /// `mesh`: linear, at rest in the world [m]. @throws std::invalid_argument for a mesh of
   /// quadratic tetrahedra or with one that is inverted or has no volume.
   CellElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition);
 
-  int numNodes() const override { return static_cast<int>(masses_.size()); }
   fem::Stiffness makeMatrix() const override;
-  bool viscous() const override { return false; }
   double minJacobian(const Points& x) override;
   std::vector<fem::PointState> states(const Points& x,
                                       const std::vector<mesh::Location>& places) override;
   Eigen::VectorXd energyBySolid(const Points& x) override;
   double volume() const override { return volumes_.sum(); }
-  const Eigen::VectorXd& masses() const override { return masses_; }
   mesh::LumpedMasses lumpedMasses() const override;
-  const Eigen::VectorXd& loadWeights() const override { return masses_; }
-  void beginStep(double) override {}
-  void endStep(const Points&) override {}
-  void relax(const Points&) override {}
-  std::unique_ptr<fem::ViscousState> saveViscousState() const override { return nullptr; }
-  void restoreViscousState(const fem::ViscousState*) override {}
-  /// @throws std::invalid_argument always: its mesh stays.
-  void goOnFrom(const fem::Elasticity& old, const mesh::MeshChange& change) override;
-  void save(StateWriter*) const override {}
-  void restore(StateReader*) override {}
 
  protected:
   const mesh::TetMesh& mesh() const { return mesh_; }
@@ -52,7 +39,7 @@ class CellElasticity : public fem::Elasticity {
 
   mesh::TetMesh mesh_;
   fem::Composition composition_;
-  Eigen::VectorXd volumes_, masses_;
+  Eigen::VectorXd volumes_;
   std::vector<Mat3> inverse_edges_;  // of edges 01 02 03 at rest
 };
 

@@ -19,10 +19,8 @@ double areaOf(const Points& x, const Eigen::Matrix3Xi& triangles, Eigen::Index t
 
 SheetElasticity::SheetElasticity(const springs::SpringNetwork& network,
                                  const Eigen::Matrix3Xi& triangles, double thickness)
-    : forces_(network, network.points.cols()),
-      triangles_(triangles),
-      masses_(network.masses),
-      areas_(triangles.cols()) {
+    : forces_(network, network.points.cols()), triangles_(triangles), areas_(triangles.cols()) {
+  masses_ = network.masses;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     areas_[t] = areaOf(network.points, triangles, t);
     if (!(areas_[t] > 0.0)) {
@@ -51,10 +49,6 @@ Eigen::VectorXd SheetElasticity::energyBySolid(const Points& x) {
 
 mesh::LumpedMasses SheetElasticity::lumpedMasses() const {
   return {masses_, Eigen::MatrixXd(4, 0)};
-}
-
-void SheetElasticity::goOnFrom(const fem::Elasticity&, const mesh::MeshChange&) {
-  throw std::invalid_argument("its mesh cannot change");
 }
 
 }  // namespace palpate::tissue

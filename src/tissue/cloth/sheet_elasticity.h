@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "palpate/fem/elasticity.h"
+#include "tissue/cells/unchanging_elasticity.h"
 #include "tissue/springs/spring_forces.h"
 
 namespace palpate::tissue {
 
 /// SpringForces between the points of a sheet of triangles, which only carry masses and say how it
 /// is stretched: det F of a triangle is its area over that at rest.
-class SheetElasticity final : public fem::Elasticity {
+class SheetElasticity final : public UnchangingElasticity {
  public:
   /// `thickness` [m], for the volume alone. @throws std::invalid_argument as SpringForces, and for
   /// a triangle without an area.
@@ -19,37 +19,24 @@ class SheetElasticity final : public fem::Elasticity {
 
   const SpringForces& forces() const { return forces_; }
 
-  int numNodes() const override { return static_cast<int>(masses_.size()); }
   fem::Stiffness makeMatrix() const override { return forces_.makeMatrix(); }
   double energy(const Points& x) override { return forces_.energy(x); }
   double gradient(const Points& x, Points* g) override { return forces_.gradient(x, g); }
   void hessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) override {
     forces_.hessian(x, tangent, K);
   }
-  bool viscous() const override { return false; }
   double minJacobian(const Points& x) override;
   /// @throws std::invalid_argument always: there are no tetrahedra to be in.
   std::vector<fem::PointState> states(const Points& x,
                                       const std::vector<mesh::Location>& places) override;
   Eigen::VectorXd energyBySolid(const Points& x) override;
   double volume() const override { return volume_; }
-  const Eigen::VectorXd& masses() const override { return masses_; }
   mesh::LumpedMasses lumpedMasses() const override;
-  const Eigen::VectorXd& loadWeights() const override { return masses_; }
-  void beginStep(double) override {}
-  void endStep(const Points&) override {}
-  void relax(const Points&) override {}
-  std::unique_ptr<fem::ViscousState> saveViscousState() const override { return nullptr; }
-  void restoreViscousState(const fem::ViscousState*) override {}
-  /// @throws std::invalid_argument always: its mesh stays.
-  void goOnFrom(const fem::Elasticity& old, const mesh::MeshChange& change) override;
-  void save(StateWriter*) const override {}
-  void restore(StateReader*) override {}
 
  private:
   SpringForces forces_;
   Eigen::Matrix3Xi triangles_;
-  Eigen::VectorXd masses_, areas_;  // at rest, of triangles [m^2]
+  Eigen::VectorXd areas_;  // at rest, of triangles [m^2]
   double volume_;
 };
 
