@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 # Rooms whose code decides a force or a shape, and those that only read, write, show or advise.
-MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "instrument", "contact", "tissue", "scene", "sim"]
+MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "enrichment", "instrument", "contact", "tissue", "scene", "sim"]
 OTHER = ["keys", "formats", "organs", "haptics", "teleop", "advice", "analysis", "io", "start", "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
 PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)

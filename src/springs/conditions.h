@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "least_squares.h"
 #include "palpate/springs/constraint_family.h"
+#include "palpate/springs/least_squares.h"
 
 namespace palpate::springs {
 

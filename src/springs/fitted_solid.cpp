@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "fourth_order.h"
-#include "least_squares.h"
 #include "palpate/springs/continuum.h"
+#include "palpate/springs/least_squares.h"
 #include "palpate/springs/lumped_mass.h"
 #include "palpate/springs/step_bound.h"
 

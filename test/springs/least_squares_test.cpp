@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "springs/least_squares.h"
+#include "palpate/springs/least_squares.h"
 
 #include <gtest/gtest.h>
 
