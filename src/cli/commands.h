@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 // Each adds a subcommand with its options to `app`; when the user gives it, parsing leaves its
 // work in `action`. To add one: write its file, declare it here, add it to the table in main.cpp.
 void addBench(CLI::App& app, Action& action);
+void addDatabase(CLI::App& app, Action& action);
 void addDocs(CLI::App& app, Action& action);
 void addHand(CLI::App& app, Action& action);
 void addMesh(CLI::App& app, Action& action);

@@ -14,8 +14,9 @@ namespace {
 using palpate::cli::Action;
 
 constexpr void (*kCommands[])(CLI::App&, Action&) = {
-    palpate::cli::addMesh,  palpate::cli::addOrgan, palpate::cli::addDocs, palpate::cli::addReplay,
-    palpate::cli::addSolve, palpate::cli::addBench, palpate::cli::addHand, palpate::cli::addSprings,
+    palpate::cli::addMesh,   palpate::cli::addOrgan,   palpate::cli::addDocs,
+    palpate::cli::addReplay, palpate::cli::addSolve,   palpate::cli::addBench,
+    palpate::cli::addHand,   palpate::cli::addSprings, palpate::cli::addDatabase,
 };
 
 // CLI11 has an exit status for each kind of mistake; here they are all bad input.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "options.h"
+#include "organ_choice.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/formats/surface_io.h"
@@ -61,19 +62,9 @@ void checkFile(const MeshChoice& choice) {
   fieldOf(choice);
 }
 
-const scene::OrganConfig& findOrgan(const scene::Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const scene::OrganConfig& organ : scene.organs) {
-    if (organ.name == name) return organ;
-    names.push_back(organ.name);
-  }
-  if (name.empty() && scene.organs.size() == 1) return scene.organs.front();
-  refuse("--organ", name, "must be one of " + joinNames(names));
-}
-
 MeshSource readFromScene(const MeshChoice& choice) {
   const scene::Scene scene = scene::readScene(choice.scene);
-  const scene::OrganConfig& organ = findOrgan(scene, choice.organ);
+  const scene::OrganConfig& organ = scene.organs[organIndex(scene, choice.organ)];
   if (organ.surface.empty()) {
     refuse("--organ", organ.name, "must have a surface; its tetrahedra are used as they are");
   }

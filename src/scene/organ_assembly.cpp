@@ -89,7 +89,8 @@ tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
 
 std::string keyOf(int organ) { return "organs[" + std::to_string(organ) + "]"; }
 
-// The functions refer to all that is given here.
+}  // namespace
+
 tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Progress& progress,
                                        std::vector<std::string>* warnings) {
   const OrganConfig& organ = scene.organs[static_cast<std::size_t>(index)];
@@ -131,8 +132,6 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   };
   return description;
 }
-
-}  // namespace
 
 mesh::TetMesh readOrganMesh(const Scene& scene, const OrganConfig& organ, const Progress& progress,
                             std::vector<std::string>* warnings) {

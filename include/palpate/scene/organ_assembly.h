@@ -11,6 +11,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/mesh/volume_mesher.h"
 #include "palpate/scene/scene.h"
+#include "palpate/tissue/model_description.h"
 #include "palpate/tissue/tissue_model.h"
 
 namespace palpate::scene {
@@ -31,6 +32,11 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
 /// How the volume mesher is to fill the surface of an organ that has one.
 /// @throws InputError if a file or an instrument that the scene names is not there or not right.
 mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ);
+
+/// An organ of `scene` for the makers of models. Its functions refer to all that is given here, and
+/// throw InputError.
+tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Progress& progress,
+                                       std::vector<std::string>* warnings);
 
 /// The tissue model of the organs at these places in the scene, which all name the same one.
 /// `frictions`: of each organ of the scene with all that may touch it.
