@@ -15,8 +15,9 @@ import subprocess
 import sys
 
 # Rooms whose code decides a force or a shape, and those that only read, write, show or advise.
-MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "enrichment", "instrument", "contact", "tissue", "scene", "sim"]
-OTHER = ["keys", "formats", "organs", "haptics", "teleop", "advice", "analysis", "io", "start", "cli", "ros"]
+MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "instrument", "contact", "tissue", "scene", "sim"]
+OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "teleop", "advice", "analysis", "io", "start",
+         "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
 PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)
     "docs/accuracy.md": ("scripts/accuracy.sh", ["include/palpate/analysis", "src/analysis", "benchmarks/accuracy",
@@ -24,8 +25,9 @@ PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS an
     "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
                                                     "benchmarks"]),
     "docs/hands.md": ("scripts/hands.sh", ["include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
-    "docs/models.md": ("scripts/reproduce.sh", ["include/palpate/analysis", "src/analysis",
-                                                        "benchmarks/models"])}
+    "docs/models.md": ("scripts/reproduce.sh", ["include/palpate/analysis", "src/analysis", "include/palpate/skin",
+                                                "src/skin", "include/palpate/enrichment", "src/enrichment",
+                                                "benchmarks/models"])}
 MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
 
 
