@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python3 -m models [--quick] [--list] [CHAPTER or PART ...]: see scripts/reproduce.sh."""
 
+import importlib
 import sys
 import textwrap
 import time
@@ -12,14 +13,10 @@ with command_line.needs("accuracy", ours=["accuracy", "models"]):
     from accuracy.report import made_with
     from accuracy.solve import ROOT, Failed, build_folder
 
-    from . import (beams, cells, directions, discs, ends, free_sheet, hung_cloth, ideal, plates, solids, table_2_1,
-                   touched, unrolling)
     from .chapters import CHAPTERS
     from .page import Page
 
-PARTS = {"beams": beams, "directions": directions, "free_sheet": free_sheet, "discs": discs, "ends": ends,
-         "ideal": ideal, "plates": plates, "solids": solids, "hung_cloth": hung_cloth, "unrolling": unrolling,
-         "cells": cells, "touched": touched, "table_2_1": table_2_1}
+    PARTS = {part: importlib.import_module("models." + part) for chapter in CHAPTERS.values() for part in chapter.parts}
 
 
 class Context:

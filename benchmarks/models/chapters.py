@@ -8,7 +8,7 @@ import dataclasses
 class Chapter:
     title: str
     head: str
-    parts: list  # names in PARTS of __main__.py
+    parts: list  # modules of this folder, whose run(context) gives Markdown
     source: str
 
 
@@ -29,4 +29,12 @@ CHAPTERS = {
          "cells"],
         "X. Wang, *Deformable Haptic Models for Surgical Simulation*, PhD thesis, University of Texas at Arlington, "
         "2005."),
+    "skin": Chapter(
+        "Two layers of skin",
+        "A plane block of two layers on bone, pressed in its middle [Triantafyllopoulos 2005]; `palpate skin` and `palpate "
+        "solve` compute it.",
+        ["skin"],
+        "P. I. Triantafyllopoulos, *Skin deformation model with the finite element method: application to an interactive "
+        "display system*, diploma thesis, National Technical University of Athens, 2005. Its readings are of M. A. "
+        "Srinivasan, *Surface deflection of primate fingertip under line load*, 1989."),
 }
