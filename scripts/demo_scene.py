@@ -17,6 +17,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import meshio  # noqa: E402
 import numpy as np  # noqa: E402
 import yaml  # noqa: E402
 
@@ -68,13 +69,26 @@ def plot(title, t, tools, path):
     figure.savefig(path, dpi=110)
 
 
+def smallness(scene):
+    """Of scenes much smaller than the camera's place is meant for: their width over 0.1 m, otherwise 1."""
+    folder, widest = os.path.join(ROOT, "config/scenes"), 0.0
+    for organ in scene["organs"]:
+        file = organ.get("surface") or organ.get("tetrahedra")
+        if not file or "://" in file:
+            return 1.0
+        points = meshio.read(os.path.join(folder, file)).points * organ.get("scale", 1.0)
+        widest = max(widest, np.ptp(points, axis=0).max())
+    return widest / 0.1 if widest < 0.05 else 1.0
+
+
 def draw(scene, name, trajectory, time, path):
     middle = np.mean([(o.get("pose") or {}).get("position", (0, 0, 0)) for o in scene["organs"]], axis=0)
-    middle = middle + np.array([0.0, 0.0, 0.03])
-    eye = middle + np.array([0.22, -0.34, 0.2])
+    small = smallness(scene)
+    middle = middle + small * np.array([0.0, 0.0, 0.03])
+    eye = middle + small * np.array([0.22, -0.34, 0.2])
     command = [os.path.join(ROOT, "scripts/render_replay.py"), os.path.join(ROOT, "config/scenes", name + ".yaml")]
     command += ["--trajectory", trajectory, "--time", "%.4f" % time, "--out", path]
-    command += ["--eye", *map(str, eye), "--look-at", *map(str, middle)]
+    command += ["--eye", *map(str, eye), "--look-at", *map(str, middle), "--arrow-scale", str(0.2 * small)]
     subprocess.run(command, check=True)
 
 

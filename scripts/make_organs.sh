@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the shipped organ surfaces, config/organs/*.obj, with palpate's own generator.
+# Writes the shipped organs: surfaces, config/organs/*.obj, and the block of skin, with palpate's own generators.
 #
 #   scripts/make_organs.sh [EDGE_LENGTH]     [m], for all; default: what is shipped
 set -euo pipefail
@@ -17,3 +17,7 @@ for organ in liver kidney gallbladder gallbladder_hollow slab; do
   "$palpate" organ "$organ" --edge-length "${1:-${edge[$organ]}}" \
     --out "config/organs/$organ.obj"
 done
+skin=$(mktemp -d)
+"$palpate" skin --mesh 12x6 --block 12 --ratios none --out "$skin"
+mv "$skin/block.vtu" config/organs/skin_block.vtu
+rm -r "$skin"

@@ -73,6 +73,16 @@ WAY_IN = np.array([0.0, math.sin(0.45), math.cos(0.45)])
 BALL = 0.005  # radius of the probe's ball [m]
 TOP = 0.03  # of slab.obj [m]
 # t [s], the ball's centre along x and above where it would touch the block, negative: pressed [mm].
+PRICK = [  # of the blunt needle's ball on the block of skin
+    (0.00, 0, 1.0),
+    (0.20, 0, 1.0),
+    (0.80, 0, -0.9),  # the shallower profile's depth
+    (1.20, 0, -0.9),
+    (1.60, 0, -1.8),  # the deeper one's
+    (2.00, 0, -1.8),
+    (3.00, 0, 2.0),
+    (3.20, 0, 2.0),
+]
 PRESS = [
     (0.00, 0, 5),
     (0.20, 0, 5),
@@ -163,12 +173,12 @@ def retraction(scene):
     }
 
 
-def on_slab(waypoints):
+def on_slab(waypoints, top=TOP, radius=BALL):
     def motion(scene):
         t = times(waypoints, 100)
         ball = 1e-3 * minimum_jerk(waypoints, t)
         zero = np.zeros(len(t))
-        z = TOP + BALL + ball[:, 1] - placed(scene["instruments"][0], "base")[2, 3]
+        z = top + radius + ball[:, 1] - placed(scene["instruments"][0], "base")[2, 3]
         return t, {"x": ball[:, 0], "y": zero, "z": z, "roll": zero, "pitch": zero, "yaw": zero}
 
     return motion
@@ -183,6 +193,7 @@ def main():
         "liver_retraction": retraction,
         "slab_probe": on_slab(PRESS),
         "honeycomb": on_slab(DRAG),
+        "skin_two_layer": on_slab(PRICK, top=0.0045, radius=0.0005),
     }
     for name, motion in motions.items():
         with open(os.path.join(ROOT, "config/scenes", name + ".yaml"), encoding="utf-8") as file:

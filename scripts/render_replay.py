@@ -150,7 +150,7 @@ def arrow(at, way):
     x /= np.linalg.norm(x)
     placed = np.eye(4)
     placed[:3, :3], placed[:3, 3] = np.column_stack([x, np.cross(z, x), z]), at
-    head, r = min(0.35 * length, 0.012), 0.0016
+    head, r = min(0.35 * length, 0.012), min(0.08 * length, 0.0016)
     return lathe([(0, 0), (r, 0), (r, length - head), (2.6 * r, length - head), (0, length)], ARROW).moved(placed)
 
 

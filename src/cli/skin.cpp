@@ -15,7 +15,9 @@
 #include "files.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
+#include "palpate/formats/vtu_writer.h"
 #include "palpate/skin/limits.h"
+#include "skin_block.h"
 #include "skin_tables.h"
 
 namespace palpate::cli {
@@ -31,6 +33,7 @@ struct Options {
   std::string ratios = "geometric", protocol = "converged", out;
   double fraction = 0.5;
   std::optional<double> weight, depth;
+  std::optional<int> across;
   bool fixed = false, published = false;
 };
 
@@ -168,6 +171,9 @@ int report(const Options& options) {
   }
   writeProfiles(folder + "/profiles.csv", unit, depths);
   writeBlock(folder + "/nodes.csv", folder + "/triangles.csv", unit);
+  if (options.across) {
+    formats::writeVtu(folder + "/block.vtu", solidBlock(block, *options.across), {}, {});
+  }
   sweepAndReport(options, block, folder);
   return kOk;
 }
@@ -218,6 +224,8 @@ void addSkin(CLI::App& app, Action& action) {
       .oneOf({"converged", "published"});
   command.option("--weight", &options->weight,
                  "Of set 1, for an optimum of the weighted errors too, in [0, 1]");
+  command.option("--block", &options->across,
+                 "Write the block in space too, with so many cells a side, as block.vtu");
   command.flag("--published", &options->published,
                "All 576 figures of Triantafyllopoulos (2005) instead, beside ours");
   command.option("--out", &options->out, "Folder for the tables").required();

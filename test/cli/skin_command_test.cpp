@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <string>
 
+#include "palpate/formats/tet_io.h"
+#include "palpate/mesh/tet_mesh.h"
 #include "run_cli.h"
 #include "support/contains.h"
+#include "support/source_folder.h"
 
 namespace palpate {
 namespace {
@@ -66,6 +69,30 @@ TEST_F(SkinCommand, TakesEachVariant) {
   }
 }
 
+TEST_F(SkinCommand, WritesTheBlockInSpace) {
+  const CliResult result = runCli(skin("--ratios none --mesh 8x3 --fraction 0.333333 --block 4"));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const mesh::TetMesh block = formats::readTetMesh(folder_.path("out/block.vtu"));
+  EXPECT_EQ(block.numTets(), 4 * 4 * 3 * 6);
+  EXPECT_EQ(block.points.rowwise().minCoeff(), Vec3(-0.006, -0.006, 0.0));
+  EXPECT_LT((block.points.rowwise().maxCoeff() - Vec3(0.006, 0.006, 0.0045)).norm(), 1e-15);
+  double upper = 0.0;
+  for (Eigen::Index t = 0; t < block.numTets(); ++t) {
+    const bool above = block.region[static_cast<std::size_t>(t)] == 1;
+    for (const int node : block.tets.col(t)) {  // the interface is a plane of nodes
+      EXPECT_TRUE(above ? block.points(2, node) > 0.0029 : block.points(2, node) < 0.0031);
+    }
+    if (above) upper += mesh::signedVolume(block.points, block.tets.col(t));
+  }
+  EXPECT_NEAR(upper, 0.012 * 0.012 * 0.0015, 1e-15);
+}
+
+TEST_F(SkinCommand, MakesTheShippedBlock) {
+  ASSERT_EQ(runCli(skin("--ratios none --mesh 12x6 --block 12")).status, 0);
+  EXPECT_EQ(table("block.vtu"),
+            test::fileBytes(test::sourceFolder() + "/config/organs/skin_block.vtu"));
+}
+
 TEST_F(SkinCommand, WarnsOfInversionAndBone) {
   const CliResult shallow = runCli(skin("--ratios none --depth 0.0027"));
   ASSERT_EQ(shallow.status, 0) << shallow.err;
@@ -90,6 +117,7 @@ TEST_F(SkinCommand, RefusesWhatCannotBe) {
   refused("--ratios 1,two", "--ratios = 1,two");
   refused("--patch 0.001", "must end at a node");
   refused("--depth nan", "finite");
+  refused("--block 0", "--block = 0: must be >= 1");
   refused("--weight 2", "in [0, 1]");
   refused("--variant plane", "--variant");
   EXPECT_EQ(runCli("skin").status, 2);
