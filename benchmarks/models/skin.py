@@ -234,7 +234,7 @@ def run(context):
                 (deformed_figure(context, coarse), "Deformed meshes with both sets of readings"),
                 (region_figure(context, blocks), "Larger error over fraction and ratio; hatched: nodes are pressed below the bone")]
     shown = [f"\n![{caption}](images/models/{file})\n" for file, caption in pictures]
-    return f"""## Two layers of skin on bone {SOURCE}
+    return f"""### Two layers of skin on bone {SOURCE}
 
 {TEXT}
 
