@@ -10,7 +10,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Of a triangle with constant strain, unit thickness: area B^T D B [Zienkiewicz 1977, 4.2].
+// Of a triangle with constant strain, unit thickness: area B^T D B [Zienkiewicz, Taylor, Zhu 2005].
 Eigen::Matrix<double, 6, 6> stiffness(const Eigen::Matrix<double, 2, 3>& x,
                                       const Eigen::Matrix3d& D) {
   const Eigen::Vector2d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0);

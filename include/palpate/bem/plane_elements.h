@@ -32,7 +32,7 @@ struct PlaneSolution {
 };
 
 /// Plane elastostatics by boundary elements: straight, displacement and traction constant on each,
-/// collocated at their middles [Brebbia, Dominguez 1992, 2.11],
+/// collocated at their middles [Brebbia, Dominguez 1992],
 ///
 ///   1/2 u(p) + int T u = int U t,   H u = G t,
 ///   U_ij = 1/(8 pi mu (1 - nu)) [(3 - 4 nu) ln(D/r) d_ij + r,i r,j]

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stiffness of a surface by symmetric Galerkin boundary elements, against closed forms.
+#include "palpate/bem/surface_stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "surfaces.h"
+
+namespace palpate::bem {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kYoung = 2.0, kPoisson = 0.3;
+// What the outer rules leave of integrals of near triangles, in all that they make up.
+constexpr double kQuadrature = 1e-3;
+
+material::Moduli solid(double poisson_ratio = kPoisson) {
+  return material::moduliFromYoung(kYoung, poisson_ratio);
+}
+
+VectorXd flat(const Points& field) {
+  return Eigen::Map<const VectorXd>(field.data(), field.size());
+}
+Points columns(const VectorXd& field) {
+  return Eigen::Map<const Points>(field.data(), 3, field.size() / 3);
+}
+
+// Displacements under nodal forces, with the components held that `held(X, component)` names.
+template <class Held>
+Points solve(const mesh::SurfaceMesh& surface, const MatrixXd& stiffness, const Points& forces,
+             const Held& held) {
+  MatrixXd K = stiffness;
+  VectorXd f = flat(forces);
+  for (Eigen::Index k = 0; k < f.size(); ++k) {
+    if (!held(Vec3(surface.points.col(k / 3)), static_cast<int>(k % 3))) continue;
+    K.row(k).setZero();
+    K.col(k).setZero();
+    K(k, k) = stiffness.diagonal().maxCoeff();
+    f[k] = 0.0;
+  }
+  return columns(K.llt().solve(f));
+}
+
+// Of triangles with the stress sigma inside.
+Points tractionsOf(const mesh::SurfaceMesh& surface, const Mat3& stress) {
+  Points t(3, surface.triangles.cols());
+  for (Eigen::Index k = 0; k < t.cols(); ++k) {
+    const auto c = surface.triangles.col(k);
+    const Vec3 u = surface.points.col(c[1]) - surface.points.col(c[0]);
+    const Vec3 v = surface.points.col(c[2]) - surface.points.col(c[0]);
+    t.col(k) = stress * u.cross(v).normalized();
+  }
+  return t;
+}
+
+// A body resists six motions less than it has components, whatever its shape, with no force and no
+// moment left over.
+TEST(SurfaceStiffness, IsSemidefiniteAndLetsRigidMotionsGo) {
+  for (const bool hollow : {false, true}) {
+    mesh::SurfaceMesh surface = test::boxSurface(Vec3(1.0, 1.3, 0.5), Eigen::Vector3i(3, 4, 2));
+    if (hollow) surface = test::joined(test::sphere(1, 1.0), test::sphere(1, 0.4, false));
+    const SurfaceStiffness made = surfaceStiffness(surface, solid());
+    const MatrixXd& S = made.matrix;
+    EXPECT_EQ(S, S.transpose());
+    std::printf("skew %.2g, rigid %.2g\n", made.skew, made.rigid);
+    EXPECT_LT(made.skew, kQuadrature);
+    EXPECT_LT(made.rigid, kQuadrature);
+    for (int k = 0; k < 3; ++k) {
+      Points shift = Points::Zero(3, surface.points.cols()), turn = shift;
+      shift.row(k).setOnes();
+      for (Eigen::Index i = 0; i < turn.cols(); ++i) {
+        turn.col(i) = Vec3::Unit(k).cross(Vec3(surface.points.col(i)));
+      }
+      EXPECT_LT((S * flat(shift)).norm(), 1e-10 * S.norm());
+      EXPECT_LT((S * flat(turn)).norm(), 1e-10 * S.norm());
+    }
+    const VectorXd modes = Eigen::SelfAdjointEigenSolver<MatrixXd>(S).eigenvalues();
+    EXPECT_LT(modes.head(6).cwiseAbs().maxCoeff(), 1e-10 * modes.maxCoeff());
+    EXPECT_GT(modes[6], 1e-3 * modes.maxCoeff());
+  }
+}
+
+// Uniform stress is in the space of the elements: quadrature is all that is between.
+TEST(SurfaceStiffness, KnowsUniformStress) {
+  const mesh::SurfaceMesh cube = test::boxSurface(Vec3::Ones(), Eigen::Vector3i(3, 3, 3));
+  for (const double nu : {0.0, 0.3, 0.49}) {
+    const material::Moduli m = solid(nu);
+    const SurfaceStiffness made = surfaceStiffness(cube, m);
+    const Mat3 strain = (Mat3() << 0.3, 0.1, 0.2, 0.1, -0.2, 0.05, 0.2, 0.05, 0.1).finished();
+    const Mat3 stress = 2.0 * m.mu * strain + m.lambda() * strain.trace() * Mat3::Identity();
+    const Points f = tractionForces(cube, tractionsOf(cube, stress));
+    const Points found = columns(made.matrix * flat(strain * cube.points));
+    EXPECT_LT((found - f).norm(), kQuadrature * f.norm()) << nu;
+  }
+}
+
+// A cube that is held at a face's middle plane and guided is pulled at the other.
+TEST(SurfaceStiffness, StretchesACube) {
+  const mesh::SurfaceMesh cube = test::boxSurface(Vec3::Ones(), Eigen::Vector3i(4, 4, 4));
+  const SurfaceStiffness made = surfaceStiffness(cube, solid());
+  const Mat3 stress = Vec3(1.0, 0.0, 0.0).asDiagonal();
+  const Points f = tractionForces(cube, tractionsOf(cube, stress));
+  const Points u = solve(cube, made.matrix, f, [](const Vec3& X, int c) { return X[c] == 0.0; });
+  const Points right = Vec3(1.0, -kPoisson, -kPoisson).asDiagonal() * cube.points / kYoung;
+  std::printf("cube in tension: off by %.2g\n", (u - right).cwiseAbs().maxCoeff() * kYoung);
+  EXPECT_LT((u - right).cwiseAbs().maxCoeff() * kYoung, kQuadrature);
+}
+
+// Flat triangles with corners on a sphere of radius a lie inside it by h^2 / (6 a), h their edges;
+// linear displacements are as far off. Both over a: (h / a)^2 bounds it. The icosahedron itself,
+// all points of which are alike, has one radial motion only and is nearer than that: the order is
+// measured from the next level on.
+double edgeOf(int level) { return 1.0514622 / (1 << level); }
+
+// Lame: u = A r + B / r^2 under a pressure p at a = 1 between a and b = 2.
+TEST(SurfaceStiffness, InflatesAHollowSphere) {
+  const double a = 1.0, b = 2.0, p = 0.1;
+  const material::Moduli m = solid();
+  const double share = p * a * a * a / (b * b * b - a * a * a);
+  const double A = share / (3.0 * m.kappa), B = share * b * b * b / (4.0 * m.mu);
+  double last = 0.0;
+  for (const int level : {0, 1, 2}) {
+    const mesh::SurfaceMesh inner = test::sphere(level, a, false);
+    const mesh::SurfaceMesh both = test::joined(test::sphere(level, b), inner);
+    const SurfaceStiffness made = surfaceStiffness(both, m);
+    Points t = -p * tractionsOf(both, Mat3::Identity());
+    t.leftCols(t.cols() - inner.triangles.cols()).setZero();
+    // Held is one point, and two more in the directions in which they would turn; the middle of the
+    // points is where it was.
+    const Points f = tractionForces(both, t);
+    const MatrixXd S = made.matrix + 1e-3 * made.matrix.diagonal().maxCoeff() *
+                                         MatrixXd::Identity(f.size(), f.size());
+    VectorXd u = S.llt().solve(flat(f));
+    for (int k = 0; k < 40; ++k) {  // what the springs to the ground hold back
+      u += S.llt().solve(flat(f) - made.matrix * u);
+    }
+    double off = 0.0;
+    const Points U = columns(u);
+    for (Eigen::Index i = 0; i < U.cols(); ++i) {
+      const Vec3 X = both.points.col(i);
+      const double r = X.norm(), right = A * r + B / (r * r);
+      off = std::max(off, (U.col(i) - right / r * X).norm() / (A * a + B / (a * a)));
+    }
+    std::printf("hollow sphere, %d points: off by %.3f\n", static_cast<int>(U.cols()), off);
+    EXPECT_LT(off, std::pow(edgeOf(level), 2)) << level;
+    if (level > 1) {
+      EXPECT_LT(off, last / 2.8) << level;  // second order is 4
+    }
+    last = off;
+  }
+}
+
+// A cavity in an infinite body under a uniform strain keeps a uniform one itself: 1 / (1 - alpha)
+// of its volume's, 1 / (1 - beta) of its distortion's [Eshelby 1957]. Uniaxial tension so
+// has at the equator (27 - 15 nu) / (2 (7 - 5 nu)) times the stress [Goodier 1933].
+TEST(SurfaceStiffness, PullsASphericalCavity) {
+  const material::Moduli m = solid();
+  const double nu = kPoisson, alpha = (1.0 + nu) / (3.0 * (1.0 - nu)),
+               beta = 2.0 * (4.0 - 5.0 * nu) / (15.0 * (1.0 - nu));
+  const Mat3 far_stress = Vec3(0.0, 0.0, 1.0).asDiagonal();
+  const Mat3 far = Vec3(-nu, -nu, 1.0).asDiagonal() * Mat3(Mat3::Identity() / kYoung);
+  const Mat3 volume = far.trace() / 3.0 * Mat3::Identity();
+  const Mat3 inside = volume / (1.0 - alpha) + (far - volume) / (1.0 - beta);
+  // The surface's own stress at the equator, along the pull.
+  const auto along = [&](double axial, double around) {
+    return kYoung / (1.0 - nu * nu) * (axial + nu * around);
+  };
+  const double most = (27.0 - 15.0 * nu) / (2.0 * (7.0 - 5.0 * nu));
+  EXPECT_NEAR(along(inside(2, 2), inside(0, 0)), most, 1e-12);
+  double last = 0.0;
+  for (const int level : {0, 1, 2}) {
+    const mesh::SurfaceMesh cavity = test::sphere(level, 1.0, false);
+    const SurfaceStiffness made = surfaceStiffness(cavity, m);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixXd>(made.matrix).eigenvalues()[0], 0.0);
+    const Points f = tractionForces(cavity, tractionsOf(cavity, -far_stress));
+    const Points u = columns(made.matrix.llt().solve(flat(f))) + far * cavity.points;
+    const double size = (inside * cavity.points).colwise().norm().maxCoeff();
+    const double off = (u - inside * cavity.points).colwise().norm().maxCoeff() / size;
+    // The strain that fits the points best.
+    const Mat3 XX = cavity.points * cavity.points.transpose();
+    const Mat3 fit = u * cavity.points.transpose() * XX.inverse();
+    const double stress = along(fit(2, 2), 0.5 * (fit(0, 0) + fit(1, 1)));
+    std::printf("cavity, %d points: off by %.3f, %.3f of the far stress at the equator (%.3f)\n",
+                static_cast<int>(u.cols()), off, stress, most);
+    EXPECT_LT(off, std::pow(edgeOf(level), 2)) << level;
+    EXPECT_LT(std::abs(stress / most - 1.0), std::pow(edgeOf(level), 2)) << level;
+    if (level > 1) {
+      EXPECT_LT(off, last / 2.8) << level;
+    }
+    last = off;
+  }
+}
+
+// nu = 0: a column that stands on a table is its own weight's line, z (L - z / 2) f / E.
+TEST(SurfaceStiffness, BearsItsWeight) {
+  double last = 1.0;
+  for (const int n : {1, 2, 4}) {
+    const mesh::SurfaceMesh column =
+        test::boxSurface(Vec3(0.5, 0.5, 1.0), Eigen::Vector3i(n, n, 2 * n));
+    const material::Moduli m = solid(0.0);
+    const SurfaceStiffness made = surfaceStiffness(column, m);
+    const Points f = bodyForces(column, m, made.matrix, Vec3(0.0, 0.0, -0.1));
+    EXPECT_LT((f.rowwise().sum() - Vec3(0.0, 0.0, -0.025)).norm(), 1e-12);
+    const Points u = solve(column, made.matrix, f, [](const Vec3& X, int) { return X.z() == 0.0; });
+    Points right = Points::Zero(3, u.cols());
+    right.row(2) =
+        -0.1 / kYoung * column.points.row(2).unaryExpr([](double z) { return z - 0.5 * z * z; });
+    const double off = (u - right).cwiseAbs().maxCoeff() / right.cwiseAbs().maxCoeff();
+    std::printf("column under its weight, edges of 1/%d: off by %.2g\n", 2 * n, off);
+    EXPECT_LT(off, 1.0 / (4.0 * n * n)) << n;
+    EXPECT_LT(off, std::max(last / 2.8, kQuadrature)) << n;
+    last = off;
+  }
+}
+
+// The forces of a turned, moved and magnified body are its own, turned.
+TEST(SurfaceStiffness, TurnsWithTheBody) {
+  mesh::SurfaceMesh surface = test::boxSurface(Vec3(1.0, 1.3, 0.5), Eigen::Vector3i(2, 3, 1));
+  const MatrixXd S = surfaceStiffness(surface, solid()).matrix;
+  const Points u = surface.points.cwiseAbs2();
+  const Points f = columns(S * flat(u));
+  const Mat3 R = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  surface.points = ((0.01 * R * surface.points).colwise() + Vec3(5.0, -2.0, 1.0)).eval();
+  const MatrixXd turned = surfaceStiffness(surface, solid()).matrix;
+  // A length of 0.01 has stiffness 0.01.
+  EXPECT_LT((columns(turned * flat(R * u)) - 0.01 * R * f).norm(), 1e-9 * 0.01 * f.norm());
+}
+
+TEST(SurfaceStiffness, HasTheSameBitsForAnyNumberOfThreads) {
+  const mesh::SurfaceMesh surface = test::sphere(2, 1.0);
+  ThreadPool pool(3);
+  EXPECT_EQ(surfaceStiffness(surface, solid()).matrix,
+            surfaceStiffness(surface, solid(), &pool).matrix);
+}
+
+TEST(SurfaceStiffness, RefusesWhatItCannotSolve) {
+  EXPECT_THROW(
+      surfaceStiffness(test::boxSurface(Vec3::Ones(), Eigen::Vector3i::Constant(14)), solid()),
+      std::invalid_argument);
+  mesh::SurfaceMesh flat = test::sphere(0, 1.0);
+  flat.triangles.col(3).setConstant(2);
+  EXPECT_THROW(surfaceStiffness(flat, solid()), std::invalid_argument);
+  EXPECT_THROW(surfaceStiffness(test::sphere(0, 1.0), {1.0, 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace palpate::bem
