@@ -16,7 +16,7 @@ LinearMethod::LinearMethod(FemBody* body)
     : body_(*body),
       compliance_(body->elasticity.get(), body->free, body->mesh.points, body->triangles,
                   &body->surroundings),
-      contact_(body, &compliance_),
+      contact_(&body->contact, body->mesh.points, body->free, compliance_.ofNodes()),
       force_(Points::Zero(3, body->x.cols())) {
   loads_ = body_.gravity.forces();
   if (!body_.drive.loads.empty()) {

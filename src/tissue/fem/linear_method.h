@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "compliant_contact.h"
 #include "step_method.h"
 #include "surface_compliance.h"
+#include "tissue/touch/compliant_contact.h"
 
 namespace palpate::tissue {
 

@@ -7,6 +7,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
 #include "palpate/solver/stiffness_factor.h"
+#include "tissue/touch/compliant_contact.h"
 
 namespace palpate::tissue {
 
@@ -31,10 +32,10 @@ class SurfaceCompliance {
   /// support's.
   void multiply(const Points& u, Points* f) const { stiffness_.multiply(u, f); }
 
+  /// Of the nodes that can be touched and move.
+  NodeCompliance ofNodes() const { return {position_, matrix_}; }
   /// Position of a node among those that can be touched and move, or -1.
   int find(int node) const { return position_[node]; }
-  /// Displacement at `find(a)` by a unit force at `find(b)` [m/N].
-  auto block(int a, int b) const { return matrix_.block<3, 3>(3 * a, 3 * b); }
   /// [bytes]
   std::size_t memory() const { return sizeof(double) * static_cast<std::size_t>(matrix_.size()); }
 

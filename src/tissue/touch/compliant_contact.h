@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/contact/contact_potential.h"
+#include "palpate/fem/supports.h"
+#include "palpate/solver/newton.h"
+
+namespace palpate::tissue {
+
+/// Displacements by unit forces: of nodes a and b that can be touched and move, those at place[a]
+/// of the matrix by those at place[b], 3 x 3 [m/N]. Symmetric. Of other nodes the place is -1.
+struct NodeCompliance {
+  const std::vector<int>& place;
+  const Eigen::MatrixXd& matrix;
+};
+
+/// Contact with a body that is a compliance C: the nodal forces f with
+///
+///   f = contact forces at X + u0 + C f,
+///
+/// the minimum of 1/2 f . C f + the contact's energy. Newton's method on the candidates' nodes;
+/// its systems (1 + C H) d = -C r are dense and only as large as the nodes that are touched.
+/// Allocates nothing but where it is larger than ever before.
+class CompliantContact {
+ public:
+  /// `X`: rest, 3 x n [m]. All outlive this.
+  CompliantContact(contact::ContactPotential* contact, const Points& X, const fem::FreeMask& free,
+                   const NodeCompliance& compliance);
+
+  /// Improves the forces `f` (3 x n [N], zero but where contact is) and the candidates' nodes of x,
+  /// 3 x n [m]. `u0`: displacements without contact, 3 x n [m].
+  solver::NewtonReport solve(const Points& u0, double tolerance, int max_iterations, Points* f,
+                             Points* x);
+
+ private:
+  // Of the candidates' nodes.
+  enum Vector { kF, kU, kU0, kR, kFree, kStepU, kStepF, kTrialF, kTrialU, kNumVectors };
+  auto of(Vector name) { return vectors_.col(name).head(size_); }
+  auto of(Vector name) const { return vectors_.col(name).head(size_); }
+  using Square = Eigen::Map<Eigen::MatrixXd>;
+  static Square square(Eigen::Index size, std::vector<double>* memory);
+
+  void gatherNodes(const Points& u0, Points* f, Points* x);
+  void linearise(const Points& x, bool exact);
+  void addStiffness(const contact::Touch& touch, const Mat3& stiffness);
+  bool direction();
+  bool lineSearch(Points* x);
+  double energy(Vector f, Vector u, const Points& x) const;
+  void scatter(Vector u, Points* x) const;
+
+  contact::ContactPotential& contact_;
+  const Points& X_;
+  const fem::FreeMask& mask_;
+  NodeCompliance compliance_;
+  std::vector<contact::Contact> contacts_;
+  std::vector<int> nodes_, local_;  // candidates' nodes that can move; n: where in them, or -1
+  std::vector<int> touched_, touched_at_;  // of nodes_; where in touched_, or -1
+  Eigen::Index size_ = 0;                  // 3 nodes_.size()
+  Eigen::MatrixXd vectors_;
+  std::vector<double> C_memory_, H_memory_, system_memory_, right_;
+  Points step_, trial_x_;  // 3 x n
+};
+
+}  // namespace palpate::tissue
