@@ -19,6 +19,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+// Of the pivots of Cholesky's factor, over the largest they can be.
+constexpr double kSingular = 1e-7;
+
 // The triangles around a point, and which of their corners it is.
 struct Corner {
   Index triangle;
@@ -200,6 +203,33 @@ SurfaceStiffness surfaceStiffness(const mesh::SurfaceMesh& surface, const materi
   SurfaceStiffness made = Assembly(surface, triangles, moduli, pool).make();
   if (mesh::enclosedVolume(surface) > 0.0) takeOutRigid(surface.points, &made);
   return made;
+}
+
+MatrixXd surfaceCompliance(const MatrixXd& stiffness, const Eigen::Matrix3Xd& free,
+                           ThreadPool* pool) {
+  MatrixXd K = stiffness;
+  const double unit = stiffness.diagonal().maxCoeff();
+  const auto held = [&](Index k) { return free.data()[k] == 0.0; };
+  for (Index k = 0; k < K.rows(); ++k) {
+    if (!held(k)) continue;
+    K.row(k).setZero();
+    K.col(k).setZero();
+    K(k, k) = unit;
+  }
+  if (!factorise(&K, pool) || !(K.diagonal().minCoeff() > kSingular * std::sqrt(unit))) {
+    throw std::invalid_argument("what is held leaves the surface a motion");
+  }
+  MatrixXd root = MatrixXd::Identity(K.rows(), K.cols());
+  solveLower(K, &root, pool);
+  K.setZero();
+  addSquare(root, &K, pool);
+  for (Index k = 0; k < K.rows(); ++k) {
+    if (!held(k)) continue;
+    K.row(k).setZero();
+    K.col(k).setZero();
+  }
+  K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
+  return K;
 }
 
 Points tractionForces(const mesh::SurfaceMesh& surface, const Points& tractions) {

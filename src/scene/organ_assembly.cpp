@@ -11,8 +11,10 @@
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
 #include "palpate/mesh/mesh_cache.h"
+#include "palpate/mesh/remesh.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
+#include "palpate/mesh/used_points.h"
 #include "palpate/scene/composition.h"
 #include "palpate/scene/tissue_file.h"
 #include "palpate/tissue/model_list.h"
@@ -21,6 +23,8 @@
 
 namespace palpate::scene {
 namespace {
+
+constexpr int kRemeshingRounds = 5;
 
 std::string resolve(const std::string& uri, const std::string& scene_file, const std::string& key) {
   try {
@@ -48,23 +52,6 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
   return surface;
 }
 
-// Without the points that no triangle uses; the others keep their order.
-mesh::SurfaceMesh onlyUsedPoints(mesh::SurfaceMesh surface) {
-  std::vector<int> number(static_cast<std::size_t>(surface.points.cols()), -1);
-  for (const int i : surface.triangles.reshaped()) number[static_cast<std::size_t>(i)] = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (number[i] < 0) continue;
-    surface.points.col(count) = surface.points.col(static_cast<Eigen::Index>(i)).eval();
-    number[i] = count++;
-  }
-  surface.points.conservativeResize(3, count);
-  surface.triangles =
-      surface.triangles.unaryExpr([&](int i) { return number[static_cast<std::size_t>(i)]; })
-          .eval();
-  return surface;
-}
-
 mesh::TetMesh readTetrahedra(const OrganConfig& organ, const std::string& scene_file) {
   const std::string key = "organ " + organ.name;
   const std::string file = resolve(organ.tetrahedra, scene_file, key + ".tetrahedra");
@@ -72,6 +59,22 @@ mesh::TetMesh readTetrahedra(const OrganConfig& organ, const std::string& scene_
   mesh.points *= organ.scale;
   mesh::checkSize(mesh.points, scene_file, key + ".scale");
   return mesh;
+}
+
+// In triangles of one edge length.
+mesh::SurfaceMesh readOrganElements(const Scene& scene, const OrganConfig& organ,
+                                    const std::string& key, std::vector<std::string>* warnings) {
+  const mesh::SurfaceMesh surface = readOrganSurface(organ, scene.file, warnings);
+  if (organ.surface.empty()) return surface;
+  if (!organ.edge_length.uniform()) {
+    throw InputError(scene.file, key + ".edge_length.near", "",
+                     "model " + organ.model + " has edges of one length; leave it out");
+  }
+  mesh::SurfaceMesh made =
+      mesh::remeshWithEdges(surface, organ.edge_length.coarsest, kRemeshingRounds);
+  if (mesh::checkSurface(made).ok()) return made;
+  throw InputError(scene.file, key + ".edge_length", std::to_string(organ.edge_length.coarsest),
+                   "triangles as large do not resolve the surface; must be smaller");
 }
 
 tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
@@ -115,6 +118,9 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.surface = [&scene, &organ, warnings] {
     return readOrganSurface(organ, scene.file, warnings);
   };
+  description.elements = [&scene, &organ, key, warnings] {
+    return readOrganElements(scene, organ, key, warnings);
+  };
   if (!organ.surface.empty()) {
     description.sheet = [&scene, &organ, key] {
       return readAsItIs(organ, resolve(organ.surface, scene.file, key + ".surface"), scene.file);
@@ -145,7 +151,7 @@ mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& 
                                    std::vector<std::string>* warnings) {
   if (organ.surface.empty()) {
     const mesh::TetMesh mesh = readTetrahedra(organ, scene_file);
-    return onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});
+    return mesh::onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});
   }
   const std::string file = resolve(organ.surface, scene_file, "organ " + organ.name + ".surface");
   return readOrganSurface(organ, file, scene_file, warnings);

@@ -54,9 +54,9 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.number({"scale", "", "Metres in one unit of the file: 0.001 for a mesh in millimetres."},
            organ.scale, keys::Range::above(0.0, 1.0e6));
   v.numberOrSection({"edge_length", "m",
-                     "Wanted length of the tetrahedra's edges where a surface is filled; a number "
-                     "is the section's "
-                     "`coarsest` and holds everywhere."},
+                     "Wanted length of the tetrahedra's edges where a surface is filled, of model "
+                     "`bem` of the surface's; a number is the section's `coarsest` and holds "
+                     "everywhere."},
                     organ.edge_length.coarsest, edgeLengthRange(), organ.edge_length);
   v.rule(surface || organ.edge_length.uniform(), "edge_length",
          "near needs a surface; tetrahedra are used as they are");
@@ -81,6 +81,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   describe(v, static_cast<BodyConfig&>(organ));
   v.rule(organ.model != "cloth" || organ.regions.empty(), "regions",
          "model cloth has one material; leave regions out");
+  v.rule(organ.model != "bem" || organ.regions.empty(), "regions",
+         "model bem has one material; leave regions out");
   v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
             organ.damping);
   v.list({"supports", "", "What holds the organ; it needs some where there is gravity."},

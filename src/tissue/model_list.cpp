@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "bem/make_bem.h"
 #include "cloth/make_cloth.h"
 #include "fem/make_fem.h"
 #include "honeycomb/make_honeycomb.h"
@@ -30,6 +31,7 @@ constexpr Entry kModels[] = {
     {"hybrid", makeHybrid, true},
     {"sampled_elasticity", makeSampledElasticity, false},
     {"honeycomb", makeHoneycomb, false},
+    {"bem", makeBem, false},
 };
 
 const Entry& find(const std::string& name) {

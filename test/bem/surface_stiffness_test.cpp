@@ -242,6 +242,25 @@ TEST(SurfaceStiffness, HasTheSameBitsForAnyNumberOfThreads) {
             surfaceStiffness(surface, solid(), &pool).matrix);
 }
 
+TEST(SurfaceStiffness, IsInvertedWhereItIsFree) {
+  const mesh::SurfaceMesh block = test::boxSurface(Vec3(1.0, 1.3, 0.5), Eigen::Vector3i(4, 4, 2));
+  const MatrixXd S = surfaceStiffness(block, solid()).matrix;
+  Eigen::Matrix3Xd free = Eigen::Matrix3Xd::Ones(3, block.points.cols());
+  EXPECT_THROW(surfaceCompliance(S, free), std::invalid_argument);
+  for (Eigen::Index i = 0; i < free.cols(); ++i) {
+    if (block.points(2, i) == 0.0) free.col(i).setZero();
+    if (block.points(1, i) == 0.0) free(1, i) = 0.0;
+  }
+  ThreadPool pool(3);
+  const MatrixXd C = surfaceCompliance(S, free, &pool);
+  EXPECT_EQ(C, C.transpose());
+  EXPECT_EQ(C, surfaceCompliance(S, free));
+  const auto mask = Eigen::Map<const VectorXd>(free.data(), free.size());
+  const VectorXd f = VectorXd::LinSpaced(mask.size(), -1.0, 2.0).cwiseProduct(mask);
+  EXPECT_LT(((S * C * f).cwiseProduct(mask) - f).norm(), 1e-10 * f.norm());
+  EXPECT_EQ((C * f).cwiseProduct((1.0 - mask.array()).matrix()).norm(), 0.0);
+}
+
 TEST(SurfaceStiffness, RefusesWhatItCannotSolve) {
   EXPECT_THROW(
       surfaceStiffness(test::boxSurface(Vec3::Ones(), Eigen::Vector3i::Constant(14)), solid()),

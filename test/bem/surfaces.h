@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/mesh/used_points.h"
 
 namespace palpate::test {
 
@@ -55,22 +57,7 @@ inline mesh::SurfaceMesh sphere(int level, double radius, bool outward = true) {
 /// The boundary of a block of cells from the origin.
 inline mesh::SurfaceMesh boxSurface(const Vec3& size, const Eigen::Vector3i& cells) {
   const mesh::TetMesh block = mesh::boxMesh(size, cells);
-  mesh::SurfaceMesh made;
-  made.triangles = mesh::trianglesOf(mesh::boundaryFaces(block));
-  std::vector<int> number(static_cast<std::size_t>(block.numPoints()), -1);
-  Eigen::Index count = 0;
-  made.points.resize(3, block.numPoints());
-  for (Eigen::Index k = 0; k < made.triangles.size(); ++k) {
-    int& corner = made.triangles.data()[k];
-    int& place = number[static_cast<std::size_t>(corner)];
-    if (place < 0) {
-      place = static_cast<int>(count);
-      made.points.col(count++) = block.points.col(corner);
-    }
-    corner = place;
-  }
-  made.points.conservativeResize(3, count);
-  return made;
+  return mesh::onlyUsedPoints({block.points, mesh::trianglesOf(mesh::boundaryFaces(block))});
 }
 
 /// Both surfaces as one.

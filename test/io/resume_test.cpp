@@ -231,6 +231,7 @@ std::vector<Case> cases() {
                      s->organs[0].sampling.coarsest = 0.02;
                    }});
   }
+  all.push_back({"bem", [](scene::Scene* s) { s->organs[0].model = "bem"; }});
   for (const char* exchange : {"monolithic", "loop"}) {
     all.push_back(
         {std::string("hybrid_") + exchange, [exchange](scene::Scene* s) {

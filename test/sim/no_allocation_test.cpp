@@ -106,6 +106,14 @@ TEST(NoAllocationOfHybrids, InACycleOnceItHasSeenOneLikeIt) {
   }
 }
 
+// Nor where it is its surface alone.
+TEST(NoAllocationOfBoundaryElements, InACycleOnceItHasSeenOneLikeIt) {
+  SlabScene slab;
+  scene::Scene scene = slab.scene();
+  scene.organs[0].model = "bem";
+  pressTwice(scene);
+}
+
 // Nor where it is a sheet, laid flat or rolled up.
 TEST(NoAllocationOfCloth, InACycleOnceItHasSeenOneLikeIt) {
   for (const char* scheme : {"implicit", "symplectic_euler"}) {

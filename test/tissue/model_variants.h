@@ -59,6 +59,8 @@ inline std::vector<ModelVariant> modelVariants() {
     cells.has_inertia = false;
     all.push_back(cells);
   }
+  all.push_back({"bem", "bem", {}, {}});
+  all.back().has_inertia = false;
   ModelVariant hybrid{"hybrid", "hybrid", {}, {}};
   hybrid.hybrid.region = mesh::SphereRegion{Vec3(0.02, 0.03, 0.03), 0.02};
   hybrid.stiffness_damping = 0.0;

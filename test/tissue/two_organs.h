@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/mesh/used_points.h"
 #include "palpate/tissue/model_list.h"
 #include "slab.h"
 #include "support/repulsion.h"
@@ -42,6 +43,9 @@ struct OrganSketch {
     organ.honeycomb = honeycomb;
     organ.hybrid = hybrid;
     organ.tetrahedra = [this] { return mesh; };
+    organ.elements = [this] {
+      return mesh::onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});
+    };
     organ.free = [this](const Points& X) {
       if (X.cols() == mesh.numPoints() && X == mesh.points) return free;
       fem::FreeMask mask = fem::FreeMask::Ones(3, X.cols());

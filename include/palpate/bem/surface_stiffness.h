@@ -40,6 +40,11 @@ struct SurfaceStiffness {
 SurfaceStiffness surfaceStiffness(const mesh::SurfaceMesh& surface, const material::Moduli& moduli,
                                   ThreadPool* pool = nullptr);
 
+/// Displacements by unit forces where `free`, 3 x n, is 1 [m/N], and zero where it is 0.
+/// @throws std::invalid_argument if what is held leaves the surface a motion.
+Eigen::MatrixXd surfaceCompliance(const Eigen::MatrixXd& stiffness, const Eigen::Matrix3Xd& free,
+                                  ThreadPool* pool = nullptr);
+
 /// Nodal forces, 3 x n [N], of tractions that are constant on each triangle, 3 x m [Pa].
 Points tractionForces(const mesh::SurfaceMesh& surface, const Points& tractions);
 

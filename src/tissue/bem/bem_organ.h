@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/thread_pool.h"
+#include "palpate/bem/surface_stiffness.h"
+#include "palpate/fem/supports.h"
+#include "palpate/material/solid.h"
+#include "palpate/mesh/surface_mesh.h"
+#include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/tissue_model.h"
+#include "tissue/touch/compliant_contact.h"
+#include "tissue/touch/rest.h"
+#include "tissue/touch/touch.h"
+
+namespace palpate::tissue {
+
+/// What an organ of model bem is made of.
+struct BemParts {
+  mesh::SurfaceMesh surface;  ///< Closed, outward, at rest in the world.
+  fem::FreeMask free;         ///< Of its points.
+  material::Moduli moduli;    ///< At rest.
+  double density;             ///< [kg/m^3]
+};
+
+/// An organ that is its surface and the compliance of that: linear elastostatics of what is inside.
+///
+/// Quasi-static: no inertia, no damping, velocities are differences over a cycle, and what was
+/// before does not matter but to contact with a memory. Forces grow linearly with the load; a part
+/// that turns is deformed by it. A cycle solves for the contact forces at what is touched, and adds
+/// up what they displace.
+class BemOrgan final : public TissueModel {
+ public:
+  /// @throws std::invalid_argument as bem::surfaceStiffness() and bem::surfaceCompliance().
+  BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadPool* pool);
+
+  Shape shape(int) const override { return {x_, v_, surface_.triangles, 0}; }
+  mesh::CellMesh cells(int) const override { return {}; }
+  const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
+  std::vector<std::string> notes() const override;
+  // A cycle is short.
+  void setInterrupt(const solver::Interrupt*) override {}
+  void reset() override;
+  void place(int organ, const Points& positions, const Points& velocities) override;
+  State state() const override;
+  void restore(const State& state) override;
+
+ private:
+  std::string kind() const;
+  double tolerance() const;
+  void solveStages();
+  solver::NewtonReport solveStage(double tolerance);
+  void displace();
+  void fail();
+  void report();
+
+  mesh::SurfaceMesh surface_;
+  fem::FreeMask free_;
+  ModelSettings settings_;
+  bem::SurfaceStiffness stiffness_;
+  Eigen::MatrixXd compliance_;
+  Eigen::Matrix3Xd support_rows_;  // of the stiffness, summed over what is held, 3 x 3 n
+  std::vector<int> places_;
+  Points loads_, u_loads_;  // of gravity [N], under it [m]
+  Touch touch_;
+  Rest rest_;
+  CompliantContact contact_;
+  double least_force_;                                // that counts [N]
+  double contact_scale_ = 0.0, support_scale_ = 0.0;  // norms of nodal forces [N]
+  Points force_;                                      // of contact on the nodes [N]
+  Points x_, v_, x_begin_, force_begin_, g_;
+  TissueStep out_;
+};
+
+}  // namespace palpate::tissue
