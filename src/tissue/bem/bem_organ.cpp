@@ -85,6 +85,13 @@ BemOrgan::BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadP
   BemOrgan::reset();
 }
 
+mesh::CellMesh BemOrgan::cells(int) const {
+  mesh::CellMesh cells;
+  cells.points = surface_.points;
+  cells.cells = surface_.triangles;
+  return cells;
+}
+
 std::vector<std::string> BemOrgan::notes() const {
   std::ostringstream text;
   text.precision(2);
