@@ -120,7 +120,7 @@ Points shaken(const Points& X, unsigned seed) {
 TEST(TrianglePotentials, KnowRigidMotions) {
   for (const bool hollow : {false, true}) {
     mesh::SurfaceMesh surface = test::boxSurface(Vec3(1.0, 1.2, 0.8), Eigen::Vector3i(3, 3, 2));
-    if (hollow) surface = test::joined(test::sphere(1, 2.0), test::sphere(1, 0.7, false));
+    if (hollow) surface = test::joined(sphere(1, 2.0), sphere(1, 0.7, false));
     surface.points = shaken(surface.points, 7);
     const std::vector<Triangle> triangles = trianglesOf(surface);
     Points u = surface.points;
