@@ -72,6 +72,33 @@ class TriangleTree {
     }
   }
 
+  /// visit(triangle) of all whose box the segment from `begin` to `end` meets, by the axes that
+  /// part a segment and a box [Ericson 2005, Real-time collision detection, sec. 5.3.3].
+  template <class Visit>
+  void forSegment(const std::vector<Box>& boxes, const Vec3& begin, const Vec3& end,
+                  const Visit& visit) const {
+    const Vec3 middle = 0.5 * (begin + end), half = 0.5 * (end - begin), way = half.cwiseAbs();
+    for (std::size_t k = 0; k < nodes_.size();) {
+      const Node& node = nodes_[k];
+      // Rounding must part nothing that meets.
+      const Vec3 room = 0.5 * (1.0 + 1e-9) * boxes[k].sizes() + 1e-12 * (way + middle.cwiseAbs());
+      const Vec3 off = middle - boxes[k].center(), turned = half.cross(off).cwiseAbs();
+      bool meets = (off.cwiseAbs().array() <= (room + way).array()).all();
+      for (int c = 0; meets && c < 3; ++c) {
+        const int i = (c + 1) % 3, j = (c + 2) % 3;
+        meets = turned[c] <= room[i] * way[j] + room[j] * way[i];
+      }
+      if (!meets) {
+        k = static_cast<std::size_t>(node.next);
+        continue;
+      }
+      if (node.second < 0) {
+        for (int t = node.begin; t < node.end; ++t) visit(order_[static_cast<std::size_t>(t)]);
+      }
+      ++k;
+    }
+  }
+
  private:
   static constexpr std::size_t kDeepest = 64;  // halves: of 2^64 triangles
   struct Node {
