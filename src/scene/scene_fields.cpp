@@ -4,13 +4,14 @@
 #include <algorithm>
 
 #include "friction_keys.h"
-#include "palpate/contact/response.h"
+#include "palpate/contact/contact_models.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/haptics/device_models.h"
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "palpate/tissue/model_list.h"
 #include "palpate/tissue/skips.h"
+#include "prescribed_contact_rules.h"
 
 namespace palpate::scene {
 
@@ -193,8 +194,11 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
 }
 
 void describe(keys::FieldVisitor& v, ContactConfig& contact) {
-  v.choice({"model", "", "What answers where tissue and tools touch."}, contact.model,
-           contact::responseNames());
+  v.choice(
+      {"model", "",
+       "What answers where tissue and tools touch. `prescribed`: nothing; the tool is a segment, "
+       "and where it meets the surface the tissue goes with it, of method `newton_bicgstab`."},
+      contact.model, contact::contactModelNames());
   v.number({"stiffness", "Pa/m",
             "Contact pressure per penetration. `augmented_lagrangian` takes more where the tissue "
             "asks for it."},
@@ -325,6 +329,7 @@ void describe(keys::FieldVisitor& v, Scene& scene) {
   checkPairs(v, scene);
   checkFrictionPairs(v, scene);
   v.section({"solver", "", "Time steps and accuracy."}, scene.solver);
+  checkPrescribedContact(v, scene);
   v.section({"rates", "", "How often the node does what, and when input is too old."}, scene.rates);
   v.section({"haptics", "", "Limits of what the hand gets."}, scene.haptics);
 }

@@ -13,6 +13,7 @@
 #include "palpate/base/resource.h"
 #include "palpate/contact/signed_distance.h"
 #include "palpate/tissue/model_list.h"
+#include "prescribed_contact_rules.h"
 
 namespace palpate::scene {
 namespace {
@@ -134,6 +135,7 @@ SceneParts assembleScene(const Scene& scene, const Progress& progress) {
   SceneParts parts;
   if (scene.solver.threads > 1) parts.pool = std::make_unique<ThreadPool>(scene.solver.threads);
   readInstruments(scene, progress, &parts);
+  checkSegments(scene, parts);
   assembleAnatomy(scene, progress, &parts);
   assembleModels(scene, progress, &parts);
   warnOfOrgansInAnatomy(scene, &parts);

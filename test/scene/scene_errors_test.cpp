@@ -291,6 +291,46 @@ TEST_F(SceneErrors, ChoicesListWhatThereIs) {
                          "instruments[0].input", "must be one of joints, tf (did you mean joints"));
 }
 
+TEST_F(SceneErrors, PrescribedContactTakesOneSoftBodyAndOneTool) {
+  const std::string good =
+      "solver: {method: newton_bicgstab}\ncontact: {model: prescribed}\ngravity: [0, 0, 0]\n";
+  EXPECT_NO_THROW(readScene(folder_.write(
+      "good.yaml", std::string(kGood).replace(std::string(kGood).find("solver:"), 20, good))));
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = kGood;
+    text.replace(text.find("solver: {step: 0.01}\n"), 21, good);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return problemsOfText(text.replace(at, from.size(), to));
+  };
+  EXPECT_TRUE(hasProblem(with("newton_bicgstab", "tled"), "solver.method",
+                         "tled: contact.model prescribed takes newton_bicgstab"));
+  EXPECT_TRUE(hasProblem(with("    surface", "    model: tensor_mass\n    surface"),
+                         "organs[0].model", "tensor_mass: contact.model prescribed takes fem"));
+  EXPECT_TRUE(hasProblem(with("    surface", "    element: tet10\n    surface"),
+                         "organs[0].element", "takes tet4, anp"));
+  EXPECT_TRUE(hasProblem(with("    surface", "    adapt: {finest: 0.002}\n    surface"),
+                         "organs[0].adapt.finest", "stays as it is: 0"));
+  EXPECT_TRUE(hasProblem(
+      with("instruments:\n",
+           "  - {name: other, surface: b.obj, material: {young_modulus: 6.0e3, poisson_ratio: "
+           "0.4, density: 1000}}\ninstruments:\n"),
+      "organs[1].name", "takes one organ"));
+  EXPECT_TRUE(hasProblem(
+      with("instruments:\n", "instruments:\n  - {name: second, urdf: a.urdf, control_frame: a}\n"),
+      "instruments[1].name", "takes one instrument"));
+  EXPECT_TRUE(
+      hasProblem(with("    control_frame: tip",
+                      "    control_frame: tip\n    needle: {link: tip, puncture_force: 1.0}"),
+                 "instruments[0].needle.link", "takes no needle"));
+  EXPECT_TRUE(hasProblem(with("gravity: [0, 0, 0]", "anatomy: [{name: rib, surface: rib.obj}]"),
+                         "anatomy[0].name", "takes no anatomy"));
+  EXPECT_TRUE(hasProblem(with("model: prescribed", "model: prescribed, friction: {static: 0.2}"),
+                         "contact.friction", "takes no friction"));
+  EXPECT_TRUE(hasProblem(with("model: prescribed", "model: prescribd"), "contact.model",
+                         "did you mean prescribed"));
+}
+
 TEST_F(SceneErrors, AllInOneMessage) {
   std::string text = kGood;
   text.replace(text.find("0.45"), 4, "0.5");

@@ -201,7 +201,7 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
   StateReader reader(saved.bytes());
   other.restore(&reader);
   reader.finish();
-  other.beginStage();
+  other.beginStage(two.x, 0.0, 1.0);
   EXPECT_EQ(other.free(), contact.free());
   Points move, expected;
   other.moves(two.x, &move);

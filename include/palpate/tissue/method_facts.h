@@ -23,6 +23,7 @@ struct MethodFacts : solver::MinimizerFacts {
   bool friction = true;           ///< It takes friction in contact.
   bool fluids = true;             ///< And contents of cavities that resist a change of volume.
   bool needles = true;            ///< It takes needles that go in.
+  bool prescribes = false;        ///< It takes contact that is prescribed: contact_models.h.
   /// What it takes as the settings' integrator.
   std::vector<std::string> integrators = solver::integratorNames();
   /// How it gets along without one, after "the method ..."; empty where it uses the integrator.

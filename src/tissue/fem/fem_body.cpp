@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bearing_stiffness.h"
+#include "palpate/contact/contact_models.h"
 #include "palpate/solver/static_solver.h"
 #include "palpate/tissue/fem/force_excess.h"
 
@@ -53,6 +54,18 @@ fem::Composition withViscousTerms(fem::Composition composition) {
   return composition;
 }
 
+// Of its size: points of a surface whose triangles nothing crosses unnoticed.
+constexpr double kPrescribedSpacing = 0.02;
+
+// Prescribed contact asks no response, and of the points nothing but whether a tool is near.
+ModelSettings touchSettings(const FemSettings& settings, double size) {
+  ModelSettings touch = settings;
+  if (!contact::isPrescribed(settings.contact)) return touch;
+  touch.contact.model = touch.responses.front().name;
+  touch.sample_spacing = kPrescribedSpacing * size;
+  return touch;
+}
+
 // See Touch. Quadratic faces are four triangles of half their edges.
 std::function<double(double)> excessOf(const std::string& element) {
   if (!forceExcess(element, 1.0)) return {};
@@ -82,8 +95,8 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       surroundings(what_surrounds, mesh),
-      touch(mesh.points, triangles, settings, 0, excessOf(settings.element), mesh.tets,
-            settings.thickness),
+      touch(mesh.points, triangles, touchSettings(settings, size), 0, excessOf(settings.element),
+            mesh.tets, settings.thickness),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),

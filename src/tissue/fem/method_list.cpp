@@ -70,6 +70,7 @@ MethodFacts linearPrecomputedFacts() {
 MethodFacts newtonBicgstabFacts() {
   MethodFacts facts = quasiStatic(solver::LinearSystems::kIterations);
   facts.fluids = facts.friction = false;
+  facts.prescribes = true;
   return facts;
 }
 

@@ -2,8 +2,38 @@
 #include "method_refusal.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/contact/contact_models.h"
 
 namespace palpate::tissue {
+
+namespace {
+
+std::string prescribingMethods() {
+  std::vector<std::string> names;
+  for (const std::string& name : methodNames()) {
+    if (methodFacts(name).prescribes) names.push_back(name);
+  }
+  return joinNames(names);
+}
+
+// The shape functions of its faces are those of the surface's triangles.
+std::string prescriptionRefusal(const MethodFacts& method, const FemBody& body) {
+  const std::string what = "contact.model = " + body.settings.contact.model + ": ";
+  if (!method.prescribes) {
+    return what + "method " + method.name + " takes a response; choose method " +
+           prescribingMethods();
+  }
+  if (fem::isQuadratic(body.settings.element)) {
+    return what + "needs flat faces, element " + body.settings.element +
+           " has curved ones; choose anp or tet4";
+  }
+  return "";
+}
+
+}  // namespace
 
 std::string methodRefusal(const MethodFacts& method, const FemBody& body) {
   const FemSettings& settings = body.settings;
@@ -46,6 +76,7 @@ std::string methodRefusal(const MethodFacts& method, const FemBody& body) {
   if (!method.needles && settings.needles) {
     return refusal("", "knows no needle that goes in", "leave the instruments' needle out");
   }
+  if (contact::isPrescribed(settings.contact)) return prescriptionRefusal(method, body);
   return "";
 }
 

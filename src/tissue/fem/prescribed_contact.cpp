@@ -27,8 +27,8 @@ void PrescribedContact::clear() {
   updateMask();
 }
 
-void PrescribedContact::restore(const PrescribedContact& earlier) {
-  holds_ = earlier.holds_;
+void PrescribedContact::goBack() {
+  holds_ = kept_;
   updateMask();
 }
 
@@ -59,7 +59,11 @@ void PrescribedContact::updateMask() {
   }
 }
 
-void PrescribedContact::beginStage() {
+double PrescribedContact::nextStage(const Points& x, double s, double end) {
+  return body_.sweep.next(x, s, end);
+}
+
+void PrescribedContact::beginStage(const Points&, double, double) {
   const auto gone = [this](Hold& h) {
     h.obstacle = body_.sweep.find(h.number);
     return h.obstacle < 0;
@@ -123,6 +127,10 @@ bool PrescribedContact::release(const Points& x, const Points& gradient) {
   holds_.erase(std::remove_if(holds_.begin(), holds_.end(), pulls), holds_.end());
   updateMask();
   return holds_.size() < before;
+}
+
+double PrescribedContact::nodalNorm(const Points& gradient) const {
+  return (gradient.array() * (body_.free.array() - held_.array())).matrix().norm();
 }
 
 void PrescribedContact::report(const Points& x, const Points& gradient, TissueStep* out) const {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fem_body.h"
+#include "prescribed_displacements.h"
 
 namespace palpate::tissue {
 
@@ -11,31 +11,26 @@ namespace palpate::tissue {
 /// surface point that is inside a tool is put on the tool's surface along the normal and held
 /// there. A node moves alone; a point amid an edge or triangle moves its two or three nodes alike,
 /// if none of them is held. What holds pulls is let go.
-class PrescribedContact {
+class PrescribedContact final : public PrescribedDisplacements {
  public:
   explicit PrescribedContact(FemBody* body) : body_(*body), held_(body->free) {}
 
-  void clear();
-  /// The holds of `earlier`, of the same body.
-  void restore(const PrescribedContact& earlier);
-  /// All that it remembers.
-  void save(StateWriter* to) const;
-  /// @throws std::invalid_argument for bytes of another body.
-  void restore(StateReader* from);
-  /// Finds the tools of earlier holds among those placed now; holds by others are let go.
-  void beginStage();
-  /// The way that the holds ask of x, 3 x n [m]; zero where nothing is held.
-  void moves(const Points& x, Points* move) const;
-  /// Holds the points that are inside a tool at x, 3 x n [m]; false if there was no new one.
-  bool holdWhatPenetrates(const Points& x);
-  /// Lets go what the tools pull at, given the gradient of all energies at x, 3 x n [N]; false if
-  /// there was nothing.
-  bool release(const Points& x, const Points& gradient);
+  void clear() override;
+  void keep() override { kept_ = holds_; }
+  void goBack() override;
+  void save(StateWriter* to) const override;
+  void restore(StateReader* from) override;
 
-  /// 1 where neither the supports nor a tool hold a component, else 0; 3 x n.
-  const fem::FreeMask& free() const { return held_; }
-  /// The forces of the tissue on the tools, given the gradient of all energies at x, 3 x n [N].
-  void report(const Points& x, const Points& gradient, TissueStep* out) const;
+  double nextStage(const Points& x, double s, double end) override;
+  /// Finds the tools of earlier holds among those placed now; holds by others are let go.
+  void beginStage(const Points& x, double s, double end) override;
+  bool holdWhatPenetrates(const Points& x) override;
+  bool release(const Points& x, const Points& gradient) override;
+  void moves(const Points& x, Points* move) const override;
+
+  const fem::FreeMask& free() const override { return held_; }
+  double nodalNorm(const Points& gradient) const override;
+  void report(const Points& x, const Points& gradient, TissueStep* out) const override;
 
  private:
   struct Hold {
@@ -49,7 +44,7 @@ class PrescribedContact {
   void updateMask();
 
   FemBody& body_;
-  std::vector<Hold> holds_;
+  std::vector<Hold> holds_, kept_;
   std::vector<contact::Touch> touches_;
   fem::FreeMask held_;
 };

@@ -20,22 +20,24 @@ constexpr double kOnSurface = 1e-9;
 }  // namespace
 
 StickingNewton::StickingNewton(FemBody* body)
-    : body_(*body), contact_(body), stiffness_(body->elasticity->makeMatrix()) {
+    : body_(*body),
+      contact_(makePrescribedDisplacements(body)),
+      stiffness_(body->elasticity->makeMatrix()) {
   assembleSparse(stiffness_);  // throws for what cannot be assembled
 }
 
 void StickingNewton::restart() {
-  contact_.clear();
+  contact_->clear();
   residual_ = gradient();
 }
 
 void StickingNewton::save(StateWriter* out) const {
-  contact_.save(out);
+  contact_->save(out);
   out->put(residual_);
 }
 
 void StickingNewton::restore(StateReader* in) {
-  contact_.restore(in);
+  contact_->restore(in);
   in->get(&residual_);
 }
 
@@ -43,14 +45,14 @@ void StickingNewton::restore(StateReader* in) {
 double StickingNewton::gradient() {
   const double value = body_.elasticity->gradient(body_.x, &g_);
   body_.addLoads(body_.x, &g_);
-  const double norm = g_.cwiseProduct(contact_.free()).norm();
+  const double norm = contact_->unbalanced(g_);
   return std::isfinite(value) ? norm : value;
 }
 
 bool StickingNewton::advance(double dt, TissueStep* out) {
   x_begin_ = body_.x;
   out->tolerance = body_.tolerance();
-  const PrescribedContact begin = contact_;
+  contact_->keep();
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(dt);
   for (int parts = 1; parts <= kMaxParts; parts *= 2) {
@@ -63,7 +65,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
       return true;
     }
     body_.x = x_begin_;
-    contact_.restore(begin);
+    contact_->goBack();
   }
   body_.elasticity->restoreViscousState(viscous.get());
   return false;
@@ -74,13 +76,14 @@ bool StickingNewton::sweep(int parts, TissueStep* out) {
   out->sweep_stages = 0;
   body_.sweep.place(0.0);
   for (double s = 0.0; s < 1.0;) {
-    s = body_.sweep.next(body_.x, s, std::min(1.0, s + 1.0 / parts));
+    const double begin = s;
+    s = contact_->nextStage(body_.x, begin, std::min(1.0, begin + 1.0 / parts));
     if (s > 1.0 - 1e-9) s = 1.0;
     ++out->sweep_stages;
     body_.sweep.place(s);
     part_ = s;
     body_.surroundings.place(s);
-    solveStage(out);
+    solveStage(begin, out);
     const bool usable = out->ok() || out->status == solver::SolveStatus::kIterationLimit;
     if (!usable || !body_.x.allFinite()) return false;
   }
@@ -88,19 +91,19 @@ bool StickingNewton::sweep(int parts, TissueStep* out) {
 }
 
 // Newton's iteration with the points held that are, until these are the right ones.
-void StickingNewton::solveStage(TissueStep* out) {
+void StickingNewton::solveStage(double begin, TissueStep* out) {
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
-    contact_.beginStage();
-    contact_.holdWhatPenetrates(body_.x);
+    contact_->beginStage(body_.x, begin, part_);
+    contact_->holdWhatPenetrates(body_.x);
   }
   for (int change = 0;; ++change) {
     newton(out);
     if (!out->ok()) return;
     const PhaseTimer timer(&out->phases, Phase::kContact);
     if (!body_.sweep.candidatesHold(body_.x)) body_.sweep.search(body_.x);
-    const bool released = contact_.release(body_.x, g_);
-    const bool held = !released && contact_.holdWhatPenetrates(body_.x);
+    const bool released = contact_->release(body_.x, g_);
+    const bool held = !released && contact_->holdWhatPenetrates(body_.x);
     if (!released && !held) return;
     if (change == kMaxChanges) {
       out->status = solver::SolveStatus::kIterationLimit;
@@ -115,7 +118,7 @@ void StickingNewton::newton(TissueStep* out) {
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
-      contact_.moves(body_.x, &move_);
+      contact_->moves(body_.x, &move_);
       if (body_.heldWay(part_, &held_way_)) move_ += held_way_;
     }
     if (!std::isfinite(residual_)) {
@@ -158,9 +161,12 @@ Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
     term->addHessian(body_.x, fem::Tangent::kExact, &stiffness_);
   }
   stiffness_.multiply(move_, &right_);
-  right_ = -(g_ + right_).cwiseProduct(contact_.free());
-  stiffness_.constrain(contact_.free());
-  return assembleSparse(stiffness_);
+  right_ = -(g_ + right_).cwiseProduct(contact_->free());
+  contact_->reduce(&right_);
+  stiffness_.constrain(contact_->free());
+  Eigen::SparseMatrix<double> A = assembleSparse(stiffness_);
+  contact_->reduce(&A);
+  return A;
 }
 
 // The step, moves included; false if it is not finite.
@@ -174,17 +180,17 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
       solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
   out->linear_iterations += static_cast<int>(solver.iterations());
   step_ =
-      Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_.free()) +
-      move_;
+      Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());
+  contact_->expand(&step_);
+  step_ += move_;
   return step_.allFinite();
 }
 
 void StickingNewton::reportForces(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.reportSupport(g_, out);
-  contact_.report(body_.x, g_, out);
-  body_.contact_force =
-      (g_.array() * (body_.free.array() - contact_.free().array())).matrix().norm();
+  contact_->report(body_.x, g_, out);
+  body_.contact_force = contact_->nodalNorm(g_);
 }
 
 }  // namespace palpate::tissue

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <memory>
 
-#include "prescribed_contact.h"
+#include "prescribed_displacements.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
@@ -12,9 +13,11 @@ namespace palpate::tissue {
 /// to compare with, not to use: quasi-static Newton-Raphson without a line search (a step is halved
 /// only where the energy is not finite), each system assembled into an Eigen::SparseMatrix and
 /// solved by Eigen::BiCGSTAB with the diagonal as preconditioner; contact is prescribed
-/// displacement, the tool's force the internal force at the held nodes. Held nodes stick to the
-/// tool's surface: in contrast to the other methods contact is not frictionless, and no penetration
-/// is left. The contact stiffness of the settings has no effect.
+/// displacement, the tool's force the internal force at the held nodes. What is held is on the
+/// tool: in contrast to the other methods contact is not frictionless, and no penetration is left.
+/// The contact stiffness of the settings has no effect; their model says whether the tool is a
+/// segment, as the source has it (SegmentContact), or surface points inside any shape are put on it
+/// (PrescribedContact).
 ///
 /// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
 class StickingNewton final : public StepMethod {
@@ -33,7 +36,7 @@ class StickingNewton final : public StepMethod {
 
  private:
   bool sweep(int parts, TissueStep* out);
-  void solveStage(TissueStep* out);
+  void solveStage(double begin, TissueStep* out);
   void newton(TissueStep* out);
   bool iterate(TissueStep* out);
   Eigen::SparseMatrix<double> assemble(TissueStep* out);
@@ -41,7 +44,7 @@ class StickingNewton final : public StepMethod {
   double gradient();
 
   FemBody& body_;
-  PrescribedContact contact_;
+  std::unique_ptr<PrescribedDisplacements> contact_;
   fem::Stiffness stiffness_;
   Points g_, move_, right_, step_, trial_, x_begin_;
   Points held_way_;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "palpate/contact/segment_tracker.h"
+#include "prescribed_displacements.h"
+#include "tied_point.h"
+
+namespace palpate::tissue {
+
+/// Contact with a tool that is a segment [Castillo Leon 2011, sec. 7.4, 7.5], the axis of the first
+/// capsule or cylinder of an instrument that is near, with its caps: where the segment meets the
+/// surface, the surface is put on the tool, and its reaction is the tool's force.
+///
+/// The end that is inside is the tip. The surface point on the segment goes to the tip: along the
+/// segment, as the source has it for a tool that is pushed along itself, and held in all
+/// components. With the tool the point moves on over the surface: the next one is where the line
+/// through the segment meets the surface then, found by walking from the last one's triangle, by
+/// the tree where the walk is lost. A segment that goes through and through, both ends outside,
+/// takes the surface along where it goes in, as long as it pushes.
+///
+/// Of its own: a point is held as the shape functions say (TiedPoint), not by its nodes one by one;
+/// what the tool pulls at is let go; and what the line does not meet within a mean edge ahead of
+/// the tip is.
+class SegmentContact final : public PrescribedDisplacements {
+ public:
+  explicit SegmentContact(FemBody* body);
+
+  void clear() override;
+  void keep() override { kept_ = hold_; }
+  void goBack() override;
+  void save(StateWriter* to) const override;
+  void restore(StateReader* from) override;
+
+  double nextStage(const Points& x, double s, double end) override;
+  void beginStage(const Points& x, double s, double end) override;
+  bool holdWhatPenetrates(const Points& x) override;
+  bool release(const Points& x, const Points& gradient) override;
+  void moves(const Points& x, Points* move) const override;
+
+  const fem::FreeMask& free() const override { return body_.free; }
+  double unbalanced(const Points& gradient) const override;
+  double nodalNorm(const Points& gradient) const override { return tie_.nodalNorm(gradient); }
+  void report(const Points& x, const Points& gradient, TissueStep* out) const override;
+  void reduce(Eigen::SparseMatrix<double>* A) const override { tie_.reduce(A); }
+  void reduce(Points* right) const override { tie_.reduce(right); }
+  void expand(Points* step) const override { tie_.expand(step); }
+
+  const contact::SegmentTracker::Counts& counts() const { return tracker_.counts(); }
+
+ private:
+  struct Hold {
+    int number;  // Obstacle::number
+    int triangle;
+    Vec3 weights;
+    double part;  // of the segment, where it holds: 0 or 1 is the tip
+  };
+  struct Segment {
+    Vec3 begin, end;
+    Vec3 at(double part) const { return begin + part * (end - begin); }
+  };
+  int findTool() const;
+  Segment placed(int obstacle, double s) const;
+  void hold(const std::optional<Hold>& hold);
+  void follow(const Points& x);
+  std::optional<contact::SegmentHit> entryOf(const Points& x, const Segment& tool);
+  std::optional<Hold> choose(const Points& x);
+  Vec3 outward(const Points& x, int triangle) const;
+  Vec3 position(const Points& x) const;
+
+  FemBody& body_;
+  contact::SegmentTracker tracker_;
+  double mean_edge_;  // of the surface at rest [m]
+  std::optional<Hold> hold_, kept_;
+  TiedPoint tie_;
+  int tool_ = -1;           // of those near
+  Segment was_{}, now_{};   // where the stage begins and ends
+  bool released_ = false;   // in this stage
+  mutable Points rest_of_;  // scratch
+  std::vector<contact::SegmentHit> hits_;
+};
+
+}  // namespace palpate::tissue
