@@ -106,6 +106,18 @@ DRAG = [
     (6.00, 0, 10),
 ]
 
+# t [s], the stylus's tip in the liver's frame [mm].
+STAB = [
+    (0.00, -35, 0, 115),
+    (0.20, -35, 0, 115),
+    (1.00, -35, 0, 90),  # press
+    (1.50, -35, 0, 90),
+    (2.50, -15, 10, 90),  # go about
+    (2.80, -15, 10, 90),
+    (3.40, -15, 10, 115),  # leave
+    (3.60, -15, 10, 115),
+]
+
 
 def placed(of, key):
     place = of.get(key) or {}
@@ -184,6 +196,13 @@ def on_slab(waypoints, top=TOP, radius=BALL):
     return motion
 
 
+def stylus(scene):
+    t = times(STAB, 100)
+    tip = 1e-3 * minimum_jerk(STAB, t) - placed(scene["instruments"][0], "base")[:3, 3]
+    zero = np.zeros(len(t))
+    return t, {"x": tip[:, 0], "y": tip[:, 1], "z": tip[:, 2], "roll": zero, "pitch": zero, "yaw": zero}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
@@ -193,6 +212,7 @@ def main():
         "liver_retraction": retraction,
         "slab_probe": on_slab(PRESS),
         "honeycomb": on_slab(DRAG),
+        "interface_2011": stylus,
         "skin_two_layer": on_slab(PRICK, top=0.0045, radius=0.0005),
     }
     for name, motion in motions.items():
