@@ -4,7 +4,8 @@
 #include <string>
 
 // Each gives the figures of one part of docs/models.md as a JSON object; `quick`: of small
-// versions. Lengths are in cm, forces in N, as in [Wang 2005].
+// versions. Lengths are in cm, forces in N, as in [Wang 2005],
+// unless a part says otherwise.
 namespace palpate::models {
 
 /// Clamped beams under a force in the middle, over 192 E I/L^3 [Wang 2005, 5.2.3 and appendix A].
@@ -27,5 +28,7 @@ std::string ideal(bool quick);
 std::string plates(bool quick);
 /// Cubes and shafts in tension and torsion (7.4), and motions of lattices without energy.
 std::string solids(bool quick);
+/// Seconds to find where a tool meets surfaces, and to follow it [Castillo Leon 2011, 7.4].
+std::string tracking(bool quick);
 
 }  // namespace palpate::models
