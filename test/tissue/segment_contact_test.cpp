@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "liver_slab.h"
 #include "support/contains.h"
+#include "support/random.h"
 
 namespace palpate::tissue {
 namespace {
@@ -178,6 +180,50 @@ TEST(SegmentContact, SurvivesLeaps) {
   }
   EXPECT_GT(test::onTool(tissue->step({rod.move(inside, inside)}, kStep)).z(), 0.0);
   EXPECT_TRUE(tissue->step({}, kStep).contacts.empty());
+  EXPECT_LT((tissue->positions() - slab.mesh.points).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double part = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - part * (b - a)).norm();
+}
+
+// A hand that trembles, turns and sometimes leaps: what is solved is in balance and touches the
+// tool, whatever is not solved leaves no trace, and in the end nothing is left of any of it.
+TEST(SegmentContact, SurvivesARandomHand) {
+  const Slab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
+  const auto tissue = slab.make();
+  test::Random random(5);
+  Rod rod;
+  Pose from = rod.at(kFace + Vec3(0, 0, 0.01));
+  int touched = 0, unsolved = 0;
+  for (int k = 0; k < 400; ++k) {
+    const bool leaps = k % 20 == 19;
+    if (k % 20 == 0) rod.tilt = random.vector(0.6);
+    rod.tilt += random.vector(leaps ? 0.5 : 0.03);
+    const Vec3 middle(0.05, 0.05, kTop - 0.004);
+    const Vec3 tip = middle + (leaps ? random.vector(0.06)
+                                     : Vec3(random.vector(1.0).cwiseProduct(
+                                           Vec3(0.004 + 0.0015 * (k % 20), 0.02, 0.008))));
+    const Pose to = rod.at(tip);
+    const TissueStep& step = tissue->step({{&rod.shape, 0, from, to}}, kStep);
+    from = to;
+    ASSERT_TRUE(tissue->positions().allFinite()) << k;
+    ASSERT_TRUE(test::onTool(step).allFinite()) << k;
+    if (!step.ok()) {
+      ++unsolved;
+      continue;
+    }
+    expectBalanced(step, slab.mesh.numPoints());
+    ASSERT_LE(step.contacts.size(), 1U);
+    for (const TissueContact& c : step.contacts) {
+      ++touched;
+      EXPECT_LT(distance(c.p_W, to * Vec3(0, 0, -0.05), to * Vec3(0, 0, 0.05)), kOnTool) << k;
+    }
+  }
+  std::printf("%d cycles touched, %d not solved\n", touched, unsolved);
+  EXPECT_GT(touched, 50);
+  for (int k = 0; k < 5; ++k) EXPECT_TRUE(tissue->step({}, kStep).contacts.empty());
   EXPECT_LT((tissue->positions() - slab.mesh.points).cwiseAbs().maxCoeff(), 1e-5);
 }
 

@@ -82,6 +82,7 @@ TEST_P(TiedPoints, SolvesWhatMultipliersSolve) {
   const Eigen::VectorXd expected = KKT.fullPivLu().solve(right);
 
   const TiedPoint point(nodes_, GetParam().weights, free_);
+  EXPECT_EQ(point.free(), (W.colwise().norm().array() > 0.0).all());
   Points move = Points::Zero(3, kNodes);
   point.addMove(way, &move);
   const Eigen::VectorXd Km = K_ * Eigen::Map<const Eigen::VectorXd>(move.data(), kSize);
@@ -118,6 +119,7 @@ TEST_P(TiedPoints, SolvesWhatMultipliersSolve) {
 
 TEST(TiedPoint, HoldsNothingUnlessItIsOne) {
   const TiedPoint none;
+  EXPECT_FALSE(none.free());
   Points g = Points::Ones(3, 4);
   none.balance(&g);
   none.reduce(&g);

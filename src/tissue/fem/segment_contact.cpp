@@ -70,10 +70,15 @@ void SegmentContact::restore(StateReader* from) {
   hold(held);
 }
 
+// What the supports hold gives way to nothing.
 void SegmentContact::hold(const std::optional<Hold>& held) {
+  hold_.reset();
+  tie_ = TiedPoint();
+  if (!held) return;
+  const TiedPoint tie(body_.triangles.col(held->triangle), held->weights, body_.free);
+  if (!tie.free()) return;
   hold_ = held;
-  tie_ = held ? TiedPoint(body_.triangles.col(held->triangle), held->weights, body_.free)
-              : TiedPoint();
+  tie_ = tie;
 }
 
 int SegmentContact::findTool() const {

@@ -22,8 +22,8 @@ namespace palpate::tissue {
 /// takes the surface along where it goes in, as long as it pushes.
 ///
 /// Of its own: a point is held as the shape functions say (TiedPoint), not by its nodes one by one;
-/// what the tool pulls at is let go; and what the line does not meet within a mean edge ahead of
-/// the tip is.
+/// what the tool pulls at is let go, and what the line does not meet within a mean edge ahead of
+/// the tip; and a point that the supports hold, in any component, is not touched.
 class SegmentContact final : public PrescribedDisplacements {
  public:
   explicit SegmentContact(FemBody* body);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <array>
 
 #include "palpate/base/types.h"
@@ -23,6 +24,8 @@ class TiedPoint {
   /// `free`: what the supports leave, 3 x n.
   TiedPoint(const Eigen::Vector3i& nodes, const Vec3& weights, const fem::FreeMask& free);
 
+  /// Whether all three components can be moved.
+  bool free() const { return *std::min_element(pivots_.begin(), pivots_.end()) >= 0; }
   /// Adds to the nodes' moves the least ones by which the point goes by `way` [m].
   void addMove(const Vec3& way, Points* move) const;
   /// The internal forces at the nodes, summed where they are free [N]: (7.5).
