@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 # Rooms whose code decides a force or a shape, and those that only read, write, show or advise.
-MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "instrument", "contact", "tissue", "scene", "sim"]
+MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "bem", "instrument", "contact", "tissue", "scene", "sim"]
 OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "teleop", "advice", "analysis", "io", "start",
          "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]

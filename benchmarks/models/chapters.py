@@ -29,6 +29,13 @@ CHAPTERS = {
          "cells"],
         "X. Wang, *Deformable Haptic Models for Surgical Simulation*, PhD thesis, University of Texas at Arlington, "
         "2005."),
+    "interface": Chapter(
+        "The organ-instrument interface",
+        "The system that this package carries on from [Castillo Leon 2011]: a segment that prescribes displacements where "
+        "it meets the surface.",
+        ["interface"],
+        "J. A. Castillo Leon, *Real-time simulation of organ-instrument interaction in a surgical procedure within a "
+        "teleoperation environment*, MSc thesis, Universidad Nacional de Colombia, 2011."),
     "skin": Chapter(
         "Two layers of skin",
         "A plane block of two layers on bone, pressed in its middle [Triantafyllopoulos 2005]; `palpate skin` and `palpate "
