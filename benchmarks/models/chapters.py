@@ -34,7 +34,7 @@ CHAPTERS = {
         "The system that this package carries on from [Castillo Leon 2011]: a segment that prescribes displacements where "
         "it meets the surface.",
         ["interface"],
-        "J. A. Castillo Leon, *Real-time simulation of organ-instrument interaction in a surgical procedure within a "
+        "J. A. Castillo León, *Real-time simulation of organ-instrument interaction in a surgical procedure within a "
         "teleoperation environment*, MSc thesis, Universidad Nacional de Colombia, 2011."),
     "skin": Chapter(
         "Two layers of skin",
@@ -44,4 +44,11 @@ CHAPTERS = {
         "P. I. Triantafyllopoulos, *Skin deformation model with the finite element method: application to an interactive "
         "display system*, diploma thesis, National Technical University of Athens, 2005. Its readings are of M. A. "
         "Srinivasan, *Surface deflection of primate fingertip under line load*, 1989."),
+    "enriched": Chapter(
+        "Enriched by samples",
+        "A coarse interactive model made fine by a regressor [Bounik, Shamsi, Sedaaghi 2020]; the room `enrichment` has it, "
+        "`palpate database` makes its samples.",
+        ["enriched"],
+        "Bounik, Shamsi, Sedaaghi, in *Journal of Nonlinear Systems in Electrical Engineering* 7(1), 2020, "
+        "149-162."),
 }

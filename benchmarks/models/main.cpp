@@ -12,10 +12,10 @@ int main(int count, char** arguments) {
   const std::map<std::string, Part> parts = {
       {"beams", palpate::models::beams},          {"directions", palpate::models::directions},
       {"discs", palpate::models::discs},          {"ends", palpate::models::ends},
-      {"free_sheet", palpate::models::freeSheet}, {"hung_cloth", palpate::models::hungCloth},
-      {"ideal", palpate::models::ideal},          {"plates", palpate::models::plates},
-      {"solids", palpate::models::solids},        {"tracking", palpate::models::tracking},
-      {"unrolling", palpate::models::unrolling}};
+      {"enriched", palpate::models::enriched},    {"free_sheet", palpate::models::freeSheet},
+      {"hung_cloth", palpate::models::hungCloth}, {"ideal", palpate::models::ideal},
+      {"plates", palpate::models::plates},        {"solids", palpate::models::solids},
+      {"tracking", palpate::models::tracking},    {"unrolling", palpate::models::unrolling}};
   const auto part = count > 1 ? parts.find(arguments[1]) : parts.end();
   const bool quick = count > 2 && std::string(arguments[2]) == "--quick";
   if (part == parts.end() || count > 3 || (count == 3 && !quick)) {

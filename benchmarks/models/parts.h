@@ -28,6 +28,8 @@ std::string ideal(bool quick);
 std::string plates(bool quick);
 /// Cubes and shafts in tension and torsion (7.4), and motions of lattices without energy.
 std::string solids(bool quick);
+/// Fine shapes from coarse ones after samples, on two bodies [Bounik, Shamsi, Sedaaghi 2020]; SI.
+std::string enriched(bool quick);
 /// Seconds to find where a tool meets surfaces, and to follow it [Castillo Leon 2011, 7.4].
 std::string tracking(bool quick);
 
