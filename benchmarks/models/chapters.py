@@ -40,7 +40,7 @@ CHAPTERS = {
         "Two layers of skin",
         "A plane block of two layers on bone, pressed in its middle [Triantafyllopoulos 2005]; `palpate skin` and `palpate "
         "solve` compute it.",
-        ["skin"],
+        ["skin", "skin_fit"],
         "P. I. Triantafyllopoulos, *Skin deformation model with the finite element method: application to an interactive "
         "display system*, diploma thesis, National Technical University of Athens, 2005. Its readings are of M. A. "
         "Srinivasan, *Surface deflection of primate fingertip under line load*, 1989."),
