@@ -25,7 +25,7 @@ SOURCE = "[Triantafyllopoulos 2005]"
 COLOURS = ["#1f4e79", "#b5322a", "#3a7d44", "#8a5a00", "#7b4aa0"]
 TEXT = """**Idea.** Skin and the fat below it, on bone, are two flat layers of a plane block, 12 x 4.5 mm, fixed below and at
 its sides. A needle presses one node in the middle of the top down by a given depth; the surface around it is compared
-with two photographed profiles of a primate's fingertip under a line load [Srinivasan 1989], which gives two parameters:
+with two digitised profiles of a primate's fingertip under a line load [Srinivasan 1989], which gives two parameters:
 the upper layer's part of the height, and how much stiffer it is. `palpate skin` computes it, room `skin` has it.
 
 **Equations** (see [theory.md](theory.md#two-layers-of-skin)). Triangles of constant strain, K_e = B^T D B t A, with D =
