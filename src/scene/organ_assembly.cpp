@@ -2,6 +2,7 @@
 #include "palpate/scene/organ_assembly.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "palpate/base/resource.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/remesh.h"
 #include "palpate/mesh/size_check.h"
@@ -24,7 +26,8 @@
 namespace palpate::scene {
 namespace {
 
-constexpr int kRemeshingRounds = 5;
+constexpr int kRemeshingRounds = 5, kRemeshings = 4;
+constexpr double kMeanOff = 0.03;  // of the mean edge that is wanted
 
 std::string resolve(const std::string& uri, const std::string& scene_file, const std::string& key) {
   try {
@@ -70,8 +73,17 @@ mesh::SurfaceMesh readOrganElements(const Scene& scene, const OrganConfig& organ
     throw InputError(scene.file, key + ".edge_length.near", "",
                      "model " + organ.model + " has edges of one length; leave it out");
   }
-  mesh::SurfaceMesh made =
-      mesh::remeshWithEdges(surface, organ.edge_length.coarsest, kRemeshingRounds);
+  const double wanted = organ.edge_length.coarsest;
+  // Shorter edges first, so that those of the file leave no trace.
+  const mesh::SurfaceMesh fine = mesh::remeshWithEdges(surface, 0.5 * wanted, kRemeshingRounds);
+  mesh::SurfaceMesh made;
+  double asked = wanted;  // what comes out is shorter by a tenth or two
+  for (int k = 0; k < kRemeshings; ++k) {
+    made = mesh::remeshWithEdges(fine, asked, kRemeshingRounds);
+    const double mean = mesh::meanEdgeLength({made.points, made.triangles, {}});
+    if (std::abs(mean - wanted) < kMeanOff * wanted) break;
+    asked *= wanted / mean;
+  }
   if (mesh::checkSurface(made).ok()) return made;
   throw InputError(scene.file, key + ".edge_length", std::to_string(organ.edge_length.coarsest),
                    "triangles as large do not resolve the surface; must be smaller");
