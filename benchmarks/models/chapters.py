@@ -32,8 +32,8 @@ CHAPTERS = {
     "interface": Chapter(
         "The organ-instrument interface",
         "The system that this package carries on from [Castillo Leon 2011]: a segment that prescribes displacements where "
-        "it meets the surface.",
-        ["interface"],
+        "it meets the surface, and the boundary elements that it compares with finite ones.",
+        ["interface", "boundary"],
         "J. A. Castillo León, *Real-time simulation of organ-instrument interaction in a surgical procedure within a "
         "teleoperation environment*, MSc thesis, Universidad Nacional de Colombia, 2011."),
     "skin": Chapter(

@@ -9,13 +9,19 @@
 
 int main(int count, char** arguments) {
   using Part = std::string (*)(bool);
-  const std::map<std::string, Part> parts = {
-      {"beams", palpate::models::beams},          {"directions", palpate::models::directions},
-      {"discs", palpate::models::discs},          {"ends", palpate::models::ends},
-      {"enriched", palpate::models::enriched},    {"free_sheet", palpate::models::freeSheet},
-      {"hung_cloth", palpate::models::hungCloth}, {"ideal", palpate::models::ideal},
-      {"plates", palpate::models::plates},        {"solids", palpate::models::solids},
-      {"tracking", palpate::models::tracking},    {"unrolling", palpate::models::unrolling}};
+  const std::map<std::string, Part> parts = {{"beams", palpate::models::beams},
+                                             {"boundary", palpate::models::boundary},
+                                             {"directions", palpate::models::directions},
+                                             {"discs", palpate::models::discs},
+                                             {"ends", palpate::models::ends},
+                                             {"enriched", palpate::models::enriched},
+                                             {"free_sheet", palpate::models::freeSheet},
+                                             {"hung_cloth", palpate::models::hungCloth},
+                                             {"ideal", palpate::models::ideal},
+                                             {"plates", palpate::models::plates},
+                                             {"solids", palpate::models::solids},
+                                             {"tracking", palpate::models::tracking},
+                                             {"unrolling", palpate::models::unrolling}};
   const auto part = count > 1 ? parts.find(arguments[1]) : parts.end();
   const bool quick = count > 2 && std::string(arguments[2]) == "--quick";
   if (part == parts.end() || count > 3 || (count == 3 && !quick)) {

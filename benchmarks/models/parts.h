@@ -10,6 +10,9 @@ namespace palpate::models {
 
 /// Clamped beams under a force in the middle, over 192 E I/L^3 [Wang 2005, 5.2.3 and appendix A].
 std::string beams(bool quick);
+/// Boundary elements: the plate of [Castillo Leon 2011, ch. 5], and bodies with closed forms,
+/// without units.
+std::string boundary(bool quick);
 /// What the ends of free beams and the edges of free sheets do (5.2.4, 5.3.3, appendix B).
 std::string ends(bool quick);
 /// Stretch and bending of infinite regular sheets in every direction (5.3.1).

@@ -17,7 +17,7 @@ SWAY = {"mass": 20.0}
 EDGES = (0.010, 0.006, 0.004)  # [m]
 REFERENCE = (0.001, 0.0007)  # adapt.finest of the reference and of its finer one [m]
 MARK = {"fem": "o", "mass_spring": "s", "tensor_mass": "^", "hybrid": "<", "sampled_elasticity": "D",
-        "honeycomb": "p"}
+        "honeycomb": "p", "bem": "*"}
 COLOUR = ["#1f4e79", "#6b9ac4", "#444444", "#b5322a", "#d98880", "#8a5a00", "#7b4aa0", "#3a7d44", "#00807a", "#aa3377",
           "#c29a00", "#8c8c8c", "#5b2c6f"]
 
@@ -59,6 +59,7 @@ def variants():
     found += on_edges("`tensor_mass`", {"model": "tensor_mass"})
     region = {"box": {"min": [-0.015, -0.015, 0.015], "max": [0.035, 0.015, 0.031]}}  # below the way of the ball
     found += on_edges("`hybrid`", {"model": "hybrid", "hybrid": {"region": region}}, edges=EDGES[:2])
+    found += on_edges("`bem`", {"model": "bem"}, edges=(0.010, 0.0085, 0.007))
     found += [Variant("`sampled_elasticity`", {"model": "sampled_elasticity", "edge_length": 0.006,
                                                "sampling": {"coarsest": coarsest, "levels": 2},
                                                "damping": {**SWAY, "stiffness": 1e-3}},
