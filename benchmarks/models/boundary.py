@@ -112,8 +112,8 @@ def validity_part(context):
     lines = []
     for part in DEPTHS:
         bem, tets, linear, curved = found = [np.interp(0.01 * part * SCALE * TOP, *run) for run in runs.values()]
-        lines.append([f"{part} %", *(f"{f:.4f}" for f in found),
-                      *(f"{100 * (f / of - 1):+.0f} %" for f, of in ((bem, linear), (tets, linear), (linear, curved), (bem, curved)))])
+        pairs = ((bem, linear), (tets, linear), (linear, curved), (bem, curved))
+        lines.append([f"{part} %", *(f"{f:.4f}" for f in found), *(f"{100 * (f / of - 1):+.0f} %" for f, of in pairs)])
     table = table_of(["depth", *runs, "mesh, boundary elements", "mesh, `linear_precomputed`", "linear",
                       "boundary elements in all"], lines)
     fig, ax = plots.figure()

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/error.h"
 #include "shipped_replay.h"
+#include "support/contains.h"
 
 namespace palpate::sim {
 namespace {
@@ -40,6 +42,28 @@ TEST_P(ModelScenes, PushBackAndLetGo) {
   EXPECT_LT(held, 0.6);
   EXPECT_NEAR(slid, held, 0.5 * held);
   EXPECT_EQ(force(3.3), 0.0);
+}
+
+// Of edges that the model has no use for or cannot have, the file and the key are named.
+TEST(BemScene, IsRefusedWithEdgesThatItCannotHave) {
+  const auto refusal = [](const scene::EdgeLengthConfig& edges) {
+    scene::Scene scene = scene::readScene(test::sourceFolder() + "/config/scenes/slab_bem.yaml");
+    scene.organs[0].edge_length = edges;
+    try {
+      const Simulator simulator(scene);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  using test::contains;
+  scene::EdgeLengthConfig edges;
+  edges.coarsest = 0.005;
+  EXPECT_TRUE(contains(refusal(edges), "organs[0]"));
+  EXPECT_TRUE(contains(refusal(edges), "at most 1000"));
+  edges.near.emplace_back();
+  EXPECT_TRUE(contains(refusal(edges), "slab_bem.yaml"));
+  EXPECT_TRUE(contains(refusal(edges), "organs[0].edge_length.near"));
 }
 
 // A sheet between two edges is a rope more than a plate: what pulls is its stretch.
