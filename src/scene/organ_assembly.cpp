@@ -130,7 +130,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.surface = [&scene, &organ, warnings] {
     return readOrganSurface(organ, scene.file, warnings);
   };
-  description.elements = [&scene, &organ, key, warnings] {
+  description.surface_elements = [&scene, &organ, key, warnings] {
     return readOrganElements(scene, organ, key, warnings);
   };
   if (!organ.surface.empty()) {

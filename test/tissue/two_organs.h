@@ -43,7 +43,7 @@ struct OrganSketch {
     organ.honeycomb = honeycomb;
     organ.hybrid = hybrid;
     organ.tetrahedra = [this] { return mesh; };
-    organ.elements = [this] {
+    organ.surface_elements = [this] {
       return mesh::onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});
     };
     organ.free = [this](const Points& X) {

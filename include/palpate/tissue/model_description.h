@@ -37,7 +37,7 @@ struct OrganDescription {
   std::function<mesh::SurfaceMesh()> surface;
   /// Its closed surface, outward, in triangles with edges of about organs[].edge_length and along
   /// sharp ones; of tetrahedra, their boundary.
-  std::function<mesh::SurfaceMesh()> elements;
+  std::function<mesh::SurfaceMesh()> surface_elements;
   /// Its surface as the file has it, open or closed, of an organ that has one; may be empty.
   std::function<mesh::SurfaceMesh()> sheet;
   /// What the supports leave free of points X, 3 x n, for models that know no other surroundings:

@@ -30,7 +30,8 @@ struct BemParts {
 /// Quasi-static: no inertia, no damping, velocities are differences over a cycle, and what was
 /// before does not matter but to contact with a memory. Forces grow linearly with the load; a part
 /// that turns is deformed by it. A cycle solves for the contact forces at what is touched, and adds
-/// up what they displace.
+/// up what they displace. There are no elements that could turn inside out:
+/// TissueStep::min_jacobian stays 1, however far the surface is displaced.
 class BemOrgan final : public TissueModel {
  public:
   /// @throws std::invalid_argument as bem::surfaceStiffness() and bem::surfaceCompliance().

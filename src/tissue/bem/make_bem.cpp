@@ -59,7 +59,7 @@ std::unique_ptr<TissueModel> makeBem(const ModelDescription& description) {
   const fem::Composition composition = organ.composition({});
   refuse(organ, composition, description.settings);
   BemParts parts;
-  parts.surface = organ.elements();
+  parts.surface = organ.surface_elements();
   parts.free = organ.free(parts.surface.points);
   Points& X = parts.surface.points;
   if (const int bodies = countBodies(parts.surface); bodies != 1) {
