@@ -7,6 +7,7 @@
 #include <sstream>
 #include <variant>
 
+#include "palpate/contact/contact_models.h"
 #include "palpate/instrument/geometry.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -116,6 +117,13 @@ std::string adviceFor(const scene::OrganConfig& organ, const mesh::CellMesh& cel
          remedy(cells, wanted);
 }
 
+std::string adviceForSegments(const scene::OrganConfig& organ, const SurfaceEdges& edges) {
+  return "organ " + organ.name +
+         ": contact.model prescribed presses at a point: the force is that of edges of " +
+         millimetres(edges.mean) +
+         ", and finer ones make it less without end; another contact.model converges";
+}
+
 }  // namespace
 
 SurfaceEdges surfaceEdges(const mesh::CellMesh& cells) {
@@ -156,6 +164,10 @@ std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator) {
     if (organ.model != "fem") continue;
     const mesh::CellMesh cells = simulator.cells(i);
     const SurfaceEdges edges = surfaceEdges(cells);
+    if (contact::isPrescribed(simulator.scene().contact)) {
+      advice.push_back(adviceForSegments(organ, edges));
+      continue;
+    }
     double edge = edges.graded() ? edges.finest : edges.mean;
     if (organ.adapt.on()) edge = std::min(edge, organ.adapt.finest);
     std::optional<Tool> thinnest;

@@ -86,6 +86,19 @@ TEST(AdviceOnMeshes, NamesOrganToolAndRemedy) {
   EXPECT_EQ(notes.back(), advice[0]);
 }
 
+// No mesh makes the force of a point right.
+TEST(AdviceOnMeshes, KnowsThatAPointHasNoArea) {
+  const test::SlabScene slab;
+  scene::Scene scene = slab.scene();
+  scene.contact.model = "prescribed";
+  scene.solver.method = "newton_bicgstab";
+  scene.instruments[0].urdf = test::sourceFolder() + "/config/instruments/stylus.urdf";
+  const std::vector<std::string> advice = adviseOnMeshes(sim::Simulator(scene));
+  ASSERT_EQ(advice.size(), 1u);
+  EXPECT_TRUE(contains(advice[0], "the force is that of edges of 18 mm")) << advice[0];
+  EXPECT_FALSE(contains(advice[0], "adapt")) << advice[0];
+}
+
 TEST(AdviceOnMeshes, NamesTheSameRemedyForQuadraticElementsUnlessTheyAreBent) {
   const test::SlabScene slab;
   scene::Scene scene = slab.scene();
