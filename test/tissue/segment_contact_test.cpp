@@ -319,6 +319,30 @@ TEST(SegmentContact, GoesOnFromItsState) {
   }
 }
 
+// To the force of a body of half the shear modulus; what keeps the volume does not relax.
+TEST(SegmentContact, RelaxesUnderAHeldTool) {
+  const auto law = [](double part) {
+    return material::makeMaterial(
+        "mooney_rivlin", {{"c10", {600.0 * part}}, {"c01", {400.0 * part}}, {"kappa", {1.0e4}}});
+  };
+  const Rod rod;
+  const Vec3 above = kFace + Vec3(0, 0, 0.001), inside = kFace - Vec3(0, 0, 0.004);
+  double force[2];
+  for (const bool relaxes : {false, true}) {
+    Slab slab = slabOf("mooney_rivlin", Eigen::Vector3i(6, 6, 3));
+    slab.law = law(relaxes ? 1.0 : 0.5);
+    if (relaxes) slab.prony = {{0.5, 0.1}};
+    const auto tissue = slab.make();
+    tissue->step({rod.move(above, inside)}, kStep);
+    for (int k = 0; k < 80; ++k) {
+      const TissueStep& step = tissue->step({rod.move(inside, inside)}, kStep);
+      ASSERT_TRUE(step.ok()) << k;
+      force[relaxes] = test::onTool(step).z();
+    }
+  }
+  EXPECT_NEAR(force[1], force[0], 2e-3 * force[0]);  // after 8 times of relaxing, e^-8 is left
+}
+
 TEST(SegmentContact, WalksAndAsksTheTreeOnce) {
   const Slab slab = slabOf();
   const fem::Composition tissue{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
