@@ -101,7 +101,7 @@ EnrichedBody liverBody() {
   }
   body.held_below = 0.015;
   body.held_above = 1.0;
-  body.plan.force = 2.0;
+  body.plan.force = 1.0;
   body.train = 60;
   body.test = 45;
   finish(&body);
