@@ -17,7 +17,7 @@ CHAPTERS = {
         "Every model under the same tool",
         "What a cycle costs, and how far its force is from the converged one: the place of each model on the plane of "
         "time and error.",
-        ["touched", "table_2_1"],
+        ["touched", "summaries", "table_2_1"],
         "Table 2.1: X. Wang, *Deformable Haptic Models for Surgical Simulation*, PhD thesis, University of Texas at "
         "Arlington, 2005."),
     "springs": Chapter(
