@@ -1,70 +1,35 @@
-#SPDX - License - Identifier : GPL - 3.0 - or -later
-""
-    "Fine shapes from coarse ones after samples, on the two published bodies."
-    ""
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fine shapes from coarse ones after samples, on the two published bodies."""
 
-    import numpy as np from accuracy import plots from accuracy
-        .rows import table as table_of
+import numpy as np
+from accuracy import plots
+from accuracy.rows import table as table_of
 
-            from.program import figures from.rows import Row,
-    rows_table
+from .program import figures
+from .rows import Row, rows_table
 
-        PUBLISHED = {#points and triangles coarse and fine, samples;
-seconds of five fine models;
-feature sizes "cylinder" : {
-  "counts" : (182, 360, 722, 1440),
-  "samples" : (18, 10),
-  "fine" : 7.566,
-  "all" : 0.107,
-  "ordered" : 0.023,
-  "speed_up" : 329,
-  "features" : 546
-},
-                           "liver" : {
-  "counts" : (140, 276, 2210, 4416),
-             "samples" : (60, 45),
-                         "fine" : 49.292,
-                         "all" : 0.603,
-                         "ordered" : 0.128,
-                         "speed_up" : 385,
-                         "features" : 420
-}
-}
-WAYS = {
-  "from_contact" : "10 nearest the contact",
-  "all_from_contact" : "all, in the order from the contact",
-  "all_by_number" : "all, as numbered"
-} COLOURS = {
-  "from_contact" : "#1f4e79",
-  "all_from_contact" : "#3a7d44",
-  "all_by_number" : "#b5322a"
-} TEXT =
-    ""
-    "**Idea.** A coarse body is simulated, a fine one is shown: its shape is a mean of fine samples, weighted by how alike
-    the coarse shapes are.What is compared are displacements of the coarse points that are nearest
-        to the contact,
-  nearest first,
-  and fine displacements are kept in the same order
-    : a dent at one place then says something about one at another.
+PUBLISHED = {  # points and triangles coarse and fine, samples; seconds of five fine models; feature sizes
+    "cylinder": {"counts": (182, 360, 722, 1440), "samples": (18, 10), "fine": 7.566, "all": 0.107, "ordered": 0.023,
+                 "speed_up": 329, "features": 546},
+    "liver": {"counts": (140, 276, 2210, 4416), "samples": (60, 45), "fine": 49.292, "all": 0.603, "ordered": 0.128,
+              "speed_up": 385, "features": 420}}
+WAYS = {"from_contact": "10 nearest the contact", "all_from_contact": "all, in the order from the contact",
+        "all_by_number": "all, as numbered"}
+COLOURS = {"from_contact": "#1f4e79", "all_from_contact": "#3a7d44", "all_by_number": "#b5322a"}
+TEXT = """**Idea.** A coarse body is simulated, a fine one is shown: its shape is a mean of fine samples, weighted by how alike
+the coarse shapes are. What is compared are displacements of the coarse points that are nearest to the contact, nearest
+first, and fine displacements are kept in the same order: a dent at one place then says something about one at another.
 
-          **Equations.*
-          *phi_ij = exp(- | c_i - c_j | ^2 / (2 sigma ^ 2)) of the features c of samples i and j;
-A the matrix without negative entries that has the least | Phi A - I | _F,
-    column by
-    column(the source's equation (3) is lost, and it does not say which problem it solves);
-a = A phi(c) / sum(A phi(c));
-x = X a.The source makes the sum of phi 1 instead of the sum of a
-    : a sample would not be its own prediction.
+**Equations.** phi_ij = exp(-|c_i - c_j|^2/(2 sigma^2)) of the features c of samples i and j; A the matrix without
+negative entries that has the least |Phi A - I|_F, column by column (the source's equation (3) is lost, and it does not
+say which problem it solves); a = A phi(c)/sum(A phi(c)); x = X a. The source makes the sum of phi 1 instead of the sum
+of a: a sample would not be its own prediction.
 
-    * *Parameters.**10 points(30 numbers),
-    sigma;
-the source's best is 0.2 for both bodies, in units that it does not give. Here sigma is a part of
-        the root mean square distance of the samples' features, the spread.
+**Parameters.** 10 points (30 numbers), sigma; the source's best is 0.2 for both bodies, in units that it does not give.
+Here sigma is a part of the root mean square distance of the samples' features, the spread.
 
-            **Bodies.*
-    *A round bar,
-    40 x 80 mm, held at both ends,
-    and the package's liver, held below 15 mm; corotational, E = 5 kPa, nu = 0.45; presses of a quarter to all of 0.3 and 1 N on patches as wide as a coarse edge, within 30 degrees of the normal,
+**Bodies.** A round bar, 40 x 80 mm, held at both ends, and the package's liver, held below 15 mm; corotational, E = 5 kPa,
+nu = 0.45; presses of a quarter to all of 0.3 and 1 N on patches as wide as a coarse edge, within 30 degrees of the normal,
 drawn by `palpate database`'s plan. The source's shapes, forces and supports are not given. Its coarse shapes are sampled
 from the fine ones, which no running simulation has: errors are given of these and of coarse elements under the same press.
 Errors are root mean squares over all fine points and tests, as a part of the root mean square displacement.
