@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fails if package.xml is not valid, disagrees with CMakeLists.txt about the version, or if a launch
-# or URDF file is not well-formed XML, or a shell script does not parse.
+# or URDF file is not well-formed XML, or a script of shell or Python does not parse.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 /usr/bin/python3 - <<'PYTHON'
@@ -31,6 +31,12 @@ for pattern in ("launch/*.launch", "test/**/*.launch", "test/**/*.test", "config
             # Tests may hold files that are broken on purpose; they say so in their name.
             if "bad" not in path and "broken" not in path:
                 problems.append("%s: %s" % (path, error))
+for folder in ("benchmarks", "scripts", "test"):
+    for path in glob.glob(folder + "/**/*.py", recursive=True):
+        try:
+            compile(open(path, encoding="utf-8").read(), path, "exec")
+        except SyntaxError as error:
+            problems.append("%s:%s: %s" % (path, error.lineno, error.msg))
 for problem in problems:
     print(problem, file=sys.stderr)
 sys.exit(1 if problems else 0)
