@@ -81,14 +81,16 @@ def smallness(scene):
     return widest / 0.1 if widest < 0.05 else 1.0
 
 
-def draw(scene, name, trajectory, time, path):
+def draw(scene, name, trajectory, time, largest, path):
+    """`largest`: of the forces then [N]; its arrow stays in the picture."""
     middle = np.mean([(o.get("pose") or {}).get("position", (0, 0, 0)) for o in scene["organs"]], axis=0)
     small = smallness(scene)
     middle = middle + small * np.array([0.0, 0.0, 0.03])
     eye = middle + small * np.array([0.22, -0.34, 0.2])
     command = [os.path.join(ROOT, "scripts/render_replay.py"), os.path.join(ROOT, "config/scenes", name + ".yaml")]
     command += ["--trajectory", trajectory, "--time", "%.4f" % time, "--out", path]
-    command += ["--eye", *map(str, eye), "--look-at", *map(str, middle), "--arrow-scale", str(0.2 * small)]
+    command += ["--eye", *map(str, eye), "--look-at", *map(str, middle), "--arrow-scale",
+                str(small * min(0.2, 0.04 / max(largest, 1e-9)))]
     subprocess.run(command, check=True)
 
 
@@ -105,8 +107,9 @@ def main():
     rows = replay(path, trajectory, out + ".csv")
     t, tools = column(rows, "t"), forces(scene, rows)
     plot(scene.get("name", name), t, tools, out + ".png")
-    at = int(np.argmax(np.max([np.linalg.norm(force, axis=1) for _, force in tools], axis=0)))
-    draw(scene, name, trajectory, t[at], out + "_largest_force.png")
+    largest = np.max([np.linalg.norm(force, axis=1) for _, force in tools], axis=0)
+    at = int(np.argmax(largest))
+    draw(scene, name, trajectory, t[at], largest[at], out + "_largest_force.png")
     print()
     for tool, force in tools:
         print("%-12s largest force %.3f N" % (tool, np.linalg.norm(force, axis=1).max()))
