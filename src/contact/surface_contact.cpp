@@ -54,12 +54,14 @@ struct SurfaceContact::Parts {
   }
   template <class NodeOf>
   Moved movedOf(std::size_t count, const Points& x, const NodeOf& node) const {
-    const auto way = [&](std::size_t k) { return Vec3(x.col(node(k)) - searched_at.col(node(k))); };
+    const auto went = [&](std::size_t k) {
+      return Vec3(x.col(node(k)) - searched_at.col(node(k)));
+    };
     Eigen::AlignedBox3d ways;
-    for (std::size_t k = 0; k < count; ++k) ways.extend(way(k));
+    for (std::size_t k = 0; k < count; ++k) ways.extend(went(k));
     Moved all{ways.center(), 0.0};
     for (std::size_t k = 0; k < count; ++k) {
-      all.rest = std::max(all.rest, (way(k) - all.shift).squaredNorm());
+      all.rest = std::max(all.rest, (went(k) - all.shift).squaredNorm());
     }
     all.rest = std::sqrt(all.rest);
     return all;

@@ -30,7 +30,8 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   std::vector<std::string> warnings;
   const Points X = scene::readOrganMesh(scene, organ, {}, &warnings).points;
   const Vec3 low = X.rowwise().minCoeff(), high = X.rowwise().maxCoeff();
-  organ.supports = {{mesh::BoxRegion{low, Vec3(high.x(), high.y(), low.z() + 0.03)}}};
+  organ.supports.resize(1);
+  organ.supports[0].select = mesh::BoxRegion{low, Vec3(high.x(), high.y(), low.z() + 0.03)};
 
   Eigen::Index top;
   X.row(2).maxCoeff(&top);

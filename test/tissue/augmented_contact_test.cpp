@@ -54,8 +54,8 @@ std::unique_ptr<TissueModel> block(double young_modulus, double stiffness) {
 
 class OfStiffness : public ::testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Tissues, OfStiffness, ::testing::Values(0.5e3, 5e3, 50e3, 500e3),
-                         [](const auto& info) {
-                           return std::to_string(static_cast<int>(info.param)) + "_Pa";
+                         [](const auto& value) {
+                           return std::to_string(static_cast<int>(value.param)) + "_Pa";
                          });
 
 TEST_P(OfStiffness, IsNotEnteredUnderFiveNewtonsWhateverTheParameter) {

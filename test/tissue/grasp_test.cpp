@@ -78,9 +78,9 @@ struct Grasp {
     double low = 0.8, high = 1.1, along = 0.0;
     for (int k = 0; k < 60; ++k) {
       const double t = 0.5 * (low + high), J = l * t * t, I1 = l * l + 2.0 * t * t;
-      const double shape = kMu * std::pow(J, -2.0 / 3.0), pressure = kKappa * (J - 1.0);
-      const double across = shape * 2.0 * (t - I1 / (3.0 * t)) + 2.0 * pressure * l * t;
-      along = shape * (l - I1 / (3.0 * l)) + pressure * t * t;
+      const double isochoric = kMu * std::pow(J, -2.0 / 3.0), pressure = kKappa * (J - 1.0);
+      const double across = isochoric * 2.0 * (t - I1 / (3.0 * t)) + 2.0 * pressure * l * t;
+      along = isochoric * (l - I1 / (3.0 * l)) + pressure * t * t;
       (across > 0.0 ? high : low) = t;
     }
     return kWidth * kThick * along;
