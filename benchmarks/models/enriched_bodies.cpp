@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "palpate/material/material.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/surface_levels.h"
 #include "palpate/mesh/volume_mesher.h"
 #include "palpate/organs/organs.h"
@@ -57,8 +58,9 @@ void roundSides(double radius, double length, Points* points) {
 }
 
 void finish(EnrichedBody* body) {
-  body->fine_edge = kFineEdge * meanEdge(body->fine);
-  body->coarse_edge = body->patch = meanEdge(body->coarse);
+  body->fine_edge = kFineEdge * mesh::meanEdgeLength({body->fine.points, body->fine.triangles, {}});
+  body->coarse_edge = body->patch =
+      mesh::meanEdgeLength({body->coarse.points, body->coarse.triangles, {}});
   for (int i = 0; i < body->coarse.points.cols(); ++i) {
     const double z = body->coarse.points(2, i);
     if (z > body->held_below + body->patch && z < body->held_above - body->patch) {
@@ -126,16 +128,6 @@ std::unique_ptr<enrichment::PressedBody> pressedBody(const EnrichedBody& body, m
   return std::make_unique<enrichment::PressedBody>("anp", std::move(mesh),
                                                    fem::Composition::uniform(law, 1000.0), free,
                                                    surface, body.patch, nullptr);
-}
-
-double meanEdge(const mesh::SurfaceMesh& surface) {
-  double sum = 0.0;
-  for (const auto& t : surface.triangles.colwise()) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (surface.points.col(t[k]) - surface.points.col(t[(k + 1) % 3])).norm();
-    }
-  }
-  return sum / static_cast<double>(surface.triangles.size());
 }
 
 }  // namespace palpate::models

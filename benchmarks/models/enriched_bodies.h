@@ -35,6 +35,4 @@ mesh::TetMesh filled(const mesh::SurfaceMesh& surface, const mesh::SizeField& ed
 std::unique_ptr<enrichment::PressedBody> pressedBody(const EnrichedBody& body, mesh::TetMesh mesh,
                                                      const Points& surface);
 
-double meanEdge(const mesh::SurfaceMesh& surface);
-
 }  // namespace palpate::models

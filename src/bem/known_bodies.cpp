@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palpate/bem/surface_stiffness.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/mesh/used_points.h"
 
@@ -19,16 +20,6 @@ using Eigen::VectorXd;
 
 double poissonRatio(const material::Moduli& m) {
   return (3.0 * m.kappa - 2.0 * m.mu) / (2.0 * (3.0 * m.kappa + m.mu));
-}
-
-double meanEdge(const mesh::SurfaceMesh& surface) {
-  double sum = 0.0;
-  for (const auto& t : surface.triangles.colwise()) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (surface.points.col(t[k]) - surface.points.col(t[(k + 1) % 3])).norm();
-    }
-  }
-  return sum / static_cast<double>(surface.triangles.size());
 }
 
 // Nodal forces of a uniform stress inside, on the triangles from `first` on.
@@ -49,7 +40,7 @@ Points solve(const mesh::SurfaceMesh& surface, const material::Moduli& moduli, c
   const SurfaceStiffness stiffness = surfaceStiffness(surface, moduli, pool);
   made->points = surface.points.cols();
   made->triangles = surface.triangles.cols();
-  made->edge = meanEdge(surface);
+  made->edge = mesh::meanEdgeLength({surface.points, surface.triangles, {}});
   made->skew = stiffness.skew;
   made->rigid = stiffness.rigid;
   const Eigen::Matrix3Xd free =
@@ -133,7 +124,7 @@ KnownBody hollowSphere(const material::Moduli& m, int level, ThreadPool* pool) {
     right.col(i) *= A + B / (r * r * r);
   }
   made.error = largest(u - right) / largest(right);
-  made.edge = meanEdge(inner);
+  made.edge = mesh::meanEdgeLength({inner.points, inner.triangles, {}});
   return made;
 }
 

@@ -6,6 +6,7 @@
 
 #include "options.h"
 #include "organ_choice.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/surface_levels.h"
 #include "palpate/mesh/surface_places.h"
@@ -13,16 +14,6 @@
 
 namespace palpate::cli {
 namespace {
-
-double meanEdge(const mesh::SurfaceMesh& surface) {
-  double sum = 0.0;
-  for (const auto& t : surface.triangles.colwise()) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (surface.points.col(t[k]) - surface.points.col(t[(k + 1) % 3])).norm();
-    }
-  }
-  return sum / static_cast<double>(surface.triangles.size());
-}
 
 void makeSurfaces(const DatabaseChoice& choice, const mesh::SurfaceMesh& surface,
                   DatabaseSource* source) {
@@ -85,9 +76,13 @@ DatabaseSource readDatabaseSource(const DatabaseChoice& choice,
       scene::describeOrgan(scene, static_cast<int>(index), no_progress, &repairs);
   const mesh::SurfaceMesh surface = description.surface();
   DatabaseSource source;
+  source.scene = choice.scene;
+  source.key = "organs[" + std::to_string(index) + "]";
   makeSurfaces(choice, surface, &source);
-  source.edge_length = choice.edge_length.value_or(meanEdge(source.fine));
-  source.patch = choice.patch.value_or(meanEdge(source.coarse));
+  source.edge_length = choice.edge_length.value_or(
+      mesh::meanEdgeLength({source.fine.points, source.fine.triangles, {}}));
+  source.patch = choice.patch.value_or(
+      mesh::meanEdgeLength({source.coarse.points, source.coarse.triangles, {}}));
   source.element = organ.element;
   mesh::MeshingOptions meshing;
   meshing.edge_length.coarsest = source.edge_length;
@@ -97,9 +92,14 @@ DatabaseSource readDatabaseSource(const DatabaseChoice& choice,
       mesh::meshVolumeCached(surface, meshing, mesh::defaultCacheDirectory(), progress));
   source.composition = description.composition(source.mesh);
   source.free = description.free(source.mesh.points);
+  const std::string motions = fem::freeRigidMotions(source.mesh.points, source.free);
+  if (!motions.empty()) {
+    throw InputError(choice.scene, source.key + ".supports", "",
+                     "must hold the organ for static presses; they leave " + motions);
+  }
   source.contacts = freePoints(source);
   if (source.contacts.empty()) {
-    throw InputError(choice.scene, "organs[" + std::to_string(index) + "].supports", "",
+    throw InputError(choice.scene, source.key + ".supports", "",
                      "must leave points of the surface free to be pressed");
   }
   source.made_by = describe(choice, source, scene, organ);
@@ -111,7 +111,7 @@ std::unique_ptr<enrichment::PressedBody> DatabaseSource::makeBody() const {
     return std::make_unique<enrichment::PressedBody>(element, mesh, composition, free, fine.points,
                                                      patch, nullptr);
   } catch (const std::invalid_argument& error) {
-    throw InputError("command line", "scene", "", error.what());
+    throw InputError(scene, key + ".element", element, error.what());
   }
 }
 

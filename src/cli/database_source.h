@@ -29,6 +29,7 @@ struct DatabaseSource {
   double edge_length = 0.0, patch = 0.0;
   std::string made_by;  ///< All that decides a sample but the surfaces.
 
+  std::string scene, key;  ///< The file, and the organ's place in it.
   std::string element;
   mesh::TetMesh mesh;
   fem::Composition composition;

@@ -70,5 +70,20 @@ TEST_F(DatabaseCommand, RefusesWhatIsWrongByName) {
   }
 }
 
+TEST_F(DatabaseCommand, RefusesAnOrganThatNothingHolds) {
+  const std::string scene = folder_.write(
+      "free.yaml", "name: free\ngravity: [0, 0, 0]\norgans:\n  - {name: slab, surface: '" +
+                       test::sourceFolder() +
+                       "/config/organs/slab.obj', edge_length: 0.02, "
+                       "material: {law: neo_hookean, young_modulus: 5.0e+3, poisson_ratio: 0.3, "
+                       "density: 1000}}\n");
+  const CliResult result = runCli("database '" + scene + "' --out '" + path("free") +
+                                  "' --triangles 100 --splits 1 --edge-length 0.02 --force 0.3");
+  EXPECT_EQ(result.status, 2);
+  for (const std::string part : {scene.c_str(), "organs[0].supports", "must hold the organ"}) {
+    EXPECT_TRUE(contains(result.err, part)) << result.err;
+  }
+}
+
 }  // namespace
 }  // namespace palpate
