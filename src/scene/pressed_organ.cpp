@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/scene/pressed_organ.h"
+
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/cell_mesh.h"
+#include "palpate/mesh/mesh_cache.h"
+#include "palpate/mesh/surface_levels.h"
+#include "palpate/mesh/surface_places.h"
+#include "palpate/scene/composition.h"
+
+namespace palpate::scene {
+namespace {
+
+struct Body {
+  std::string file, key, element;
+  mesh::TetMesh mesh;
+  fem::Composition composition;
+  fem::FreeMask free;
+  double edge_length, patch;
+};
+
+void makeSurfaces(const enrichment::DatabasePlan& plan, const mesh::SurfaceMesh& surface,
+                  enrichment::PressedSurfaces* made) {
+  made->coarse = mesh::simplify(surface, plan.triangles);
+  mesh::moveOnto(surface, 0, &made->coarse.points);
+  made->fine = made->coarse;
+  for (int k = 0; k < plan.splits; ++k) {
+    const Eigen::Index before = made->fine.points.cols();
+    made->fine = mesh::splitTriangles(made->fine);
+    mesh::moveOnto(surface, before, &made->fine.points);
+  }
+}
+
+double meanEdge(const mesh::SurfaceMesh& surface) {
+  return mesh::meanEdgeLength({surface.points, surface.triangles, {}});
+}
+
+// Points whose place on the body's boundary is of free nodes only.
+std::vector<int> freePoints(const Body& body, const Points& points) {
+  const mesh::SurfaceMesh boundary{body.mesh.points,
+                                   mesh::trianglesOf(mesh::boundaryFaces(body.mesh))};
+  std::vector<int> found;
+  int i = 0;
+  for (const mesh::FacePlace& place : mesh::nearestPlaces(boundary, points)) {
+    bool free = true;
+    for (int k = 0; k < 3; ++k) free &= body.free.col(place.nodes[k]).minCoeff() > 0.0;
+    if (free) found.push_back(i);
+    ++i;
+  }
+  return found;
+}
+
+std::string describe(const enrichment::PressPlan& plan, const Body& body, const Scene& scene,
+                     const OrganConfig& organ) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "organ " << organ.name << " of " << scene.name << ", " << body.element << ", edges "
+       << body.edge_length << " m, patch " << body.patch << " m, seed " << plan.seed << ", force "
+       << plan.force << " N, cone " << plan.cone << "; " << organ.material.law;
+  for (const auto& [name, values] : organ.material.constants) {
+    text << " " << name;
+    for (const double value : values) text << " " << value;
+  }
+  text << "; held " << body.free.size() - body.free.sum() << " of " << body.free.size()
+       << ", volumes and nodes " << body.mesh.points.sum() << " " << body.mesh.numTets();
+  return text.str();
+}
+
+}  // namespace
+
+PressedOrgan describePresses(const Scene& scene, int index,
+                             const tissue::OrganDescription& description,
+                             const enrichment::DatabasePlan& plan,
+                             const mesh::MeshingProgress& progress) {
+  const OrganConfig& organ = scene.organs[static_cast<std::size_t>(index)];
+  const auto body = std::make_shared<Body>();
+  body->file = scene.file;
+  body->key = "organs[" + std::to_string(index) + "]";
+  body->element = organ.element;
+  PressedOrgan pressed;
+  enrichment::PressedSurfaces& surfaces = pressed.surfaces;
+  const mesh::SurfaceMesh surface = description.surface();
+  makeSurfaces(plan, surface, &surfaces);
+  body->edge_length = plan.edge_length.value_or(meanEdge(surfaces.fine));
+  body->patch = plan.patch.value_or(meanEdge(surfaces.coarse));
+  mesh::MeshingOptions meshing;
+  meshing.edge_length.coarsest = body->edge_length;
+  meshing.file = scene.file;
+  body->mesh = fem::meshFor(
+      body->element,
+      mesh::meshVolumeCached(surface, meshing, mesh::defaultCacheDirectory(), progress));
+  body->composition = composeBody(organ, body->mesh, Mat3::Identity(), scene.file, body->key);
+  body->free = description.free(body->mesh.points);
+  const std::string motions = fem::freeRigidMotions(body->mesh.points, body->free);
+  if (!motions.empty()) {
+    throw InputError(scene.file, body->key + ".supports", "",
+                     "must hold the organ for static presses; they leave " + motions);
+  }
+  surfaces.contacts = freePoints(*body, surfaces.coarse.points);
+  if (surfaces.contacts.empty()) {
+    throw InputError(scene.file, body->key + ".supports", "",
+                     "must leave points of the surface free to be pressed");
+  }
+  surfaces.plan = plan.press;
+  surfaces.made_by = describe(plan.press, *body, scene, organ);
+  pressed.nodes = body->mesh.numPoints();
+  pressed.tetrahedra = body->mesh.numTets();
+  surfaces.make_body = [body, fine = surfaces.fine.points] {
+    try {
+      return std::make_unique<enrichment::PressedBody>(body->element, body->mesh, body->composition,
+                                                       body->free, fine, body->patch, nullptr);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(body->file, body->key + ".element", body->element, error.what());
+    }
+  };
+  return pressed;
+}
+
+}  // namespace palpate::scene
