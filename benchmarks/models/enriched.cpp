@@ -113,11 +113,11 @@ struct Experiment {
   }
 
   // Of the tests by a regressor, from the fine elements' own coarse points or the coarse elements'.
-  double error(const EnrichedShape& shape, bool sampled) const {
+  double error(EnrichedShape* shape, bool sampled) const {
     Error error;
     Points fine;
     for (std::size_t k = 0; k < tests.size(); ++k) {
-      shape.predict(tests[k].contact, sampled ? tests[k].fine : coarse[k], &fine);
+      shape->predict(tests[k].contact, sampled ? tests[k].fine : coarse[k], &fine);
       error.add(fine, tests[k].fine);
     }
     return error.relative();
@@ -142,13 +142,13 @@ struct Experiment {
 };
 
 // Seconds of one prediction, the median of 101.
-double predictionTime(const Experiment& experiment, const EnrichedShape& shape) {
+double predictionTime(const Experiment& experiment, EnrichedShape* shape) {
   std::vector<double> times;
   Points fine;
   for (std::size_t k = 0; k < 101; ++k) {
     const Deformation& test = experiment.tests[k % experiment.tests.size()];
     const double begin = now();
-    shape.predict(test.contact, test.fine, &fine);
+    shape->predict(test.contact, test.fine, &fine);
     times.push_back(now() - begin);
   }
   std::nth_element(times.begin(), times.begin() + 50, times.end());
@@ -189,10 +189,11 @@ std::string graded(const Experiment& experiment) {
 std::string figuresOf(const Experiment& experiment) {
   const std::vector<double> widths{0.02, 0.05, 0.1, 0.15, 0.2,
                                    0.3,  0.45, 0.7, 1.0,  2.0};  // spreads
-  std::vector<Way> ways(3);
+  std::vector<Way> ways(4);
   ways[0] = {"from_contact", {}};
   ways[1] = {"all_from_contact", {true, 0}};
   ways[2] = {"all_by_number", {false, 0}};
+  ways[3] = {"residual", {true, 10, true}};
   io::JsonMembers out;
   out.add("coarse_points", static_cast<double>(experiment.body.coarse.points.cols()));
   out.add("coarse_triangles", static_cast<double>(experiment.body.coarse.triangles.cols()));
@@ -212,10 +213,10 @@ std::string figuresOf(const Experiment& experiment) {
     const double spread = EnrichedShape(experiment.data, way.feature, 1.0).spread();
     double seconds = 0.0;
     for (const double width : widths) {
-      const EnrichedShape shape(experiment.data, way.feature, width * spread);
-      sampled.push_back(experiment.error(shape, true));
-      simulated.push_back(experiment.error(shape, false));
-      seconds = predictionTime(experiment, shape);
+      EnrichedShape shape(experiment.data, way.feature, width * spread);
+      sampled.push_back(experiment.error(&shape, true));
+      simulated.push_back(experiment.error(&shape, false));
+      seconds = predictionTime(experiment, &shape);
     }
     io::JsonMembers of;
     of.add("spread", spread);

@@ -139,15 +139,22 @@ void DatabaseFolder::write(int index, const Deformation& sample, bool solved) co
   writeFileAtomically(fileOf(folder_, index), std::string(kSample) + out.bytes());
 }
 
-DeformationDatabase readDatabase(const std::string& folder, int* unsolved) {
+std::uint64_t databaseMark(const mesh::SurfaceMesh& coarse, const mesh::SurfaceMesh& fine,
+                           const std::string& made_by) {
+  return markOf(bodyBytes(coarse, fine, made_by));
+}
+
+DeformationDatabase readDatabase(const std::string& folder, int* unsolved, int count) {
   const std::string body = (fs::path(folder) / kBodyName).string();
   const std::string bytes = readAfter(body, kBody);
   DeformationDatabase database;
   readBody(body, bytes, &database);
+  const std::string end = fileOf("", count);
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.compare(0, 7, "sample_") == 0 && entry.path().extension() == ".bin") {
+    if (name.compare(0, 7, "sample_") == 0 && entry.path().extension() == ".bin" &&
+        (name.size() < end.size() || name < end)) {
       files.push_back(entry.path().string());
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/enrichment/kernel_regressor.h"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -33,14 +34,14 @@ void KernelRegressor::squareDistances(const Eigen::VectorXd& feature,
   }
 }
 
-void KernelRegressor::weights(const Eigen::VectorXd& feature, Eigen::VectorXd* weights) const {
-  Eigen::VectorXd squares;
-  squareDistances(feature, &squares);
+void KernelRegressor::weights(const Eigen::VectorXd& feature, Eigen::VectorXd* weights) {
+  squareDistances(feature, &squares_);
   Eigen::Index nearest = 0;
-  const double least = squares.minCoeff(&nearest);
+  const double least = squares_.minCoeff(&nearest);
+  nearness_ = std::exp(-half_precision_ * least);
   // A common factor of the kernels is gone with the sum: so the nearest is never lost to rounding.
-  const Eigen::VectorXd phi = (-half_precision_ * (squares.array() - least)).exp();
-  weights->noalias() = A_ * phi;
+  kernels_ = (-half_precision_ * (squares_.array() - least)).exp();
+  weights->noalias() = A_ * kernels_;
   const double sum = weights->sum();
   if (sum > 0.0) {
     *weights /= sum;
@@ -50,7 +51,7 @@ void KernelRegressor::weights(const Eigen::VectorXd& feature, Eigen::VectorXd* w
   }
 }
 
-Eigen::MatrixXd KernelRegressor::weights(const Eigen::MatrixXd& features) const {
+Eigen::MatrixXd KernelRegressor::weights(const Eigen::MatrixXd& features) {
   Eigen::MatrixXd all(numSamples(), features.cols());
   Eigen::VectorXd one;
   for (Eigen::Index i = 0; i < features.cols(); ++i) {

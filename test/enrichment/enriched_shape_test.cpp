@@ -57,7 +57,7 @@ TEST(ContactOrder, BeginsAtTheContactAndGoesAway) {
 
 TEST(EnrichedShape, IsASampleAtASample) {
   const DeformationDatabase body = dented();
-  const EnrichedShape shape(body, {}, 1e-9);  // narrower than any two samples are apart
+  EnrichedShape shape(body, {}, 1e-9);  // narrower than any two samples are apart
   Points fine;
   for (const Deformation& sample : body.samples) {
     shape.predict(sample.contact, sample.fine, &fine);
@@ -71,7 +71,7 @@ TEST(EnrichedShape, KnowsADentWhereNoneWas) {
   FeatureSettings numbered;
   numbered.from_contact = false;
   numbered.points = 0;
-  const EnrichedShape from_contact(body, {}, 1e-3), by_number(body, numbered, 1e-3);
+  EnrichedShape from_contact(body, {}, 1e-3), by_number(body, numbered, 1e-3);
   double ours = 0.0, theirs = 0.0, all = 0.0;
   Points fine;
   for (int contact = 1; contact < body.numCoarse(); contact += 3) {
@@ -84,6 +84,44 @@ TEST(EnrichedShape, KnowsADentWhereNoneWas) {
   }
   EXPECT_LT(std::sqrt(ours / all), 0.5);
   EXPECT_LT(ours, 0.5 * theirs);
+}
+
+// What is learned beside interpolation is nothing at rest, twice as much where all is twice as
+// deep, and makes interpolation better where such a dent was.
+TEST(EnrichedShape, LearnsWhatInterpolationLeavesOut) {
+  const DeformationDatabase body = dented();
+  FeatureSettings settings;
+  settings.residual = true;
+  EnrichedShape shape(body, settings, 0.05);
+  Points fine, twice, plain;
+  shape.predict(1, Points::Zero(3, body.numFine()), &fine);
+  EXPECT_TRUE(fine.isZero());
+  double ours = 0.0, theirs = 0.0;
+  for (const Deformation& sample : body.samples) {
+    const Points truth = dent(body, sample.contact, 0.003, 0.02);
+    shape.predict(sample.contact, truth, &fine);
+    shape.interpolate(truth, &plain);
+    ours += (fine - truth).squaredNorm();
+    theirs += (plain - truth).squaredNorm();
+    shape.predict(sample.contact, 2.0 * truth, &twice);
+    EXPECT_LT(rms(twice, 2.0 * fine), 1e-15);
+  }
+  EXPECT_LT(std::sqrt(ours / theirs), 0.5);
+}
+
+TEST(EnrichedShape, LeavesInProportionAtRestWhatIsAtRest) {
+  const DeformationDatabase body = dented();
+  FeatureSettings settings;
+  settings.proportional = true;
+  EnrichedShape shape(body, settings, 1e-3), published(body, {}, 1e-3);
+  Points fine;
+  shape.predict(1, Points::Zero(3, body.numFine()), &fine);
+  EXPECT_TRUE(fine.isZero());
+  published.predict(1, Points::Zero(3, body.numFine()), &fine);
+  EXPECT_GT(fine.norm(), 0.001);
+  const Points truth = dent(body, body.samples[2].contact, 0.007, 0.02);  // deeper than any
+  shape.predict(body.samples[2].contact, truth, &fine);
+  EXPECT_LT(rms(fine, truth), 0.3 * rms(truth, Points::Zero(3, truth.cols())));
 }
 
 TEST(EnrichedShape, RefusesSamplesOfOtherPoints) {

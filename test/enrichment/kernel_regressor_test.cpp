@@ -53,7 +53,7 @@ TEST(KernelRegressor, IsTheInverseWhereThatHasNoNegativeEntries) {
 
 TEST(KernelRegressor, PredictsASampleByItselfWithNarrowKernels) {
   const Eigen::MatrixXd features = someFeatures(8);
-  const KernelRegressor regressor(features, 0.05);
+  KernelRegressor regressor(features, 0.05);
   Eigen::VectorXd weights;
   for (int j = 0; j < 8; ++j) {
     regressor.weights(features.col(j), &weights);
@@ -65,7 +65,7 @@ TEST(KernelRegressor, WeighsByPartsThatSumToOneHoweverFarTheSamplesAre) {
   const Eigen::MatrixXd features = someFeatures(8);
   Eigen::VectorXd weights;
   for (const double sigma : {0.01, 0.3, 3.0, 100.0}) {
-    const KernelRegressor regressor(features, sigma);
+    KernelRegressor regressor(features, sigma);
     for (const double away : {0.0, 1.0, 1e3, 1e8}) {
       regressor.weights(features.col(3) + away * Eigen::VectorXd::Ones(6), &weights);
       EXPECT_NEAR(weights.sum(), 1.0, 1e-12) << sigma << " " << away;

@@ -30,9 +30,15 @@ class DatabaseFolder {
   std::uint64_t mark_;  // of body and text
 };
 
-/// All samples that were solved, in the order of their numbers. `unsolved`: the number of others.
+/// Tells bodies apart, and ways to press them: another number for another database.
+std::uint64_t databaseMark(const mesh::SurfaceMesh& coarse, const mesh::SurfaceMesh& fine,
+                           const std::string& made_by);
+
+/// All samples below `count` that were solved, in the order of their numbers. `unsolved`: the
+/// number of others.
 /// @throws InputError for a folder or file that is not of a database, is cut off, or is of another
 /// body.
-DeformationDatabase readDatabase(const std::string& folder, int* unsolved = nullptr);
+DeformationDatabase readDatabase(const std::string& folder, int* unsolved = nullptr,
+                                 int count = 1000000);
 
 }  // namespace palpate::enrichment

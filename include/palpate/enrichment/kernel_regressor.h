@@ -21,10 +21,14 @@ class KernelRegressor {
 
   /// Weights of the samples at a feature (r), none negative, their sum 1. Where all samples are so
   /// far that no kernel is left, that of the nearest is 1.
-  void weights(const Eigen::VectorXd& feature, Eigen::VectorXd* weights) const;
+  /// Allocates nothing when called again.
+  void weights(const Eigen::VectorXd& feature, Eigen::VectorXd* weights);
 
   /// Of all features at once: a column each.
-  Eigen::MatrixXd weights(const Eigen::MatrixXd& features) const;
+  Eigen::MatrixXd weights(const Eigen::MatrixXd& features);
+
+  /// The kernel of the nearest sample at the last feature, in [0, 1]: how well that is known.
+  double nearness() const { return nearness_; }
 
   /// Squares of the distances to the samples.
   void squareDistances(const Eigen::VectorXd& feature, Eigen::VectorXd* squares) const;
@@ -35,6 +39,8 @@ class KernelRegressor {
  private:
   Eigen::MatrixXd features_, A_;
   double half_precision_;  // 1/(2 sigma^2)
+  double nearness_ = 0.0;
+  Eigen::VectorXd squares_, kernels_;
 };
 
 /// The non-negative A with the least |Phi A - I|_F; k x k.
