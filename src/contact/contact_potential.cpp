@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -47,6 +48,13 @@ void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triang
   for (Patch& patch : patches_) {
     while (t < triangles.cols() && triangles.col(t) != patch.nodes) ++t;
     if (t < triangles.cols()) patch.triangle = static_cast<int>(t);
+  }
+}
+
+void ContactPotential::setOffsets(const Points& offsets) {
+  largest_offset_ = std::sqrt(offsets.colwise().squaredNorm().maxCoeff());
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    samples_[s].offset = offsets.col(static_cast<Eigen::Index>(s));
   }
 }
 
@@ -145,6 +153,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
     touch.nodes = s.nodes;
     touch.weights = s.weights;
     touch.area = s.area;
+    touch.offset = s.offset;
     touch.bearing = bearingOf(touch);
     if (skip_inactive && !response_->active(touch)) continue;
     if (with_frame || motion) obstacle.measureFrame(&touch);
@@ -229,7 +238,7 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
   double largest = 1.0;
   for (const Candidate& c : candidates_) {
     const PlacedObstacle& obstacle = placed_[c.obstacle];
-    const Vec3 motion = samples_[c.sample].position(d);
+    const Vec3 motion = samples_[c.sample].of(d);
     const double length = motion.norm();
     Touch touch;
     obstacle.measureGap(samples_[c.sample].position(x), &touch);
@@ -294,6 +303,7 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   touch.nodes = samples_[sample].nodes;
   touch.weights = samples_[sample].weights;
   touch.area = samples_[sample].area;
+  touch.offset = samples_[sample].offset;
   touch.bearing = bearingOf(touch);
   placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
   placed_[obstacle].measureFrame(&touch);
@@ -343,7 +353,7 @@ void ContactPotential::gatherLearnable(const Points& x, double h) {
       if (mobility == 0.0) return;
       touch.inertia = 1.0 / (mobility * h * h);
     }
-    const Vec3 p_begin_W = begun ? touch.of(x_begin_) : touch.p_W;
+    const Vec3 p_begin_W = begun ? touch.of(x_begin_) + touch.offset : touch.p_W;
     placed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
     touch.travel = (touch.p_W - p_begin_W - together).norm();
     touches_.push_back(touch);

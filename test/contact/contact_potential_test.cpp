@@ -128,6 +128,29 @@ TEST_P(ContactWithEveryShape, CandidatesWithinReachAreAllThatTouch) {
   EXPECT_GT(all.size(), 5u);
 }
 
+// Samples that are felt beside the triangles that carry them.
+TEST_P(ContactWithEveryShape, GradientAndCandidatesHoldWithOffsets) {
+  const Points offsets =
+      random.points(static_cast<Eigen::Index>(potential.samples().size()), 0.004);
+  potential.setOffsets(offsets);
+  EXPECT_EQ(potential.samples()[3].position(mesh.points),
+            potential.samples()[3].of(mesh.points) + offsets.col(3));
+  potential.findCandidates(mesh.points, {1.0});
+  Points g = Points::Zero(3, mesh.numPoints());
+  EXPECT_DOUBLE_EQ(potential.addGradient(mesh.points, &g), potential.value(mesh.points));
+  EXPECT_GT(g.norm(), 0.0);
+  constexpr double h = 1e-7;
+  const Points d = random.points(mesh.numPoints(), 1.0);
+  const double slope =
+      (potential.value(mesh.points + h * d) - potential.value(mesh.points - h * d)) / (2.0 * h);
+  EXPECT_NEAR(g.cwiseProduct(d).sum(), slope, 1e-5 * g.norm() * d.norm());
+  std::vector<Contact> all, near;
+  potential.collect(mesh.points, &all);
+  potential.findCandidates(mesh.points, {potential.reach()});
+  potential.collect(mesh.points, &near);
+  EXPECT_EQ(all.size(), near.size());
+}
+
 // Whatever step is proposed, no sample gets to the middle of a body, where its side would be lost.
 TEST_P(ContactWithEveryShape, LongestStepKeepsEverySampleOnItsSide) {
   const double r = inscribedRadius(*body.geometry);

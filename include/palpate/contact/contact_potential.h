@@ -40,7 +40,10 @@ class ContactPotential final : public fem::EnergyTerm {
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
   /// From the samples: see Response::reach().
-  double reach() const { return response_->reach() + margin_; }
+  double reach() const { return response_->reach() + margin_ + largest_offset_; }
+
+  /// Of the samples, 3 x their number: see SurfaceSample::offset.
+  void setOffsets(const Points& offsets);
 
   /// Places the obstacles where their ways end; a step has begun where they begin. Same number and
   /// order as at the last findCandidates(), or call that next.
@@ -165,6 +168,7 @@ class ContactPotential final : public fem::EnergyTerm {
   double margin_ = 0.0;      // see setThickness() [m]
   Eigen::VectorXd masses_;   // of the nodes, infinite where held [kg]; empty: they weigh nothing
   Eigen::VectorXd bearing_;  // see setBearing(); empty: nothing is known of it
+  double largest_offset_ = 0.0;  // of a sample [m]
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
   std::vector<Candidate> candidates_;

@@ -8,15 +8,21 @@
 
 namespace palpate::contact {
 
-/// A material point of the tissue surface that feels contact: p = sum_k weights[k] x[nodes[k]].
+/// A material point of the tissue surface that feels contact: p = sum_k weights[k] x[nodes[k]] +
+/// offset.
 struct SurfaceSample {
-  Eigen::Vector3i nodes;  ///< Corners of a surface triangle that the point lies in.
+  Eigen::Vector3i nodes;  ///< Corners of a surface triangle that carries the point.
   Vec3 weights;           ///< Barycentric, >= 0, sum 1.
   double area;            ///< Rest area that it stands for [m^2]; all samples: the whole surface.
+  /// From that point to where it is felt, in the world [m]: of a surface that is finer than the
+  /// triangles that carry it.
+  Vec3 offset = Vec3::Zero();
 
-  Vec3 position(const Points& x) const {
-    return weights[0] * x.col(nodes[0]) + weights[1] * x.col(nodes[1]) +
-           weights[2] * x.col(nodes[2]);
+  Vec3 position(const Points& x) const { return of(x) + offset; }
+  /// Of the nodes' d, 3 x n, what it is at the sample.
+  Vec3 of(const Points& d) const {
+    return weights[0] * d.col(nodes[0]) + weights[1] * d.col(nodes[1]) +
+           weights[2] * d.col(nodes[2]);
   }
   /// Of the triangle [m].
   double meanEdge(const Points& x) const {

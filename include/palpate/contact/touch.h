@@ -18,11 +18,12 @@ struct Touch {
   int sample;    ///< Of the tissue's surface; below 0 a ball of the obstacle on a triangle.
   int obstacle;  ///< Among those that are placed,
   int number;    ///< and among all of the cycle: Obstacle::number.
-  Eigen::Vector3i nodes;  ///< The sample lies between them,
-  Vec3 weights;           ///< with these barycentric coordinates.
-  double area;            ///< Rest area that it stands for [m^2].
-  double radius;          ///< Inscribed, of the obstacle [m].
-  double room;            ///< A depth that is never to be reached [m]: the radius, for samples.
+  Eigen::Vector3i nodes;       ///< The sample lies between them,
+  Vec3 weights;                ///< with these barycentric coordinates.
+  double area;                 ///< Rest area that it stands for [m^2].
+  Vec3 offset = Vec3::Zero();  ///< See SurfaceSample.
+  double radius;               ///< Inscribed, of the obstacle [m].
+  double room;  ///< A depth that is never to be reached [m]: the radius, for samples.
   /// Young's modulus of the tissue around, over the length of an edge [Pa/m]; 0: not known.
   double bearing = 0.0;
 
