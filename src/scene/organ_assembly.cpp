@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "organ_deformations.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/formats/surface_io.h"
@@ -124,6 +125,7 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
     description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
   }
   description.honeycomb = organ.honeycomb;
+  description.enriched = organ.enriched;
   description.tetrahedra = [&scene, &organ, &progress, warnings] {
     return readOrganMesh(scene, organ, progress, warnings);
   };
@@ -144,6 +146,9 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   };
   description.composition = [&scene, &organ, key](const mesh::TetMesh& mesh) {
     return composeBody(organ, mesh, organ.pose.pose().linear(), scene.file, key);
+  };
+  description.deformations = [&scene, index, &progress, warnings] {
+    return organDeformations(scene, index, progress, warnings);
   };
   description.solid = [&scene, &organ, key] {
     return makeSolid(organ.material, scene.file, key + ".material");

@@ -64,7 +64,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.section({"pose", "", "The organ's frame in the world."}, organ.pose);
   v.choice({"model", "", "What computes the organ's deformation."}, organ.model,
            tissue::modelNames());
-  v.choice({"element", "", "Finite element, of model `fem`."}, organ.element, fem::elementNames());
+  v.choice({"element", "", "Finite element, of models `fem` and `enriched`."}, organ.element,
+           fem::elementNames());
   v.section(
       {"adapt", "",
        "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
@@ -79,6 +80,10 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
   v.section({"honeycomb", "", "The cells of model `honeycomb`, and how they are solved."},
             organ.honeycomb);
   v.section({"hybrid", "", "Of model `hybrid`: which part is of tensors."}, organ.hybrid);
+  v.section({"enriched", "",
+             "Of model `enriched`: the fine surface that its elements carry, and what it learns "
+             "from."},
+            organ.enriched);
   describe(v, static_cast<BodyConfig&>(organ));
   v.rule(organ.model != "cloth" || organ.regions.empty(), "regions",
          "model cloth has one material; leave regions out");

@@ -5,6 +5,7 @@
 
 #include "bem/make_bem.h"
 #include "cloth/make_cloth.h"
+#include "enriched/make_enriched.h"
 #include "fem/make_fem.h"
 #include "honeycomb/make_honeycomb.h"
 #include "hybrid/make_hybrid.h"
@@ -32,6 +33,7 @@ constexpr Entry kModels[] = {
     {"sampled_elasticity", makeSampledElasticity, false},
     {"honeycomb", makeHoneycomb, false},
     {"bem", makeBem, false},
+    {"enriched", makeEnriched, true},
 };
 
 const Entry& find(const std::string& name) {

@@ -232,6 +232,10 @@ std::vector<Case> cases() {
                    }});
   }
   all.push_back({"bem", [](scene::Scene* s) { s->organs[0].model = "bem"; }});
+  for (const char* detail : {"residual", "displacement"}) {
+    all.push_back({std::string("enriched_") + detail,
+                   [detail](scene::Scene* s) { test::beEnriched(detail, s); }});
+  }
   for (const char* exchange : {"monolithic", "loop"}) {
     all.push_back(
         {std::string("hybrid_") + exchange, [exchange](scene::Scene* s) {

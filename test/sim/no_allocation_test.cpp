@@ -114,6 +114,16 @@ TEST(NoAllocationOfBoundaryElements, InACycleOnceItHasSeenOneLikeIt) {
   pressTwice(scene);
 }
 
+// Nor where it carries a fine surface that learned.
+TEST(NoAllocationOfEnriched, InACycleOnceItHasSeenOneLikeIt) {
+  for (const char* detail : {"residual", "displacement"}) {
+    SlabScene slab;
+    scene::Scene scene = slab.scene();
+    test::beEnriched(detail, &scene);
+    pressTwice(scene);
+  }
+}
+
 // Nor where it is a sheet, laid flat or rolled up.
 TEST(NoAllocationOfCloth, InACycleOnceItHasSeenOneLikeIt) {
   for (const char* scheme : {"implicit", "symplectic_euler"}) {

@@ -62,6 +62,18 @@ instruments:
   TempFolder folder_;
 };
 
+/// Carries a surface cut once, after few presses of elements of 15 mm.
+inline void beEnriched(const std::string& detail, scene::Scene* scene) {
+  tissue::EnrichedSettings& enriched = scene->organs[0].enriched;
+  scene->organs[0].model = "enriched";
+  enriched.detail = detail;
+  enriched.plan.samples = 6;
+  enriched.plan.triangles = 120;
+  enriched.plan.splits = 1;
+  enriched.plan.edge_length = 0.015;
+  enriched.plan.press.force = 0.3;
+}
+
 /// A sheet of rubber in the place of that slab, held along two edges; or rolled up below the probe,
 /// held along one, in a medium in which it unrolls slowly.
 inline void beASheet(const std::string& scheme, bool rolled, scene::Scene* scene) {

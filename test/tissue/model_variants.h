@@ -21,6 +21,7 @@ struct ModelVariant {
   bool has_inertia = true;  ///< It can fly.
   tissue::HybridSettings hybrid = {};
   double stiffness_damping = 0.002;  ///< [s]
+  tissue::EnrichedSettings enriched = {};
 
   /// Whether its sums are exact, for nothing is solved for.
   bool isExplicit() const {
@@ -65,6 +66,10 @@ inline std::vector<ModelVariant> modelVariants() {
   hybrid.hybrid.region = mesh::SphereRegion{Vec3(0.02, 0.03, 0.03), 0.02};
   hybrid.stiffness_damping = 0.0;
   all.push_back(hybrid);
+  for (const char* detail : {"residual", "displacement", "none"}) {
+    all.push_back({std::string("enriched_") + detail, "enriched", {}, {}});
+    all.back().enriched.detail = detail;
+  }
   return all;
 }
 
@@ -100,6 +105,7 @@ inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
   organ.sampling = variant.sampling;
   organ.honeycomb = variant.honeycomb;
   organ.hybrid = variant.hybrid;
+  organ.enriched = variant.enriched;
   return organ;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dented_block.h"
 #include "palpate/mesh/used_points.h"
 #include "palpate/tissue/model_list.h"
 #include "slab.h"
@@ -27,6 +28,7 @@ struct OrganSketch {
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;
+  tissue::EnrichedSettings enriched;
   material::Solid solid{kLiver, 1060.0, {}};
   Pose X_WO = Pose::Identity();  ///< Of model cloth, whose points `held` gets in its frame.
 
@@ -42,6 +44,8 @@ struct OrganSketch {
     organ.sampling = sampling;
     organ.honeycomb = honeycomb;
     organ.hybrid = hybrid;
+    organ.enriched = enriched;
+    organ.deformations = [this] { return dentedBlock(mesh); };
     organ.tetrahedra = [this] { return mesh; };
     organ.surface_elements = [this] {
       return mesh::onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});

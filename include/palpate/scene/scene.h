@@ -21,6 +21,7 @@
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/cloth/cloth_settings.h"
+#include "palpate/tissue/enriched/enriched_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
@@ -57,6 +58,7 @@ struct OrganConfig : BodyConfig {
   tissue::SamplingSettings sampling;
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;
+  tissue::EnrichedSettings enriched;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

@@ -7,6 +7,7 @@
 
 #include "palpate/base/thread_pool.h"
 #include "palpate/base/types.h"
+#include "palpate/enrichment/deformations.h"
 #include "palpate/fem/composition.h"
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/supports.h"
@@ -15,6 +16,7 @@
 #include "palpate/solver/integrator.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "palpate/tissue/cloth/cloth_settings.h"
+#include "palpate/tissue/enriched/enriched_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/model_settings.h"
@@ -47,6 +49,8 @@ struct OrganDescription {
   std::function<Surroundings(const mesh::TetMesh&)> surroundings;
   /// What the tetrahedra of a mesh in O are made of, with frames in the world.
   std::function<fem::Composition(const mesh::TetMesh&)> composition;
+  /// A fine surface and how presses deform it, in O, as `enriched` asks for.
+  std::function<enrichment::DeformationDatabase()> deformations;
   /// What the organ is made of where no region says otherwise.
   std::function<material::Solid()> solid;
 
@@ -60,6 +64,7 @@ struct OrganDescription {
   SamplingSettings sampling;        ///< For model sampled_elasticity.
   HoneycombSettings honeycomb;      ///< For model honeycomb.
   HybridSettings hybrid;            ///< For model hybrid.
+  EnrichedSettings enriched;        ///< For model enriched.
 };
 
 /// What the maker of a tissue model gets.

@@ -78,7 +78,8 @@ std::function<double(double)> excessOf(const std::string& element) {
 FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composition,
                  const Surroundings& what_surrounds, const FemSettings& fem_settings,
                  ThreadPool* thread_pool, Drive what_drives,
-                 std::shared_ptr<fem::Elasticity> own_elasticity, const Eigen::Matrix3Xi& surface)
+                 std::shared_ptr<fem::Elasticity> own_elasticity, const Eigen::Matrix3Xi& surface,
+                 const std::vector<contact::SurfaceSample>& samples)
     : settings(fem_settings),
       mesh(tet_mesh),
       free(what_surrounds.free),
@@ -96,7 +97,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       surroundings(what_surrounds, mesh),
       touch(mesh.points, triangles, touchSettings(settings, size), 0, excessOf(settings.element),
-            mesh.tets, settings.thickness),
+            mesh.tets, settings.thickness, samples),
       contact(touch.contact),
       sweep(touch.sweep),
       largest_poisson_ratio(largestPoissonRatio(composition)),

@@ -27,12 +27,14 @@ struct InteractionForce {
 /// A body of finite elements, what acts on it, and where it is: what every method of stepping works
 /// on.
 struct FemBody {
-  /// `surface`: of the mesh, where it is known already; without columns it is found.
+  /// `surface`: of the mesh, where it is known already; without columns it is found. `samples`:
+  /// where contact is felt, else there are samples of the surface.
   FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition,
           const Surroundings& what_surrounds, const FemSettings& fem_settings,
           ThreadPool* thread_pool, Drive what_drives = {},
           std::shared_ptr<fem::Elasticity> own_elasticity = nullptr,
-          const Eigen::Matrix3Xi& surface = {});
+          const Eigen::Matrix3Xi& surface = {},
+          const std::vector<contact::SurfaceSample>& samples = {});
 
   /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
   /// cycle.

@@ -26,7 +26,7 @@ FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& compositio
                    const Eigen::Matrix3Xi& surface, const OwnParts& own)
     : own_load_(own.load),
       body_(mesh, composition, surroundings, settings, pool, driveBy(own_load_.get()),
-            own.elasticity, surface.cols() > 0 ? surface : own.surface),
+            own.elasticity, surface.cols() > 0 ? surface : own.surface, own.samples),
       method_(own.method ? own.method(&body_) : makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),

@@ -25,6 +25,8 @@ struct OwnParts {
   Eigen::Matrix3Xi surface = {};   ///< Without columns: that of the tetrahedra.
   /// Beside gravity and contact; null: none. Nothing but positions matters to it.
   std::shared_ptr<const fem::EnergyTerm> load = nullptr;
+  /// Where contact is felt; none: samples of the surface.
+  std::vector<contact::SurfaceSample> samples = {};
   Points start = {};  ///< Where it begins, at rest, 3 x n [m]; without columns: in equilibrium.
 };
 
@@ -71,6 +73,9 @@ class FemOrgan final : public OrganBodies {
   const TissueStep& report() const { return out_; }
   /// It stays awake until it has been solved once.
   void wake() { rest_.wake(); }
+
+  /// See contact::ContactPotential::setOffsets().
+  void setContactOffsets(const Points& offsets) { body_.contact.setOffsets(offsets); }
 
   // As the member of a group.
   /// Null: its method steps it alone.

@@ -23,9 +23,12 @@ class Touch {
   /// `tets`: between the points, for needles; without columns none gets in.
   /// `thickness` [m]: of a sheet of which the triangles are the middle; 0: they enclose a body. A
   /// sheet has no inside: tools touch either side, by its samples alone, and none is let be.
+  /// `samples`: where contact is felt; without any, samples of the triangles, which thin tools
+  /// meet, too.
   Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
         int organ = 0, std::function<double(double r)> excess = {},
-        const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0);
+        const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0,
+        const std::vector<contact::SurfaceSample>& samples = {});
   Touch(const Touch&) = delete;  // the sweep refers to the contact
   Touch& operator=(const Touch&) = delete;
 

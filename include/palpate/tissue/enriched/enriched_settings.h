@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/enrichment/database_plan.h"
+#include "palpate/keys/fields.h"
+
+namespace palpate::tissue {
+
+/// Of an organ of model enriched: which fine surface is carried by its finite elements, and what
+/// it learnt beside.
+struct EnrichedSettings {
+  std::string detail = "residual";  ///< residual | displacement | none
+  std::string database;             ///< Folder; empty: it is made as planned.
+  enrichment::DatabasePlan plan;
+  double sigma = 0.3;  ///< In spreads of the samples' features.
+  double time = 0.05;  ///< In which learned detail comes and goes [s].
+};
+
+void describe(keys::FieldVisitor& v, EnrichedSettings& enriched);
+
+}  // namespace palpate::tissue

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fine_surface.h"
+#include "learned_detail.h"
+#include "tissue/fem/fem_organ.h"
+
+namespace palpate::tissue {
+
+/// A body of finite elements whose fine surface is shown and felt. Detail that was learned follows
+/// what the cycle before found, within `time`, so that it moves no tool at once.
+class EnrichedOrgan final : public OrganBodies {
+ public:
+  /// `body` feels contact at the samples of `fine`, and is settled. `time` [s].
+  EnrichedOrgan(std::unique_ptr<FemOrgan> body, FineSurface fine, LearnedDetail learned,
+                double time);
+
+  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  mesh::CellMesh cells(int) const override;
+  std::vector<std::string> methods(int) const override { return body_->methods(0); }
+  std::vector<std::string> notes() const override { return body_->notes(); }
+  void setInterrupt(const solver::Interrupt* interrupt) override { body_->setInterrupt(interrupt); }
+  void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(body_.get()); }
+  const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double dt) override;
+
+  void reset() override;
+  /// The body's nodes first, then the fine points; these say what their detail is.
+  void place(int, const Points& positions, const Points& velocities) override;
+  State state() const override;
+  void restore(const State& state) override;
+
+ private:
+  std::string kind() const;
+  bool follow(double dt);
+  void show();
+
+  std::unique_ptr<FemOrgan> body_;
+  FineSurface fine_;
+  LearnedDetail learned_;
+  double time_, still_;  // [s]; a change of detail that is none [m]
+  Points settled_;       // of the body's nodes
+  Eigen::Matrix3Xi triangles_;
+  Points detail_, rate_;              // of the fine points [m], [m/s]
+  Points target_, u_, offsets_, on_;  // room to work in
+  Points x_, v_;
+};
+
+}  // namespace palpate::tissue
