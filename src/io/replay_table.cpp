@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/io/replay_table.h"
 
+#include <cstdint>
+
 namespace palpate::io {
+namespace {
+
+// Whole, and as text: a number of 64 bits is more than a double holds.
+std::string hexText(std::uint64_t value) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text = "0x0000000000000000";
+  for (std::size_t k = text.size() - 1; k > 1; --k, value >>= 4) text[k] = kDigits[value & 15];
+  return text;
+}
+
+}  // namespace
 
 std::vector<std::string> replayColumns(const scene::Scene& scene) {
   std::vector<std::string> names{"t"};
@@ -11,9 +24,9 @@ std::vector<std::string> replayColumns(const scene::Scene& scene) {
       names.push_back(prefix + part);
     }
   }
-  for (const char* name :
-       {"newton_iterations", "cg_iterations", "residual", "min_jacobian", "kinetic_energy",
-        "elastic_energy", "status", "step_ms", "skipped", "mesh_error", "nodes", "mesh_changes"}) {
+  for (const char* name : {"newton_iterations", "cg_iterations", "residual", "min_jacobian",
+                           "kinetic_energy", "elastic_energy", "status", "step_ms", "skipped",
+                           "mesh_error", "nodes", "mesh_changes", "state_hash"}) {
     names.emplace_back(name);
   }
   return names;
@@ -29,7 +42,8 @@ void writeReplayRow(double t, const sim::StepResult& result, double step_ms, Csv
   const sim::StepReport& r = result.report;
   *csv << r.newton_iterations << r.linear_iterations << r.residual << r.min_jacobian
        << r.kinetic_energy << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
-       << static_cast<int>(r.skipped.total()) << r.mesh_error << r.nodes << r.mesh_changes;
+       << static_cast<int>(r.skipped.total()) << r.mesh_error << r.nodes << r.mesh_changes
+       << hexText(r.state_hash);
   csv->endRow();
 }
 

@@ -81,6 +81,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.mesh_error = finite(report.mesh_error);
   m.cavity_pressure = finite(report.cavity_pressure);
   m.tools_inside = report.tools_inside;
+  m.state_hash = report.state_hash;
   m.skipped_far_bodies = static_cast<int>(report.skipped.far_bodies);
   m.skipped_sleeping_organs = static_cast<int>(report.skipped.sleeping_organs);
   m.skipped_sleeping_islands = static_cast<int>(report.skipped.sleeping_islands);

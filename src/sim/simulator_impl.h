@@ -152,6 +152,9 @@ struct Simulator::Impl {
     }
   }
 
+  /// Of all that a cycle shows, in the scene's order.
+  std::uint64_t stateHash() const;
+
   void finish(double dt, bool told) {
     fade(dt, told);
     for (const InstrumentResult& tool : result.instruments) {
@@ -160,6 +163,7 @@ struct Simulator::Impl {
     }
     result.report.time = time;
     result.report.step = dt;
+    result.report.state_hash = stateHash();
   }
 };
 

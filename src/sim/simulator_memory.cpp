@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "palpate/base/error.h"
+#include "palpate/sim/state_hash.h"
 #include "simulator_impl.h"
 
 namespace palpate::sim {
@@ -83,6 +84,21 @@ void Simulator::Impl::restoreTools(StateReader* in) {
     const bool active = scene.instruments[i].proxy.active;
     if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].place(poses[i]);
   }
+}
+
+std::uint64_t Simulator::Impl::stateHash() const {
+  StateHash hash;
+  for (const scene::OrganPlace& organ : parts.organs) {
+    const tissue::Shape shape = organ.shape();
+    hash.add(static_cast<std::uint64_t>(shape.positions.cols()));
+    hash.add(shape.positions.data(), static_cast<std::size_t>(shape.positions.size()));
+    hash.add(shape.velocities.data(), static_cast<std::size_t>(shape.velocities.size()));
+  }
+  for (const InstrumentResult& tool : result.instruments) {
+    hash.add(tool.spatial.force.data(), 3);
+    hash.add(tool.spatial.torque.data(), 3);
+  }
+  return hash.value();
 }
 
 double Simulator::time() const { return impl_->time; }

@@ -27,6 +27,9 @@ const std::vector<Figure<StepReport>>& reportFigures() {
          M::kLast},
         {"mesh_changes", nullptr, "how often the mesh of an organ became another", &R::mesh_changes,
          M::kSum, M::kSum, M::kSum},
+        {"state_hash", "uint64",
+         "of positions, velocities and wrenches: the same where two runs are", &R::state_hash,
+         M::kLast, M::kLast, M::kLast},
     };
     for (const Figure<tissue::StepFigures>& f : tissue::stepFigures()) {
       all.push_back(

@@ -36,6 +36,8 @@ TEST(Conversions, AReportHasEveryFigureOfTheTable) {
       report.** whole = ++number;
     } else if (const auto* real = std::get_if<double sim::StepReport::*>(&figure.value)) {
       report.** real = ++number;
+    } else if (const auto* bits = std::get_if<std::uint64_t sim::StepReport::*>(&figure.value)) {
+      report.** bits = static_cast<std::uint64_t>(++number);
     }
   }
   std::ostringstream text;

@@ -72,7 +72,7 @@ long countMembers(const std::string& header, const std::string& structure) {
   const std::string text = sourceFile("include/palpate/" + header);
   const std::size_t begin = text.find("struct " + structure + " ");
   const std::string body = text.substr(begin, text.find("\n};", begin) - begin);
-  const std::regex member("\n  (int|double|solver::SolveStatus) [a-z_]+ = ");
+  const std::regex member("\n  (int|double|std::uint64_t|solver::SolveStatus) [a-z_]+ = ");
   return std::distance(std::sregex_iterator(body.begin(), body.end(), member),
                        std::sregex_iterator());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "palpate/base/types.h"
@@ -19,6 +20,7 @@ struct StepReport : tissue::StepFigures {
   double imbalance = 0.0;        ///< [N], see docs.
   int nodes = 0;                 ///< Of all organs' meshes, as they are now.
   int mesh_changes = 0;          ///< How often the mesh of an organ became another in the cycle.
+  std::uint64_t state_hash = 0;  ///< StateHash of what the simulator shows after the cycle.
   tissue::SkipCounters skipped;
 
   /// The state at the end is one that the tissue really took, if not to full accuracy.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -52,7 +53,8 @@ struct Figure {
   const char* name;     ///< Of the field of StepReport.msg.
   const char* message;  ///< Type of that field; null where the figure is in no message.
   const char* doc;      ///< With its unit, as in StepReport.msg.
-  std::variant<int Step::*, double Step::*, solver::SolveStatus Step::*> value;
+  std::variant<int Step::*, double Step::*, solver::SolveStatus Step::*, std::uint64_t Step::*>
+      value;
   Merge over_parts, over_organs, over_sub_steps;
 
   Merge rule(Over over) const {
