@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <vector>
+
+#include "checks.h"
+#include "independent_forces.h"
+#include "organ_cells.h"
+
+namespace palpate::torture {
+namespace {
+
+// Largest energy by that in the beginning, without input, of a body whose energy is convex:
+//   backward Euler, static   1: it only takes energy away [Hairer, Wanner 1996, IV.12]
+//   BDF2                     2: its norm |v|^2/4 + |2 v - v_before|^2/4 does not grow [Dahlquist
+//   1978] central differences, symplectic Euler, in nine tenths of the stable step
+//                            1 / (1 - 0.9^2): what they keep is 1/2 v . (M - h^2/4 K) v + 1/2 x . K
+//                            x
+double boundOf(const TortureScene& scene, const sim::Simulator& simulator) {
+  const TortureOrgan& organ = scene.organs.front();
+  const bool explicit_springs = organ.scheme != "implicit";
+  bool tled = false;
+  for (int i = 0; i < simulator.numOrgans(); ++i) {
+    for (const std::string& method : simulator.methods(i)) tled = tled || method == "tled";
+  }
+  if (tled || explicit_springs || organ.model == "sampled_elasticity") return 1.0 / (1.0 - 0.81);
+  return scene.integrator == "bdf2" ? 2.0 : 1.0;
+}
+
+constexpr double kRounding = 1e-3;  // of the energy in the beginning
+
+class Energy : public Criterion {
+ public:
+  Energy(const TortureScene& scene, const sim::Simulator& simulator)
+      : scene_(scene), bound_(boundOf(scene, simulator)) {
+    const TortureOrgan& organ = scene.organs.front();
+    // Two organs may act on each other, and what a viscous one stores is not told.
+    applies_ = scene.organs.size() == 1 && organ.prony_g == 0.0;
+    const mesh::CellMesh cells = simulator.cells(0);
+    if (scene.gravity.isZero()) return;
+    applies_ = applies_ && areLinearTets(cells) && organ.adapt == 0.0;
+    if (applies_) masses_ = lumpedMasses(cells, organ.density);
+  }
+
+  std::string check(const Cycle& cycle) override {
+    const sim::StepReport& report = cycle.result.report;
+    const Points& x = cycle.simulator.positions(0);
+    const bool alone = cycle.row >= scene_.leave && cycle.result.contacts.empty();
+    const bool goes_on = applies_ && alone && report.mesh_changes == 0 && report.usable() &&
+                         before_.cols() == x.cols();
+    if (goes_on) {
+      double energy = report.kinetic_energy + report.elastic_energy;
+      if (masses_.size() > 0) energy -= scene_.gravity.dot(x * masses_);
+      unbalanced_ += report.residual * (x - before_).norm();
+      energies_.push_back(energy - unbalanced_);
+    } else if (std::string wrong = finish(); !wrong.empty()) {
+      return wrong;
+    } else {
+      energies_.clear();
+      unbalanced_ = 0.0;
+    }
+    before_ = x;
+    return "";
+  }
+
+  std::string finish() override {
+    if (energies_.size() < 2) return "";
+    const double least = *std::min_element(energies_.begin(), energies_.end());
+    const double most = *std::max_element(energies_.begin(), energies_.end());
+    const double first = energies_.front() - least;
+    if (most - least <= (bound_ + kRounding) * first + 1e-12) return "";
+    return said("grew from", first, "to") + said("", most - least, "J,") +
+           said(" the integrator's bound is", bound_, "times");
+  }
+
+ private:
+  const TortureScene& scene_;
+  double bound_;
+  bool applies_ = true;
+  Eigen::VectorXd masses_;
+  Points before_;
+  std::vector<double> energies_;
+  double unbalanced_ = 0.0;  // what forces out of balance may have done [J]
+};
+
+}  // namespace
+
+std::unique_ptr<Criterion> checkEnergy(const TortureScene& scene, const sim::Simulator& simulator) {
+  return std::make_unique<Energy>(scene, simulator);
+}
+
+}  // namespace palpate::torture

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "checks.h"
+
+namespace palpate::torture {
+namespace {
+
+constexpr double kBackWithin = 1e-4;  // of the size
+
+// These have shapes without forces beside that at rest, inside out: Green's strain and a rotation
+// are the same for them. Where they are told to be inverted they are let go.
+bool hasOneRestState(const std::string& law) {
+  return law != "st_venant_kirchhoff" && law != "corotational";
+}
+
+class Rest : public Criterion {
+ public:
+  Rest(const TortureScene& scene, const sim::Simulator& simulator)
+      : simulator_(simulator), applies_(scene.rests), size_(scene.size()) {
+    for (const TortureOrgan& organ : scene.organs) one_ = one_ && hasOneRestState(organ.law);
+    for (int i = 0; i < simulator.numOrgans(); ++i) {
+      rest_.push_back(simulator.positions(i));
+      revision_.push_back(simulator.shape(i).revision);
+    }
+    without_weight_ = scene.gravity.isZero();
+  }
+
+  std::string check(const Cycle& cycle) override {
+    status_ = cycle.result.report.status;
+    return "";
+  }
+
+  std::string finish() override {
+    if (!applies_) return "";
+    if (!one_ && status_ == solver::SolveStatus::kInverted) return "";
+    double off = 0.0;
+    for (int i = 0; i < simulator_.numOrgans(); ++i) off = std::max(off, offOf(i));
+    std::string wrong;
+    if (off > kBackWithin * size_) wrong = said("off by", 100.0 * off / size_, "% of its size");
+    if (!wrong.empty() || !solver::balanced(status_)) {
+      wrong += (wrong.empty() ? "" : ", ") + std::string(solver::toString(status_));
+    }
+    return wrong;
+  }
+
+ private:
+  double offOf(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const Points& now = simulator_.positions(i);
+    if (simulator_.shape(i).revision == revision_[k]) return (now - rest_[k]).cwiseAbs().maxCoeff();
+    // Another mesh: where it would be without weight.
+    if (!without_weight_) return 0.0;
+    return (now - simulator_.cells(i).points).cwiseAbs().maxCoeff();
+  }
+
+  const sim::Simulator& simulator_;
+  bool applies_, one_ = true, without_weight_ = true;
+  double size_;
+  std::vector<Points> rest_;
+  std::vector<std::uint64_t> revision_;
+  solver::SolveStatus status_ = solver::SolveStatus::kConverged;
+};
+
+}  // namespace
+
+std::unique_ptr<Criterion> checkRest(const TortureScene& scene, const sim::Simulator& simulator) {
+  return std::make_unique<Rest>(scene, simulator);
+}
+
+}  // namespace palpate::torture

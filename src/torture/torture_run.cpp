@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/torture/torture_run.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+#include "palpate/base/error.h"
+#include "palpate/base/percentiles.h"
+#include "palpate/base/phase_times.h"
+#include "palpate/io/replay.h"
+#include "palpate/io/state_file.h"
+#include "palpate/torture/criteria.h"
+
+namespace palpate::torture {
+namespace {
+
+constexpr double kTwice =
+    2.0;  // a live cycle ends by so many deadlines: one iteration may be under way
+
+class Run {
+ public:
+  Run(const TortureScene& scene, const std::string& folder, const RunLimits& limits)
+      : scene_(scene), limits_(limits), files_(writeScene(scene, folder)) {}
+
+  Outcome go() {
+    const double begin = steadySeconds();
+    std::unique_ptr<sim::Simulator> simulator;
+    try {
+      scene::Scene read = scene::readScene(files_.scene);
+      read.solver.threads = limits_.threads;
+      simulator = std::make_unique<sim::Simulator>(read);
+    } catch (const std::exception& error) {
+      outcome_.refused = error.what();
+      return outcome_;
+    }
+    outcome_.load_s = steadySeconds() - begin;
+    replay(simulator.get());
+    outcome_.run_s = steadySeconds() - begin;
+    outcome_.median_ms = 1e3 * quantile(touching_, 0.5);
+    return outcome_;
+  }
+
+ private:
+  void fail(const std::string& criterion, std::size_t row, const std::string& what) {
+    if (!what.empty() && !outcome_.fails(criterion))
+      outcome_.failures.push_back({criterion, row, what});
+  }
+
+  void replay(sim::Simulator* simulator) {
+    std::vector<NamedCriterion> all = criteria(scene_, *simulator);
+    io::Replay replay(simulator, scene_.trajectory, files_.trajectory);
+    const double deadline = scene_.live ? limits_.live : limits_.cycle;
+    double began = steadySeconds();
+    simulator->setInterrupt([&began, deadline] { return steadySeconds() - began > deadline; });
+    const double begin = began;
+    while (replay.hasNext()) {
+      const std::size_t row = replay.row();
+      began = steadySeconds();
+      const sim::StepResult& result = replay.next();
+      const double took = steadySeconds() - began;
+      const double dt =
+          row == 0 ? scene_.step : scene_.trajectory.t[row] - scene_.trajectory.t[row - 1];
+      judge({*simulator, result, row, dt, replay.parts()}, took, &all);
+      if (row == 0 && scene_.start != Start::kRest) {
+        writeStart(scene_, files_, simulator);
+        for (NamedCriterion& one : all) one.criterion->placed(*simulator);
+      }
+      if (outcome_.fails("finite") || outcome_.fails("cycle")) break;
+      if (steadySeconds() - begin > limits_.scene) {
+        outcome_.whole = false;
+        break;
+      }
+    }
+    const std::size_t last = replay.row() - 1;
+    for (NamedCriterion& one : all) {
+      // Who was left off did not come to rest.
+      if (replay.hasNext() && one.name == "rest") continue;
+      fail(one.name, last, one.criterion->finish());
+    }
+  }
+
+  void judge(const Cycle& cycle, double took, std::vector<NamedCriterion>* all) {
+    const sim::StepReport& report = cycle.result.report;
+    ++outcome_.cycles;
+    outcome_.unsolved += !solver::balanced(report.status);
+    outcome_.inverted += report.status == solver::SolveStatus::kInverted;
+    outcome_.touching += report.contacts > 0;
+    outcome_.points = report.nodes;
+    outcome_.longest_ms = std::max(outcome_.longest_ms, 1e3 * took);
+    if (report.contacts > 0) touching_.push_back(took);
+    for (const sim::InstrumentResult& tool : cycle.result.instruments) {
+      outcome_.peak_force = std::max(outcome_.peak_force, tool.spatial.force.norm());
+    }
+    outcome_.hashes.push_back(report.state_hash);
+    for (NamedCriterion& one : *all) fail(one.name, cycle.row, one.criterion->check(cycle));
+    if (took > limits_.cycle) fail("cycle", cycle.row, "took more than the limit");
+    if (scene_.live && took > kTwice * limits_.live) {
+      fail("deadline", cycle.row, std::to_string(1e3 * took) + " ms");
+    }
+  }
+
+  const TortureScene& scene_;
+  const RunLimits& limits_;
+  SceneFiles files_;
+  Outcome outcome_;
+  std::vector<double> touching_;  // [s]
+};
+
+}  // namespace
+
+bool Outcome::fails(const std::string& criterion) const {
+  return std::any_of(failures.begin(), failures.end(),
+                     [&](const Failure& one) { return one.criterion == criterion; });
+}
+
+Outcome run(const TortureScene& scene, const std::string& folder, const RunLimits& limits) {
+  return Run(scene, folder, limits).go();
+}
+
+}  // namespace palpate::torture

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each criterion is met by a cycle that went well, and by none in which what it looks for is wrong.
+#include "palpate/torture/criteria.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <string>
+
+#include "palpate/sim/lockstep.h"
+#include "palpate/torture/scene_files.h"
+#include "support/temp_folder.h"
+#include "torture/draw_body.h"
+
+namespace palpate::torture {
+namespace {
+
+// A block of tet4 that a ball presses, leaves, and that comes to rest.
+TortureScene pressedBlock() {
+  TortureScene scene;
+  scene.category = "press";
+  TortureOrgan organ;
+  organ.name = "organ";
+  organ.shape = "block";
+  organ.size = Vec3(0.04, 0.04, 0.02);
+  organ.mesh = mesh::boxMesh(organ.size, Eigen::Vector3i(4, 4, 2));
+  organ.law = "neo_hookean";
+  organ.element = "tet4";
+  organ.young = 1e4;
+  organ.poisson = 0.3;
+  organ.constants = constantsOf(organ.law, organ.young, organ.poisson);
+  organ.mass_damping = 100.0;
+  scene.organs.push_back(organ);
+  TortureTool tool;
+  tool.name = "tool";
+  tool.shape = "ball";
+  tool.size = Vec3(0.008, 0.0, 0.0);
+  scene.tools.push_back(tool);
+  constexpr int kDown = 12, kRows = 80;
+  scene.trajectory.columns = {"x", "y", "z", "roll", "pitch", "yaw"};
+  scene.trajectory.values = Eigen::MatrixXd::Zero(6, kRows);
+  for (int row = 0; row < kRows; ++row) {
+    scene.trajectory.t.push_back(0.01 * row);
+    const double z = row < kDown ? 0.03 - 0.0005 * row : 1.0;
+    scene.trajectory.values.col(row).head<3>() = Vec3(0.02, 0.02, z);
+  }
+  scene.leave = kDown;
+  scene.rests = true;
+  return scene;
+}
+
+class Criteria : public ::testing::Test {
+ protected:
+  Criteria() : scene(pressedBlock()), files(writeScene(scene, folder.path(""))) {
+    simulator = std::make_unique<sim::Simulator>(scene::readScene(files.scene));
+    lockstep = std::make_unique<sim::Lockstep>(simulator.get());
+    for (NamedCriterion& one : criteria(scene, *simulator))
+      all[one.name] = std::move(one.criterion);
+  }
+  const sim::StepResult& play(std::size_t rows) {
+    for (; row < rows; ++row) {
+      const Eigen::VectorXd q = scene.trajectory.values.col(static_cast<Eigen::Index>(row));
+      lockstep->advance(scene.trajectory.t[row], {simulator->linkPoses(0, q)});
+      for (auto& [name, criterion] : all) {
+        EXPECT_EQ(criterion->check(cycle(lockstep->result())), "") << name << " in row " << row;
+      }
+    }
+    return lockstep->result();
+  }
+  Cycle cycle(const sim::StepResult& result) const { return {*simulator, result, row, 0.01, 1}; }
+  std::string told(const std::string& name, const sim::StepResult& result) {
+    return all.at(name)->check(cycle(result));
+  }
+
+  const test::TempFolder folder;
+  TortureScene scene;
+  SceneFiles files;
+  std::unique_ptr<sim::Simulator> simulator;
+  std::unique_ptr<sim::Lockstep> lockstep;
+  std::map<std::string, std::unique_ptr<Criterion>> all;
+  std::size_t row = 0;
+};
+
+TEST_F(Criteria, AreMetByASceneThatGoesWell) {
+  EXPECT_GT(play(10).report.contacts, 0);
+  play(scene.trajectory.t.size());
+  for (auto& [name, criterion] : all) EXPECT_EQ(criterion->finish(), "") << name;
+}
+
+TEST_F(Criteria, SeeNumbersThatAreNotFinite) {
+  sim::StepResult result = play(10);
+  result.report.elastic_energy = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(told("finite", result), "elastic_energy");
+  result = lockstep->result();
+  result.instruments[0].solved.torque.y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(told("finite", result), "wrench");
+  result = lockstep->result();
+  result.report.status = solver::SolveStatus::kNonFinite;
+  EXPECT_EQ(told("finite", result), "status non_finite");
+}
+
+TEST_F(Criteria, SeeAShapeInsideOutThatIsToldToBeConverged) {
+  sim::StepResult result = play(10);
+  result.report.min_jacobian = -0.5;
+  EXPECT_NE(told("inverted", result), "");
+  result.report.status = solver::SolveStatus::kInverted;
+  EXPECT_EQ(told("inverted", result), "");
+  // What is told is fine, what is shown is not.
+  Points x = simulator->positions(0);
+  x.row(2) *= -1.0;
+  simulator->place(0, x, Points::Zero(3, x.cols()));
+  EXPECT_NE(told("inverted", lockstep->result()), "");
+}
+
+TEST_F(Criteria, SeeAResidualThatIsNotThatOfTheForces) {
+  sim::StepResult result = play(10);
+  result.report.residual = 2.0 * result.report.tolerance;
+  EXPECT_NE(told("truth", result), "");
+  // A point that is moved by a micrometre is out of balance.
+  play(11);
+  Points x = simulator->positions(0);
+  x(2, x.cols() - 1) += 1e-6;
+  const sim::StepResult honest = lockstep->result();
+  // The criterion must not know it: place() is of the simulator alone.
+  simulator->place(0, x, Points::Zero(3, x.cols()));
+  EXPECT_NE(told("truth", honest), "");
+}
+
+TEST_F(Criteria, SeeAWrenchThatIsNotTheSumOfItsContacts) {
+  sim::StepResult result = play(10);
+  ASSERT_GT(result.instruments[0].solved.force.norm(), 0.01);
+  result.instruments[0].solved.force *= 1.0 + 1e-6;
+  EXPECT_NE(told("truth", result), "");
+  result = lockstep->result();
+  result.instruments[0].contacts = 0;
+  EXPECT_NE(told("wrench", result), "");
+  // The same force far above the organ is carried along.
+  result = lockstep->result();
+  result.instruments[0].X_WC.translation().z() = 0.2;
+  EXPECT_NE(told("wrench", result), "");
+}
+
+TEST_F(Criteria, SeeEnergyThatGrows) {
+  sim::StepResult result = play(40);
+  result.contacts.clear();
+  EXPECT_EQ(told("energy", result), "");
+  result.report.kinetic_energy += 1e-3;
+  std::string wrong = told("energy", result);
+  if (wrong.empty()) wrong = all.at("energy")->finish();
+  EXPECT_NE(wrong, "");
+}
+
+TEST_F(Criteria, SeeWhatDoesNotComeBack) {
+  play(scene.trajectory.t.size());
+  Points x = simulator->positions(0);
+  x(0, x.cols() - 1) += 1.1e-4 * scene.size();
+  simulator->place(0, x, Points::Zero(3, x.cols()));
+  EXPECT_NE(all.at("rest")->finish(), "");
+}
+
+TEST_F(Criteria, SeeACycleThatStalls) {
+  sim::StepResult result = play(10);
+  result.report.phases[Phase::kAssembly] = 30.0;
+  EXPECT_EQ(told("time", result), "");
+  EXPECT_NE(all.at("time")->finish(), "");
+}
+
+}  // namespace
+}  // namespace palpate::torture
