@@ -25,5 +25,6 @@ void addReplay(CLI::App& app, Action& action);
 void addSkin(CLI::App& app, Action& action);
 void addSolve(CLI::App& app, Action& action);
 void addSprings(CLI::App& app, Action& action);
+void addTorture(CLI::App& app, Action& action);
 
 }  // namespace palpate::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/torture/torture_report.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "palpate/torture/criteria.h"
+
+namespace palpate::torture {
+namespace {
+
+struct Count {
+  int scenes = 0, passed = 0, failed = 0, refused = 0, left = 0;
+  double cycles = 0.0, unsolved = 0.0;
+  std::map<std::string, int> by_criterion;
+
+  void add(const ResultLine& line) {
+    ++scenes;
+    const std::string& verdict = line.cell("verdict");
+    passed += verdict == "passed";
+    failed += verdict == "failed";
+    refused += verdict == "refused";
+    left += verdict == "left";
+    cycles += line.number("cycles");
+    unsolved += line.number("unsolved");
+    std::istringstream names(line.cell("criteria"));
+    for (std::string name; names >> name;) ++by_criterion[name];
+  }
+};
+
+std::string percent(double part, double whole) {
+  std::ostringstream out;
+  out.precision(3);
+  out << (whole > 0.0 ? 100.0 * part / whole : 0.0);
+  return out.str();
+}
+
+std::string table(const std::vector<ResultLine>& lines, const std::string& column) {
+  std::map<std::string, Count> counts;
+  for (const ResultLine& line : lines) counts[line.cell(column)].add(line);
+  std::ostringstream out;
+  out << "| " << column
+      << " | scenes | passed | failed | refused | left off | cycles not solved [%] |";
+  for (const std::string& name : criterionNames()) out << " " << name << " |";
+  out << "\n|---|---|---|---|---|---|---|";
+  for (std::size_t k = 0; k < criterionNames().size(); ++k) out << "---|";
+  for (auto& [name, count] : counts) {
+    out << "\n| `" << name << "` | " << count.scenes << " | " << count.passed << " | "
+        << count.failed << " | " << count.refused << " | " << count.left << " | "
+        << percent(count.unsolved, count.cycles) << " |";
+    for (const std::string& criterion : criterionNames()) {
+      const int many = count.by_criterion[criterion];
+      out << " " << (many ? std::to_string(many) : "") << " |";
+    }
+  }
+  return out.str() + "\n";
+}
+
+std::string scenery(const ResultLine& line) {
+  const std::string element = line.cell("element") == "-" ? "" : " " + line.cell("element");
+  return line.cell("model") + element + " " + line.cell("law") + ", nu " + line.cell("poisson") +
+         ", E " + line.cell("young") + " Pa, " + line.cell("method") + " " +
+         line.cell("integrator") + ", step " + line.cell("step") + " s, " +
+         line.cell("tetrahedra") + " tetrahedra of " + line.cell("shape");
+}
+
+std::string commandOf(const ResultLine& line) {
+  return "palpate torture --seed " + line.cell("seed") + " --only " + line.cell("number");
+}
+
+std::string worst(const std::vector<ResultLine>& lines, const std::string& column,
+                  const std::string& what) {
+  const auto most =
+      std::max_element(lines.begin(), lines.end(), [&](const ResultLine& a, const ResultLine& b) {
+        return a.number(column) < b.number(column);
+      });
+  if (most == lines.end()) return "";
+  return "| " + what + " | " + most->cell(column) + " | `" + commandOf(*most) + "` | " +
+         scenery(*most) + " |\n";
+}
+
+}  // namespace
+
+std::string summary(const std::vector<ResultLine>& lines) {
+  Count all;
+  for (const ResultLine& line : lines) all.add(line);
+  return std::to_string(all.scenes) + " scenes: " + std::to_string(all.passed) + " passed, " +
+         std::to_string(all.failed) + " failed, " + std::to_string(all.refused) +
+         " refused while loading, " + std::to_string(all.left) + " left off";
+}
+
+std::string stabilityMarkdown(const std::vector<ResultLine>& lines) {
+  std::ostringstream out;
+  out << R"(# Stability
+
+Random scenes, and whether anything blows up in them. This page is written by
+
+    scripts/torture.sh --count N --out FOLDER       # goes on where it was stopped
+    palpate torture --report FOLDER > docs/stability.md
+
+`palpate torture` draws each scene from a seed and a number, writes it as files of a user's own, replays these as
+`palpate replay` does, and looks at every cycle from outside. A scene passes when none of these is broken:
+
+| criterion | what must hold |
+|---|---|
+| `finite` | no number of points, wrenches, contacts and figures is NaN or infinite, and no status is `non_finite` |
+| `inverted` | no shape with a tetrahedron of det F <= 0, computed anew from its corners, is `converged` |
+| `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
+| `wrench` | a force has a contact, none stays when the tools are gone, no tissue is carried along farther than its size, and what the node's filter makes of it stays within the limits of force and rate |
+| `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one |
+| `rest` | when the tools are gone, a damped organ that is held is back within 1e-4 of its size, and balanced; laws with rest states that are inside out may stay in one, if told |
+| `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
+| `crash` | the program does not end |
+| `cycle` | no cycle takes 5 s: it would be ended there |
+| `deadline` | no cycle of a live run goes on for twice its deadline of 20 ms |
+| `same` | two threads give the bits of one (every tenth scene) |
+
+A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
+is judged as far as it came. Energy is not judged of several organs, of viscous ones and of elements with middle nodes
+under gravity; return to rest not of organs that fly, and not where 700 rows would not do.
+
+)";
+  out << summary(lines) << ".\n\n## By what happens\n\n" << table(lines, "category");
+  const std::pair<const char*, const char*> parts[] = {{"model", "By model"},
+                                                       {"element", "By element"},
+                                                       {"law", "By law"},
+                                                       {"method", "By method"},
+                                                       {"integrator", "By integrator"},
+                                                       {"poisson", "By Poisson's ratio"},
+                                                       {"start", "By the start"},
+                                                       {"shape", "By mesh"},
+                                                       {"pace", "By pace"}};
+  for (const auto& [column, title] : parts) {
+    out << "\n## " << title << "\n\n" << table(lines, column);
+  }
+  out << "\n## Worst cases\n\n| what | | scene | made of |\n|---|---|---|---|\n"
+      << worst(lines, "longest_ms", "longest cycle [ms]")
+      << worst(lines, "peak_force", "largest force on a tool, before limits [N]")
+      << worst(lines, "unsolved", "most cycles not solved")
+      << worst(lines, "inverted", "most cycles told inverted")
+      << worst(lines, "load_s", "longest loading [s]");
+  out << "\n## What fails\n\n| scene | criteria | what | made of |\n|---|---|---|---|\n";
+  for (const ResultLine& line : lines) {
+    if (line.cell("verdict") != "failed") continue;
+    std::string what = line.cell("what");
+    std::replace(what.begin(), what.end(), '|', '/');
+    out << "| `" << commandOf(line) << "` | " << line.cell("criteria") << " | " << what << " | "
+        << line.cell("category") << ": " << scenery(line) << " |\n";
+  }
+  out << "\n## What is refused\n\n| scene | what | made of |\n|---|---|---|\n";
+  for (const ResultLine& line : lines) {
+    if (line.cell("verdict") != "refused") continue;
+    out << "| `" << commandOf(line) << "` | " << line.cell("what") << " | " << line.cell("category")
+        << ": " << scenery(line) << " |\n";
+  }
+  return out.str();
+}
+
+}  // namespace palpate::torture
