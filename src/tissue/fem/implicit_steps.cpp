@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interrupted.h"
 #include "palpate/solver/line_search.h"
 
 namespace palpate::tissue {
@@ -53,7 +54,12 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
       ++done;
     }
     solved = done == steps;
-    if (!solved) bodies_.goBack();
+    if (solved) break;
+    bodies_.goBack();
+    // Shorter steps take longer.
+    if (!isInterrupted(bodies_.interrupt())) continue;
+    if (solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
+    break;
   }
   bodies_.endCycle();
   return solved;
@@ -110,7 +116,10 @@ void ImplicitSteps::solveStages(double begin, double end) {
     const double from = s;
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
-      s = bodies_.nextStage(s, end);
+      // In time the tools go as far as the tissue can follow, late they go all the way at once.
+      const bool late = from > begin && isInterrupted(bodies_.interrupt());
+      s = late ? end : bodies_.nextStage(s, end);
+      if (late) bodies_.doubtSides();
       ++out_->sweep_stages;
     }
     followTools(from, s, from == begin ? begin_x_ : bodies_.x());

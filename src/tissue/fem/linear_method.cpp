@@ -73,6 +73,10 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
+    if (solved.status == solver::SolveStatus::kDeadline) {
+      body_.touch.sides.doubt();
+      break;
+    }
     const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; s == 1.0 && k < most; ++k) {
       if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
@@ -81,7 +85,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     }
   }
   out->status = solved.status;
-  if (!body_.x.allFinite() || (!out->ok() && out->status != solver::SolveStatus::kIterationLimit)) {
+  if (!body_.x.allFinite() || !solver::usable(out->status)) {
     body_.x = x_begin_;
     force_ = force_begin_;
     StateReader before(touched.bytes());
@@ -139,8 +143,8 @@ solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) 
   solver::NewtonReport solved;
   const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
   for (int search = 0; search < kMaxSearches; ++search) {
-    solved =
-        contact_.solve(u0_, tolerance, body_.settings.max_newton_iterations, &force_, &body_.x);
+    solved = contact_.solve(u0_, tolerance, body_.settings.max_newton_iterations, &force_, &body_.x,
+                            body_.interrupt);
     out->newton_iterations += solved.iterations;
     if (force_.isZero(0.0)) {
       body_.x = body_.mesh.points + u0_;

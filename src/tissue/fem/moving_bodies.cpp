@@ -246,6 +246,10 @@ bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
   return any;
 }
 
+void MovingBodies::doubtSides() {
+  for (BodyMotion* member : members_) member->body().touch.sides.doubt();
+}
+
 bool MovingBodies::hasFriction() const {
   return std::any_of(members_.begin(), members_.end(),
                      [](const BodyMotion* member) { return member->body().contact.hasFriction(); });

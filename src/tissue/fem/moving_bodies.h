@@ -79,6 +79,8 @@ class MovingBodies {
   void beginTouches();
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
+  /// The tools went on as the tissue could not follow; where they are now may be inside.
+  void doubtSides();
   bool candidatesHold() const;
   bool hasFriction() const;
   /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().

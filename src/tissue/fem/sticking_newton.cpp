@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interrupted.h"
 #include "sparse_assembly.h"
 
 namespace palpate::tissue {
@@ -66,6 +67,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
     }
     body_.x = x_begin_;
     contact_->goBack();
+    if (isInterrupted(body_.interrupt)) break;
   }
   body_.elasticity->restoreViscousState(viscous.get());
   return false;
@@ -84,8 +86,8 @@ bool StickingNewton::sweep(int parts, TissueStep* out) {
     part_ = s;
     body_.surroundings.place(s);
     solveStage(begin, out);
-    const bool usable = out->ok() || out->status == solver::SolveStatus::kIterationLimit;
-    if (!usable || !body_.x.allFinite()) return false;
+    if (!solver::usable(out->status) || !body_.x.allFinite()) return false;
+    if (out->status == solver::SolveStatus::kDeadline) return true;
   }
   return true;
 }
@@ -129,7 +131,12 @@ void StickingNewton::newton(TissueStep* out) {
     const bool on_surface = move_.cwiseAbs().maxCoeff() <= kOnSurface * body_.size;
     if (residual_ <= out->tolerance && on_surface) return;
     out->status = solver::SolveStatus::kIterationLimit;
-    if (k == body_.settings.max_newton_iterations || !iterate(out)) return;
+    if (k == body_.settings.max_newton_iterations) return;
+    if (k > 0 && isInterrupted(body_.interrupt)) {
+      out->status = solver::SolveStatus::kDeadline;
+      return;
+    }
+    if (!iterate(out)) return;
     ++out->newton_iterations;
   }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "interrupted.h"
+
 namespace palpate::tissue {
 namespace {
 
@@ -96,6 +98,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   body_.contact.save(&touched);
   for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
     if (run(dt, caution_ * steps, out)) return true;
+    const bool late = isInterrupted(body_.interrupt);
     body_.x = x_begin_;
     body_.v = v_begin_;
     g_ = g_begin_;
@@ -104,6 +107,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.elasticity->restoreViscousState(viscous.get());
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
+    if (late) return false;
   }
   caution_ = kMaxCaution;
   return false;
@@ -123,11 +127,15 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   touch_.begin();
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  for (int k = 1; k <= steps; ++k) {
+  bool late = false;
+  for (int k = 1; k <= steps && !late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
     subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
+    late = k < steps && isInterrupted(body_.interrupt);
   }
+  // Where the tools are now the tissue has not followed them.
+  if (late) body_.touch.sides.doubt();
   if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
   if (jumped_ || !std::isfinite(potential_) || !body_.x.allFinite()) return false;
 
@@ -139,7 +147,8 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   addHeldInertia(h);
   out->residual = touch_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.limited()                  ? solver::SolveStatus::kLineSearchFailed
+  out->status = late                              ? solver::SolveStatus::kDeadline
+                : touch_.limited()                ? solver::SolveStatus::kLineSearchFailed
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
                                                   : solver::SolveStatus::kIterationLimit;
   return true;

@@ -163,7 +163,8 @@ bool CompliantContact::lineSearch(Points* x) {
 }
 
 solver::NewtonReport CompliantContact::solve(const Points& u0, double tolerance, int max_iterations,
-                                             Points* f, Points* x) {
+                                             Points* f, Points* x,
+                                             const solver::Interrupt* interrupt) {
   solver::NewtonReport report;
   gatherNodes(u0, f, x);
   if (nodes_.empty()) return report;
@@ -174,6 +175,10 @@ solver::NewtonReport CompliantContact::solve(const Points& u0, double tolerance,
     if (report.residual <= tolerance || !std::isfinite(report.residual)) break;
     if (report.iterations == max_iterations) {
       report.status = solver::SolveStatus::kIterationLimit;
+      break;
+    }
+    if (report.iterations > 0 && interrupt != nullptr && *interrupt && (*interrupt)()) {
+      report.status = solver::SolveStatus::kDeadline;
       break;
     }
     if (!direction()) {

@@ -5,6 +5,7 @@
 
 #include "palpate/contact/contact_potential.h"
 #include "palpate/fem/supports.h"
+#include "palpate/solver/interrupt.h"
 #include "palpate/solver/newton.h"
 
 namespace palpate::tissue {
@@ -30,9 +31,9 @@ class CompliantContact {
                    const NodeCompliance& compliance);
 
   /// Improves the forces `f` (3 x n [N], zero but where contact is) and the candidates' nodes of x,
-  /// 3 x n [m]. `u0`: displacements without contact, 3 x n [m].
+  /// 3 x n [m]. `u0`: displacements without contact, 3 x n [m]. `interrupt` may be null.
   solver::NewtonReport solve(const Points& u0, double tolerance, int max_iterations, Points* f,
-                             Points* x);
+                             Points* x, const solver::Interrupt* interrupt = nullptr);
 
  private:
   // Of the candidates' nodes.

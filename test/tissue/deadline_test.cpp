@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A step that is asked to end ends, by whatever method, and the next ones go on from there.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "palpate/tissue/method_facts.h"
+#include "slab.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::kStep;
+using test::Slab;
+
+class EveryMethodThatIsLate : public ::testing::TestWithParam<std::string> {
+ protected:
+  EveryMethodThatIsLate() : slab(Eigen::Vector3i(6, 6, 3)) {
+    slab.settings.method = GetParam();
+    slab.settings.mass_damping = 20.0;
+    tissue = slab.make();
+  }
+  // A ball whose centre goes from one height to another in a cycle.
+  const TissueStep& leap(double from, double to) {
+    const auto at = [](double z) { return poseFromXyzRpy(Vec3(0.05, 0.05, z), Vec3::Zero()); };
+    return tissue->step({{&ball, 0, at(from), at(to)}}, kStep);
+  }
+
+  const instrument::Geometry ball = instrument::Sphere{0.01};
+  Slab slab;
+  std::unique_ptr<TissueModel> tissue;
+};
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethodThatIsLate, ::testing::ValuesIn(methodNames()),
+                         [](const auto& name) { return name.param; });
+
+// At 2 m/s by 20 mm into the tissue, in many stages.
+TEST_P(EveryMethodThatIsLate, EndsAfterAFewIterationsWithAStateToGoOnFrom) {
+  const solver::Interrupt at_once = [] { return true; };
+  const Points rest = tissue->positions();
+  tissue->setInterrupt(&at_once);
+  int late = 0;
+  double z = 0.06;
+  for (int k = 0; k < 6; ++k) {
+    const double to = k < 2 ? z - 0.015 : z;
+    const TissueStep& step = leap(z, to);
+    z = to;
+    late += step.status == solver::SolveStatus::kDeadline;
+    EXPECT_LE(step.time_steps, 1) << "cycle " << k;
+    // Of the stage that it is in and of the last one: one that follows the tool, and one for each
+    // of four searches for candidates, without the guard against inversion and with it.
+    EXPECT_LE(step.newton_iterations, 2 * (1 + 2 * 4)) << "cycle " << k;
+    ASSERT_TRUE(tissue->positions().allFinite());
+  }
+  EXPECT_GT(late, 0);
+  tissue->setInterrupt(nullptr);
+  for (int k = 0; k < 400; ++k) tissue->step({}, kStep);
+  const TissueStep& last = tissue->step({}, kStep);
+  EXPECT_TRUE(last.ok()) << solver::toString(last.status);
+  EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
+}
+
+}  // namespace
+}  // namespace palpate::tissue
