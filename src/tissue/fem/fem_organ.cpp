@@ -124,6 +124,7 @@ void FemOrgan::goAlone(double dt) {
     reportSolved();
   } else {
     fail();
+    if (isOutsideOfLaw()) return beginAnew();
   }
   body_.surroundings.endCycle();
   reportState();
@@ -144,6 +145,7 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
 void FemOrgan::failTogether(const TissueStep& together) {
   takeFigures(together);
   fail();
+  if (isOutsideOfLaw()) return beginAnew();
   body_.surroundings.endCycle();
   reportState();
 }
@@ -181,6 +183,24 @@ bool FemOrgan::cameToRest() {
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobian(body_.x);
   return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobian(settled_);
+}
+
+// Its law has no energy here, so that no step leads away: where it was placed, not where it went.
+bool FemOrgan::isOutsideOfLaw() const { return !std::isfinite(body_.elasticity->energy(body_.x)); }
+
+void FemOrgan::beginAnew() {
+  const StepFigures figures = out_;
+  place(0, settled_, Points::Zero(3, settled_.cols()));
+  static_cast<StepFigures&>(out_) = figures;
+  Points g;
+  body_.elasticity->gradient(body_.x, &g);
+  body_.addLoads(body_.x, &g);
+  out_.residual = g.cwiseProduct(body_.free).norm();
+  body_.reportSupport(g, &out_);
+  reportSolved();
+  body_.surroundings.endCycle();
+  reportState();
+  out_.status = solver::SolveStatus::kInverted;
 }
 
 // What had come to rest was no shape of a body: it begins anew.

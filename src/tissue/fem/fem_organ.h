@@ -104,6 +104,8 @@ class FemOrgan final : public OrganBodies {
  private:
   bool cameToRest();
   bool isCrushed();
+  bool isOutsideOfLaw() const;
+  void beginAnew();
   void unfold();
   void fallAsleep();
   void fail();

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slab.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::kStep;
+using test::Slab;
+
+// A law that has no energy inside out: no step of any method leads away from there.
+TEST(OutsideOfItsLaw, AnOrganBeginsAnew) {
+  for (const char* method : {"implicit_pcg", "implicit_direct", "lbfgs", "tled"}) {
+    Slab slab(Eigen::Vector3i(4, 4, 2));
+    slab.settings.method = method;
+    slab.settings.gravity.setZero();
+    const material::Material law = material::makeMaterial(
+        "neo_hookean", {{"young_modulus", {6e3}}, {"poisson_ratio", {0.45}}});
+    const auto tissue = makeFemTissue(slab.mesh, fem::Composition::uniform(law, 1060.0), slab.free,
+                                      slab.settings, nullptr);
+    const Points rest = tissue->positions();
+    Points inside_out = rest;
+    inside_out.row(2) *= -1.0;
+    tissue->place(0, inside_out, Points::Zero(3, rest.cols()));
+    const TissueStep& first = tissue->step({}, kStep);
+    EXPECT_EQ(first.status, solver::SolveStatus::kInverted) << method;
+    EXPECT_TRUE(std::isfinite(first.elastic_energy)) << method;
+    EXPECT_TRUE(std::isfinite(first.residual)) << method;
+    EXPECT_TRUE(tissue->step({}, kStep).ok()) << method;
+    EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-9) << method;
+  }
+}
+
+}  // namespace
+}  // namespace palpate::tissue
