@@ -77,6 +77,9 @@ void drawMethod(Draw* draw, TortureScene* scene) {
       "implicit_pcg", "implicit_pcg", "implicit_pcg",       "implicit_direct", "implicit_async",
       "lbfgs",        "tled",         "linear_precomputed", "newton_bicgstab", "auto"};
   scene->method = draw->oneOf(kMethods);
+  // Its linear part goes with implicit steps alone.
+  const bool implicit = scene->method.rfind("implicit", 0) == 0 || scene->method == "lbfgs";
+  if (scene->organs.front().model == "hybrid" && !implicit) scene->method = kMethods.front();
   const tissue::MethodFacts facts = tissue::methodFacts(scene->method);
   for (TortureOrgan& organ : scene->organs) {
     if (!facts.viscous) organ.prony_g = 0.0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFastest = 2.0;                                   // [m/s]
 constexpr double kJump = std::numeric_limits<double>::infinity();  // a leg in one row
-constexpr int kMostRows = 90, kLeavingRows = 10, kMostRestRows = 700;
+constexpr int kMostRows = 90, kLeavingRows = 10, kLeastRestRows = 100, kMostRestRows = 700;
 constexpr double kLongest = 0.05;  // row [s]
 
 struct Leg {
@@ -210,6 +210,7 @@ void drawTools(Draw* draw, TortureScene* scene) {
 
 void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   std::vector<Way> ways;
+  ways.reserve(scene->tools.size());
   for (int k = 0; k < static_cast<int>(scene->tools.size()); ++k) {
     ways.push_back(wayOf(*scene, k, draw));
   }
@@ -241,9 +242,10 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   }
   for (std::size_t k = 0; k < ways.size(); ++k) ways[k] = far(static_cast<int>(k));
   scene->leave = rows.count();
-  const double time = isQuasiStatic(*scene) ? 20.0 * dt : timeToRest(*scene);
+  const double time = isQuasiStatic(*scene) ? 0.0 : timeToRest(*scene);
   const double longest = std::clamp(time / 100.0, dt, kLongest);
-  const int count = static_cast<int>(std::ceil(std::min(time / longest, 1e6)));
+  const int count =
+      std::max(static_cast<int>(std::ceil(std::min(time / longest, 1e6))), kLeastRestRows);
   for (int row = 0; row < std::min(count, kMostRestRows); ++row) rows.add(longest, ways);
   scene->step = std::max(scene->step, longest);
   const bool all_held = std::all_of(scene->organs.begin(), scene->organs.end(),

@@ -148,6 +148,7 @@ std::vector<ResultLine> readResults(const std::string& folder) {
     }
   }
   std::vector<ResultLine> all;
+  all.reserve(lines.size());
   for (auto& [key, line] : lines) all.push_back(std::move(line));
   return all;
 }

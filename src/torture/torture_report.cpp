@@ -117,7 +117,8 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `same` | two threads give the bits of one (every tenth scene) |
 
 A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
-is judged as far as it came. Energy is not judged of several organs, of viscous ones and of elements with middle nodes
+is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
+guard against turning inside out is an energy beside their law's. Energy is not judged of several organs, of viscous ones and of elements with middle nodes
 under gravity; return to rest not of organs that fly, and not where 700 rows would not do.
 
 )";
