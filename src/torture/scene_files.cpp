@@ -67,7 +67,8 @@ std::string modelText(const TortureOrgan& organ) {
   }
   if (organ.model == "cloth") {
     const double spacing = organ.size.x() / 10.0;
-    out << "    cloth: {thickness: 0.001, width: " << formatNumber(organ.size.x())
+    out << "    cloth: {thickness: " << formatNumber(kSheetThickness)
+        << ", width: " << formatNumber(organ.size.x())
         << ", length: " << formatNumber(organ.size.y()) << ", spacing: " << formatNumber(spacing)
         << "}\n    pose: {position: " << listOf(organ.low + organ.size.z() * Vec3::UnitZ())
         << "}\n";

@@ -27,10 +27,9 @@ const std::set<int>& slowOnes() {
 // docs/stability.md says what is known of them.
 const std::map<int, std::string>& knownFailures() {
   static const std::map<int, std::string> kAll = {
-      {18, "rest"},    // cloth: a sheet comes to rest elsewhere
       {22, "rest"},    // sampled_elasticity: particles that were parted stay so
       {66, "finite"},  // tled: a stroke at 2 m/s through a body as soft as 1 kPa
-      {79, "rest"},    // cloth
+
   };
   return kAll;
 }

@@ -13,6 +13,8 @@
 
 namespace palpate::torture {
 
+inline constexpr double kSheetThickness = 0.001;  ///< Of model cloth [m].
+
 /// An organ of a scene of torture, in the world.
 struct TortureOrgan {
   std::string name;
