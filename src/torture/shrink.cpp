@@ -80,10 +80,11 @@ std::vector<Edit> edits(const TortureScene& scene, const Failure& failure) {
     });
   }
   if (scene.start == Start::kRest) {
-    for (int k = 0; k < 3; ++k) {
-      all.push_back([](TortureScene* s) {
+    // A tool that begins inside is not felt, so that only rows before a touch can be left out.
+    for (const std::size_t part : {2, 4, 8, 16}) {
+      all.push_back([part](TortureScene* s) {
         const std::size_t before = std::min(s->leave, s->trajectory.t.size());
-        return keepRows(before / 2, s->trajectory.t.size(), s);
+        return keepRows(before / part, s->trajectory.t.size(), s);
       });
     }
   }

@@ -29,7 +29,6 @@ const std::map<int, std::string>& knownFailures() {
   static const std::map<int, std::string> kAll = {
       {22, "rest"},    // sampled_elasticity: particles that were parted stay so
       {66, "finite"},  // tled: a stroke at 2 m/s through a body as soft as 1 kPa
-
   };
   return kAll;
 }
