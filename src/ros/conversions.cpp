@@ -72,6 +72,8 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.time_steps = report.time_steps;
   m.newton_iterations = report.newton_iterations;
   m.cg_iterations = report.linear_iterations;
+  m.walk_steps = report.walk_steps;
+  m.tree_queries = report.tree_queries;
   m.residual = finite(report.residual);
   m.tolerance = finite(report.tolerance);
   m.imbalance = finite(report.imbalance);

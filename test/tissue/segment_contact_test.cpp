@@ -370,6 +370,44 @@ TEST(SegmentContact, WalksAndAsksTheTreeOnce) {
   EXPECT_EQ(contact.counts().lost, 0);
 }
 
+// The tree is asked while nothing is held, by every cycle near the surface, and then not again.
+TEST(SegmentContact, ReportsTheSearchesOfEachCycle) {
+  const Slab slab = slabOf();
+  const Rod rod;
+  std::vector<TissueStep> cycles[2];
+  for (std::vector<TissueStep>& done : cycles) {
+    const auto tissue = slab.make();
+    Vec3 at = kFace + Vec3(0, 0, 1e-3);
+    const auto go = [&](const Vec3& to) {
+      done.push_back(tissue->step({rod.move(at, to)}, kStep));
+      ASSERT_TRUE(done.back().ok());
+      at = to;
+    };
+    go(kFace + Vec3(0, 0, 0.5e-3));
+    EXPECT_GT(done.back().tree_queries, 0);
+    EXPECT_EQ(done.back().walk_steps, 0);
+    go(kFace - Vec3(0, 0, 1e-3));
+    EXPECT_GT(done.back().tree_queries, 0);
+    int steps = 0;
+    for (int k = 0; k < 20; ++k) {
+      go(at + Vec3(1e-3, 0.5e-3, 0.0));
+      EXPECT_EQ(done.back().tree_queries, 0) << k;
+      steps += done.back().walk_steps;
+    }
+    // 22 mm aslant over squares of 10 mm and their diagonals, some of which the tool drags along.
+    EXPECT_GT(steps, 0);
+    EXPECT_LE(steps, 20);
+    go(at + Vec3(0, 0, 0.1));  // far away
+    go(at);
+    EXPECT_EQ(done.back().tree_queries, 0);
+    EXPECT_EQ(done.back().walk_steps, 0);
+  }
+  for (std::size_t k = 0; k < cycles[0].size(); ++k) {
+    EXPECT_EQ(cycles[0][k].walk_steps, cycles[1][k].walk_steps);
+    EXPECT_EQ(cycles[0][k].tree_queries, cycles[1][k].tree_queries);
+  }
+}
+
 TEST(SegmentContact, IsRefusedWhereItCannotBe) {
   const auto refusal = [](const Slab& slab) -> std::string {
     try {

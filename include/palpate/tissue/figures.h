@@ -21,6 +21,8 @@ struct StepFigures {
   int newton_iterations = 0;
   int linear_iterations = 0;
   int factor_waits = 0;
+  int walk_steps = 0;
+  int tree_queries = 0;
   double residual = 0.0;   ///< [N]
   double tolerance = 0.0;  ///< [N]
   double min_jacobian = 1.0;

@@ -45,6 +45,8 @@ class PrescribedDisplacements {
   virtual double nodalNorm(const Points& gradient) const = 0;
   /// The forces of the tissue on the tools.
   virtual void report(const Points& x, const Points& gradient, TissueStep* out) const = 0;
+  /// Adds the searches since keep().
+  virtual void addWork(TissueStep* /*out*/) const {}
 
   // Where components are held together, not one by one: Newton's system in the others.
   virtual void reduce(Eigen::SparseMatrix<double>* /*A*/) const {}

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "palpate/contact/signed_distance.h"
+#include "palpate/mesh/cell_mesh.h"
 #include "tissue/touch/sweep.h"
 
 namespace palpate::tissue {
@@ -24,24 +25,24 @@ double halfLength(const instrument::Geometry& geometry) {
 
 bool isTip(double part) { return part == 0.0 || part == 1.0; }
 
-double meanEdge(const Points& X, const Eigen::Matrix3Xi& triangles) {
-  double sum = 0.0;
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      sum += (X.col(triangles(k, t)) - X.col(triangles((k + 1) % 3, t))).norm();
-    }
-  }
-  return sum / (3.0 * static_cast<double>(triangles.cols()));
-}
-
 }  // namespace
 
 SegmentContact::SegmentContact(FemBody* body)
     : body_(*body),
       tracker_(body->mesh.points, body->triangles),
-      mean_edge_(meanEdge(body->mesh.points, body->triangles)) {}
+      mean_edge_(mesh::meanEdgeLength({body->mesh.points, body->triangles, {}})) {}
 
 void SegmentContact::clear() { hold({}); }
+
+void SegmentContact::keep() {
+  kept_ = hold_;
+  counted_ = tracker_.counts();
+}
+
+void SegmentContact::addWork(TissueStep* out) const {
+  out->walk_steps += static_cast<int>(counts().steps - counted_.steps);
+  out->tree_queries += static_cast<int>(counts().queries - counted_.queries);
+}
 
 void SegmentContact::goBack() { hold(kept_); }
 

@@ -29,7 +29,7 @@ class SegmentContact final : public PrescribedDisplacements {
   explicit SegmentContact(FemBody* body);
 
   void clear() override;
-  void keep() override { kept_ = hold_; }
+  void keep() override;
   void goBack() override;
   void save(StateWriter* to) const override;
   void restore(StateReader* from) override;
@@ -44,6 +44,7 @@ class SegmentContact final : public PrescribedDisplacements {
   double unbalanced(const Points& gradient) const override;
   double nodalNorm(const Points& gradient) const override { return tie_.nodalNorm(gradient); }
   void report(const Points& x, const Points& gradient, TissueStep* out) const override;
+  void addWork(TissueStep* out) const override;
   void reduce(Eigen::SparseMatrix<double>* A) const override { tie_.reduce(A); }
   void reduce(Points* right) const override { tie_.reduce(right); }
   void expand(Points* step) const override { tie_.expand(step); }
@@ -74,6 +75,7 @@ class SegmentContact final : public PrescribedDisplacements {
   contact::SegmentTracker tracker_;
   double mean_edge_;  // of the surface at rest [m]
   std::optional<Hold> hold_, kept_;
+  contact::SegmentTracker::Counts counted_;  // at keep()
   TiedPoint tie_;
   int tool_ = -1;           // of those near
   Segment was_{}, now_{};   // where the stage begins and ends

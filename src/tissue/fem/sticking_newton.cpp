@@ -63,6 +63,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
       body_.v = (body_.x - x_begin_) / dt;
       out->residual = residual_;
       out->satisfied = out->newton_iterations == 0 && out->ok();
+      contact_->addWork(out);
       return true;
     }
     body_.x = x_begin_;
@@ -70,6 +71,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
     if (isInterrupted(body_.interrupt)) break;
   }
   body_.elasticity->restoreViscousState(viscous.get());
+  contact_->addWork(out);
   return false;
 }
 
