@@ -18,6 +18,8 @@ struct CellMesh {
   /// quadratic tetrahedra.
   Eigen::MatrixXi cells;
   std::vector<int> region;  ///< One tag a cell, or empty: all in region 0.
+  /// Of each cell which of the body's solids it is made of, or empty: of the first.
+  std::vector<int> solid = {};
 
   Eigen::Index numPoints() const { return points.cols(); }
   Eigen::Index numCells() const { return cells.cols(); }

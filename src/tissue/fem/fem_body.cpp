@@ -85,6 +85,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       free(what_surrounds.free),
       pool(thread_pool),
       size((mesh.points.rowwise().maxCoeff() - mesh.points.rowwise().minCoeff()).norm()),
+      solid_of(composition.solid_of),
       triangles(surface.cols() > 0 ? surface : mesh::trianglesOf(mesh::boundaryFaces(mesh))),
       elasticity(own_elasticity ? std::move(own_elasticity)
                                 : fem::makeElasticity(settings.element, mesh,
@@ -125,6 +126,12 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
 double FemBody::tolerance() const {
   const double forces = std::max({weight_norm_, contact_force, support_force});
   return std::max(settings.tolerance * forces, least_force_);
+}
+
+mesh::CellMesh FemBody::cells() const {
+  mesh::CellMesh cells = mesh::cellsOf(mesh);
+  cells.solid = solid_of;
+  return cells;
 }
 
 void FemBody::reportContacts(TissueStep* out) { contact_force = touch.report(x, out); }

@@ -52,6 +52,9 @@ struct FemBody {
   /// energies at x (3 x n [N]).
   void reportSupport(const Points& gradient, TissueStep* out);
 
+  /// The mesh at rest, and what it is made of.
+  mesh::CellMesh cells() const;
+
   /// Takes over where `old` is, which is the same body on another mesh, of which this one's came
   /// by `change`, and what it remembers.
   void goOnFrom(const FemBody& old, const mesh::MeshChange& change);
@@ -64,7 +67,8 @@ struct FemBody {
   mesh::TetMesh mesh;
   fem::FreeMask free;
   ThreadPool* pool;
-  double size;  ///< Diagonal of the bounding box at rest [m].
+  double size;                ///< Diagonal of the bounding box at rest [m].
+  std::vector<int> solid_of;  ///< Of each tetrahedron; empty: all of the first.
   Eigen::Matrix3Xi triangles;
   std::shared_ptr<fem::Elasticity> elasticity;
   fem::InversionGuard guard;  ///< Of implicit methods.

@@ -51,8 +51,10 @@ void addIsland(const TissueStep& island, TissueStep* out) {
 
 class Islands final : public OrganBodies {
  public:
-  Islands(const mesh::TetMesh& mesh, std::vector<Island> islands, const FemSettings& settings)
+  Islands(const mesh::TetMesh& mesh, std::vector<int> solid_of, std::vector<Island> islands,
+          const FemSettings& settings)
       : mesh_(mesh),
+        solid_of_(std::move(solid_of)),
         kind_(stateKind(settings, mesh.numPoints()) + " in " + std::to_string(islands.size()) +
               " parts"),
         triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
@@ -63,7 +65,11 @@ class Islands final : public OrganBodies {
   }
 
   Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
-  mesh::CellMesh cells(int) const override { return mesh::cellsOf(mesh_); }
+  mesh::CellMesh cells(int) const override {
+    mesh::CellMesh cells = mesh::cellsOf(mesh_);
+    cells.solid = solid_of_;
+    return cells;
+  }
 
   void addBodies(std::vector<FemOrgan*>* bodies) override {
     for (const Island& island : islands_) bodies->push_back(island.body.get());
@@ -156,6 +162,7 @@ class Islands final : public OrganBodies {
   }
 
   mesh::TetMesh mesh_;
+  std::vector<int> solid_of_;
   std::string kind_;
   Eigen::Matrix3Xi triangles_;
   std::vector<Island> islands_;
@@ -198,7 +205,7 @@ std::unique_ptr<OrganBodies> makeOrganBodies(const mesh::TetMesh& mesh,
       throw std::runtime_error(name + error.what());
     }
   }
-  return std::make_unique<Islands>(mesh, std::move(islands), settings);
+  return std::make_unique<Islands>(mesh, composition.solid_of, std::move(islands), settings);
 }
 
 std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
