@@ -1,55 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "markers.h"
 
-#include <array>
-
 #include "conversions.h"
+#include "marker_parts.h"
 #include "topics.h"
 
 namespace palpate::node {
-namespace {
 
 using visualization_msgs::Marker;
-
-std_msgs::ColorRGBA colour(float r, float g, float b) {
-  std_msgs::ColorRGBA c;
-  c.r = r;
-  c.g = g;
-  c.b = b;
-  c.a = 1.0F;  // anything less makes rviz sort triangles
-  return c;
-}
-
-std_msgs::ColorRGBA organColour(const std::string& name, std::size_t index) {
-  const auto is = [&](const char* word) { return name.find(word) != std::string::npos; };
-  if (is("liver")) return colour(0.66F, 0.26F, 0.20F);
-  if (is("kidney")) return colour(0.63F, 0.27F, 0.24F);
-  if (is("gall")) return colour(0.33F, 0.47F, 0.22F);
-  if (is("spleen")) return colour(0.45F, 0.16F, 0.26F);
-  static const std::array<std_msgs::ColorRGBA, 4> kOthers = {
-      colour(0.80F, 0.55F, 0.47F), colour(0.78F, 0.64F, 0.42F), colour(0.55F, 0.48F, 0.60F),
-      colour(0.47F, 0.58F, 0.62F)};
-  return kOthers[index % kOthers.size()];
-}
-
-Marker marker(const char* ns, std::size_t id, int type) {
-  Marker m;
-  m.header.frame_id = kWorldFrame;
-  m.ns = ns;
-  m.id = static_cast<int>(id);
-  m.type = type;
-  m.action = Marker::DELETE;
-  m.pose.orientation.w = 1.0;
-  return m;
-}
-
-}  // namespace
 
 SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
     : num_organs_(static_cast<std::size_t>(simulator.numOrgans())),
       num_contacts_(num_organs_ + (simulator.numAnatomy() > 0 ? 1 : 0)),
       num_instruments_(static_cast<std::size_t>(simulator.numInstruments())),
-      arrow_scale_(arrow_scale) {
+      arrow_scale_(arrow_scale),
+      shortest_(1e-3 * markerScale(simulator)) {
+  const double scale = markerScale(simulator);
   for (std::size_t i = 0; i < num_organs_; ++i) {
     Marker m = marker(kOrganMarkers, i, Marker::TRIANGLE_LIST);
     m.scale.x = m.scale.y = m.scale.z = 1.0;
@@ -58,15 +24,15 @@ SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
   }
   for (std::size_t i = 0; i < num_contacts_; ++i) {
     Marker m = marker(kContactMarkers, i, Marker::SPHERE_LIST);
-    m.scale.x = m.scale.y = m.scale.z = 0.0035;
+    m.scale.x = m.scale.y = m.scale.z = 0.0035 * scale;
     m.color = colour(1.0F, 0.85F, 0.2F);
     message_.markers.push_back(m);
   }
   for (std::size_t i = 0; i < num_instruments_; ++i) {
     Marker m = marker(kWrenchMarkers, i, Marker::ARROW);
-    m.scale.x = 0.004;  // shaft
-    m.scale.y = 0.009;  // head
-    m.scale.z = 0.012;  // length of the head
+    m.scale.x = 0.004 * scale;  // shaft
+    m.scale.y = 0.009 * scale;  // head
+    m.scale.z = 0.012 * scale;  // length of the head
     m.color = colour(0.15F, 0.85F, 0.45F);
     m.points.resize(2);
     message_.markers.push_back(m);
@@ -115,8 +81,7 @@ void SceneMarkers::updateArrow(const Picture& picture, std::size_t instrument) {
   if (instrument >= picture.spatial.size()) return;
   const Vec3 tail = picture.X_WC[instrument].translation();
   const Vec3 arrow = arrow_scale_ * picture.spatial[instrument].force;
-  constexpr double kShortest = 1e-3;  // [m]
-  if (!tail.allFinite() || !arrow.allFinite() || arrow.norm() < kShortest) return;
+  if (!tail.allFinite() || !arrow.allFinite() || arrow.norm() < shortest_) return;
   m.action = Marker::ADD;
   m.points[0] = toPoint(tail);
   m.points[1] = toPoint(tail + arrow);

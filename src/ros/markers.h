@@ -18,6 +18,7 @@ namespace palpate::node {
 ///  those
 ///    of tools on the anatomy, where there is any;
 ///  - namespace "wrench", id = instrument: the force as an arrow from the control frame.
+/// Contacts and arrows are thinner where all organs are small.
 /// Keeps the message between calls, so that nothing is allocated twice.
 class SceneMarkers {
  public:
@@ -33,6 +34,7 @@ class SceneMarkers {
 
   std::size_t num_organs_, num_contacts_, num_instruments_;
   double arrow_scale_;
+  double shortest_;                          // arrow that is shown [m]
   visualization_msgs::MarkerArray message_;  // organs, contacts, arrows
 };
 

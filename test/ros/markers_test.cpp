@@ -65,6 +65,20 @@ TEST_F(Markers, CopyTrianglesOnlyWhenTheyBecomeOthers) {
   EXPECT_NE(first.organs[0].triangles, picture().organs[0].triangles);
 }
 
+// The slab of 100 mm has them as they are, a block of 12 mm as much smaller.
+TEST_F(Markers, AreThinOnSmallOrgans) {
+  EXPECT_DOUBLE_EQ(markers.update(picture()).markers[2].scale.x, 0.0035);
+  scene::Scene small = scene::readScene(slab.file());
+  small.organs[0].scale = 0.12;
+  const sim::Simulator simulator_of_small(small);
+  SceneMarkers thin(simulator_of_small, 0.02);
+  Picture taken;
+  taken.organs.push_back(SurfaceCopies().take(simulator_of_small.shape(0), 0));
+  const visualization_msgs::MarkerArray& message = thin.update(taken);
+  EXPECT_NEAR(message.markers[1].scale.x, 0.12 * 0.0035, 1e-12);
+  EXPECT_NEAR(message.markers[2].scale.z, 0.12 * 0.012, 1e-12);
+}
+
 TEST(AnatomyMarkers, AreItsSurfaceInTheWorld) {
   const test::AnatomyScene files;
   const sim::Simulator simulator(
