@@ -50,6 +50,8 @@ struct SurfacePicture {
   Points positions;  ///< World, 3 x n [m].
   std::shared_ptr<const Eigen::Matrix3Xi> triangles;
   std::uint64_t revision = 0;  ///< See tissue::Shape.
+  /// At rest, of the same revision; shared likewise. Null while nobody wants cells.
+  std::shared_ptr<const mesh::CellMesh> cells = {};
 };
 
 /// What is seen in rviz.
@@ -91,6 +93,7 @@ struct Channels {
   LatestValue<Picture> picture;
   LatestValue<Statistics> statistics;
   std::atomic<bool> picture_wanted{false};   ///< Somebody subscribes to the markers.
+  std::atomic<bool> cells_wanted{false};     ///< To those that show what is inside.
   std::atomic<double> haptics_seconds{0.0};  ///< Of the force loop's last cycle.
   Arrivals arrivals;             ///< Of inputs with a thread; wakes the simulation thread.
   std::condition_variable news;  ///< Wakes the publishing thread; nobody waits for it.

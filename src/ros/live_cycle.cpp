@@ -219,8 +219,10 @@ void LiveCycle::writePicture(Steady::time_point now) {
   if (!(facts_.stepped ? picture_.due(now) : idle_picture_.due(now))) return;
   Picture picture;
   picture.stamp = stamp_;
+  const bool cells = channels_.cells_wanted.load(std::memory_order_relaxed);
   for (int i = 0; i < simulator_.numOrgans(); ++i) {
     picture.organs.push_back(surfaces_.take(simulator_.shape(i), static_cast<std::size_t>(i)));
+    if (cells) surfaces_.addCells(simulator_, i, &picture.organs.back());
   }
   if (solved_any_) {
     picture.contacts = result_.contacts;

@@ -103,7 +103,8 @@ int run(bool sends_realtime) {
   LiveCycle cycle(simulator.get(), &inputs, &channels);
   SimulationLoop simulation(&cycle, scene.rates.simulation, &channels.arrivals);
   diagnostics.running(&inputs, &haptic, names);
-  PublishingLoop publishing(handle, *simulator, params.arrow_scale, &channels, &diagnostics);
+  PublishingLoop publishing(handle, *simulator, params.arrow_scale, params.cutaway, &channels,
+                            &diagnostics);
 
   // Requests wait for the simulation; joint positions must not wait for requests.
   ros::CallbackQueue requests;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "palpate/base/vector_text.h"
+
 namespace palpate::node {
 
 using keys::Field;
@@ -178,7 +180,11 @@ bool ParamFields::vector3(const Field& field, Vec3& value, const Range& range) {
 bool ParamFields::integers3(const Field& field, Eigen::Vector3i& value, const Range& range) {
   Vec3 x = value.cast<double>();
   if (!vector3(field, x, range)) return false;
-  value = x.cast<int>();
+  if (x == x.array().round().matrix()) {
+    value = x.cast<int>();
+  } else {
+    refuse(path(field.key), vectorText(x), "must be three whole numbers");
+  }
   return true;
 }
 

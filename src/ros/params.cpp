@@ -32,6 +32,9 @@ NodeParams readParams(const ros::NodeHandle& handle) {
     throw InputError(where, kArrowScaleParam, std::to_string(p.arrow_scale),
                      "must be finite and > 0 [m/N]");
   }
+  ParamFields fields(handle);
+  fields.apply(kCutawaySection, p.cutaway);
+  fields.check();
   return p;
 }
 
@@ -58,6 +61,7 @@ scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
     fields.apply(std::string(kInstrumentsSection) + "/" + instrument.name, instrument);
   }
   std::vector<std::string> known(std::begin(kNodeParams), std::end(kNodeParams));
+  known.emplace_back(kCutawaySection);
   known.insert(known.end(), std::begin(kSceneSections), std::end(kSceneSections));
   for (const scene::InstrumentConfig& instrument : scene.instruments) {
     known.push_back(std::string(kInstrumentsSection) + "/" + instrument.name);

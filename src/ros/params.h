@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "cutaway_config.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::node {
@@ -33,6 +34,7 @@ struct NodeParams {
       rosHome() + "/palpate";  ///< ~state_directory: where ~save_state writes.
   std::string initial_state;   ///< ~initial_state: a file of ~save_state to start from; "": rest.
   double arrow_scale = 0.04;   ///< ~arrow_scale: length of the wrench arrow [m/N].
+  CutawayConfig cutaway;       ///< ~cutaway/...
 };
 
 /// @throws InputError naming the parameter.

@@ -9,12 +9,16 @@
 namespace palpate::node {
 
 PublishingLoop::PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator,
-                               double arrow_scale, Channels* channels, Diagnostics* diagnostics)
+                               double arrow_scale, const CutawayConfig& cutaway, Channels* channels,
+                               Diagnostics* diagnostics)
     : channels_(*channels),
       diagnostics_(*diagnostics),
       always_(!simulator.scene().solver.skip.unwatched_markers),
       markers_(simulator, arrow_scale),
+      cut_(simulator, cutaway),
+      cut_due_(1.0 / cutaway.rate),
       organs_(handle.advertise<visualization_msgs::MarkerArray>(kOrgansTopic, 1)),
+      cutaway_(handle.advertise<visualization_msgs::MarkerArray>(kCutawayTopic, 1)),
       anatomy_(handle.advertise<visualization_msgs::MarkerArray>(kAnatomyTopic, 1, true)),
       report_(handle.advertise<palpate::StepReport>(kStepReportTopic, 1)) {
   anatomy_.publish(anatomyMarkers(simulator));
@@ -39,7 +43,8 @@ void PublishingLoop::loop() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stopping_) {
     channels_.news.wait_for(lock, seconds(kLongestWait));
-    channels_.picture_wanted = wanted();
+    channels_.cells_wanted = cutawayWanted();
+    channels_.picture_wanted = organsWanted() || cutawayWanted();
     PhaseTimes times;
     if (channels_.report.hasNew()) {
       const PhaseTimer timer(&times, Phase::kPublish);
@@ -51,7 +56,8 @@ void PublishingLoop::loop() {
     if (channels_.picture.hasNew()) {
       const PhaseTimer timer(&times, Phase::kPublish);
       const Picture& picture = channels_.picture.read();
-      if (wanted()) organs_.publish(markers_.update(picture));
+      if (organsWanted()) organs_.publish(markers_.update(picture));
+      if (cutawayWanted() && cut_due_.due()) cutaway_.publish(cut_.update(picture));
     }
     if (times[Phase::kPublish] > 0.0) beside[Phase::kPublish] = times[Phase::kPublish];
     beside[Phase::kHaptics] = channels_.haptics_seconds;

@@ -8,8 +8,10 @@
 #include <thread>
 
 #include "channels.h"
+#include "cutaway_markers.h"
 #include "diagnostics.h"
 #include "markers.h"
+#include "throttle.h"
 
 namespace palpate::node {
 
@@ -18,7 +20,7 @@ namespace palpate::node {
 class PublishingLoop {
  public:
   PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator, double arrow_scale,
-                 Channels* channels, Diagnostics* diagnostics);
+                 const CutawayConfig& cutaway, Channels* channels, Diagnostics* diagnostics);
   ~PublishingLoop();
 
   void start();
@@ -26,13 +28,16 @@ class PublishingLoop {
 
  private:
   void loop();
-  bool wanted() const { return always_ || organs_.getNumSubscribers() > 0; }
+  bool organsWanted() const { return always_ || organs_.getNumSubscribers() > 0; }
+  bool cutawayWanted() const { return always_ || cutaway_.getNumSubscribers() > 0; }
 
   Channels& channels_;
   Diagnostics& diagnostics_;
   bool always_;  // make pictures that nobody sees, too
   SceneMarkers markers_;
-  ros::Publisher organs_, anatomy_, report_;
+  CutawayMarkers cut_;
+  Throttle cut_due_;
+  ros::Publisher organs_, cutaway_, anatomy_, report_;
   std::mutex mutex_;  // for waiting only; nobody else takes it
   std::atomic<bool> stopping_{false};
   std::thread thread_;

@@ -8,24 +8,36 @@
 
 namespace palpate::node {
 
-/// Copies organs' surfaces for pictures; triangles only when they have become others.
+/// Copies organs' surfaces for pictures; triangles and cells only when they have become others.
 class SurfaceCopies {
  public:
   SurfacePicture take(const tissue::Shape& shape, std::size_t organ) {
     if (organ >= last_.size()) last_.resize(organ + 1);
-    Triangles& last = last_[organ];
+    Last& last = last_[organ];
     if (!last.copy || last.revision != shape.revision) {
-      last = {std::make_shared<const Eigen::Matrix3Xi>(shape.triangles), shape.revision};
+      last.copy = std::make_shared<const Eigen::Matrix3Xi>(shape.triangles);
+      last.revision = shape.revision;
     }
     return {shape.positions, last.copy, last.revision};
   }
+  /// Adds the cells to a picture that has just been taken.
+  void addCells(const sim::Simulator& simulator, int organ, SurfacePicture* picture) {
+    Last& last = last_[static_cast<std::size_t>(organ)];
+    if (!last.cells || last.cells_revision != picture->revision) {
+      last.cells = std::make_shared<const mesh::CellMesh>(simulator.cells(organ));
+      last.cells_revision = picture->revision;
+    }
+    picture->cells = last.cells;
+  }
 
  private:
-  struct Triangles {
+  struct Last {
     std::shared_ptr<const Eigen::Matrix3Xi> copy;
     std::uint64_t revision = 0;
+    std::shared_ptr<const mesh::CellMesh> cells = {};
+    std::uint64_t cells_revision = 0;
   };
-  std::vector<Triangles> last_;  // of each organ
+  std::vector<Last> last_;  // of each organ
 };
 
 }  // namespace palpate::node

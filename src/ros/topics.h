@@ -13,6 +13,7 @@ inline constexpr char kWorldFrame[] = "world";
 
 inline constexpr char kOrgansTopic[] = "organs";           ///< visualization_msgs/MarkerArray
 inline constexpr char kAnatomyTopic[] = "anatomy";         ///< visualization_msgs/MarkerArray
+inline constexpr char kCutawayTopic[] = "cutaway";         ///< visualization_msgs/MarkerArray
 inline constexpr char kStepReportTopic[] = "step_report";  ///< palpate/StepReport
 inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/JointState, default
 inline constexpr char kSpatialWrench[] = "spatial/measured_cf";  ///< geometry_msgs/WrenchStamped
@@ -27,6 +28,9 @@ inline constexpr char kSaveStateService[] = "save_state";  ///< std_srvs/Trigger
 inline constexpr char kOrganMarkers[] = "organs";
 inline constexpr char kContactMarkers[] = "contacts";
 inline constexpr char kWrenchMarkers[] = "wrench";
+// In kCutawayTopic.
+inline constexpr char kCutMarkers[] = "cut";
+inline constexpr char kNodeMarkers[] = "nodes";
 // And in kAnatomyTopic.
 inline constexpr char kAnatomyMarkers[] = "anatomy";
 

@@ -293,6 +293,26 @@ class Joints(unittest.TestCase):
         self.assertEqual(arrow.action, Marker.ADD)
         self.assertGreater(arrow.points[1].z, arrow.points[0].z)
 
+    def test_shows_the_block_cut_open_at_a_rate_of_its_own(self):
+        self.touch()
+        cutaway = Ear("cutaway", MarkerArray)
+        self.assertIsNotNone(cutaway.wait(lambda m: m.markers[0].action == Marker.ADD))
+        cutaway.clear()
+        time.sleep(2.0)
+        timed = cutaway.timed()
+        cutaway.subscriber.unregister()
+        self.assertGreater(len(timed), 4)  # ~cutaway/rate is 5 Hz
+        self.assertLess(len(timed), 13)
+        cut, nodes = timed[-1][1].markers
+        self.assertEqual((cut.ns, cut.id, cut.type), ("cut", 0, Marker.TRIANGLE_LIST))
+        self.assertEqual((nodes.ns, nodes.id, nodes.type), ("nodes", 0, Marker.SPHERE_LIST))
+        self.assertEqual(len(cut.colors), len(cut.points))
+        self.assertGreater(len(nodes.points), 0)
+        volume = 0.0
+        for a, b, c in zip(*(iter(cut.points),) * 3):
+            volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6
+        self.assertAlmostEqual(volume, 0.75 * 0.08 * 0.08 * 0.03, delta=0.02 * 0.08 * 0.08 * 0.03)
+
     def test_the_force_loop_is_fast_and_says_so(self):
         self.touch()
         self.diagnostics.clear()

@@ -51,6 +51,15 @@ class Parameters(unittest.TestCase):
                      "_instruments/probe/input:=hands", "_contact/stiffness:=soft")
         self.refused(["arrow_scale"], scene, "_arrow_scale:=-1.0")
 
+    def test_the_cut_is_checked(self):
+        scene = "_scene:=" + os.path.join(SCENES, "block.yaml")
+        self.refused(["cutaway/rate", "cutaway/sizes", "did you mean cutaway/size"], scene, "_cutaway/rate:=-5.0",
+                     "_cutaway/sizes:=1")
+        # Lists come from files or the server, not from the command line.
+        for corner, words in (([0, 0, 0], "takes all away"), ([2, 0, 0], "cutaway/corner"), ([1, 0], "three"), ([0.5, 0, 1], "whole")):
+            rospy.set_param("/node_%d/cutaway/corner" % run.count, corner)
+            self.refused(["cutaway/corner", words], scene)
+
     def test_unknown_parameters_are_refused_anywhere(self):
         scene = "_scene:=" + os.path.join(SCENES, "block.yaml")
         self.refused(["sceen", "did you mean scene"], scene, "_sceen:=liver_palpation")

@@ -78,6 +78,7 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
       {code(instrumentTopic("<instrument>", kBodyWrench)), wrench},
       {code(instrumentTopic("<instrument>", kContactModel)), typeOf<palpate::ContactModel>()},
       {code(kAnatomyTopic), typeOf<visualization_msgs::MarkerArray>()},
+      {code(kCutawayTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kOrgansTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kStepReportTopic), typeOf<palpate::StepReport>()},
       {"`/diagnostics`", typeOf<diagnostic_msgs::DiagnosticArray>()},
@@ -98,7 +99,9 @@ TEST(Readme, HasTheRatesAndFramesOfTheTopics) {
     EXPECT_EQ(rows.at(code(instrumentTopic("<instrument>", topic))).at(4), haptic);
   }
   EXPECT_EQ(rows.at(code(kOrgansTopic)).at(4).substr(0, markers.size()), markers);
-  for (const char* topic : {kOrgansTopic, kAnatomyTopic, kStepReportTopic}) {
+  const std::string cutaway = "`~cutaway/rate`, " + formatNumber(CutawayConfig().rate) + " Hz";
+  EXPECT_EQ(rows.at(code(kCutawayTopic)).at(4).substr(0, cutaway.size()), cutaway);
+  for (const char* topic : {kOrgansTopic, kCutawayTopic, kAnatomyTopic, kStepReportTopic}) {
     EXPECT_EQ(rows.at(code(topic)).at(2), code(kWorldFrame));
   }
 }
@@ -107,6 +110,9 @@ TEST(Readme, HasTheParametersOfTheNode) {
   const std::map<std::string, Row> rows = tablesBelow("Parameters of `palpate_node`");
   std::vector<std::string> expected, found;
   for (const char* name : kNodeParams) expected.push_back(code(std::string("~") + name));
+  for (const char* name : kCutawayParams) {
+    expected.push_back(code("~" + std::string(kCutawaySection) + "/" + name));
+  }
   std::string sections;
   for (const char* name : kSceneSections) {
     sections += code("~" + std::string(name) + "/...") + ", ";
