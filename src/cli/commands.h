@@ -26,5 +26,6 @@ void addSkin(CLI::App& app, Action& action);
 void addSolve(CLI::App& app, Action& action);
 void addSprings(CLI::App& app, Action& action);
 void addTorture(CLI::App& app, Action& action);
+void addTrain(CLI::App& app, Action& action);
 
 }  // namespace palpate::cli

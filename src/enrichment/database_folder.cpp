@@ -65,13 +65,12 @@ bool sound(const mesh::SurfaceMesh& surface) {
 
 void readBody(const std::string& file, const std::string& bytes, DeformationDatabase* database) {
   try {
-    std::string made_by;
     StateReader in(bytes);
     in.get(&database->coarse.points);
     in.get(&database->coarse.triangles);
     in.get(&database->fine.points);
     in.get(&database->fine.triangles);
-    in.get(&made_by);
+    in.get(&database->made_by);
     in.finish();
   } catch (const std::invalid_argument&) {
     throw InputError(file, "", "", "is cut off");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "palpate/mesh/surface_mesh.h"
@@ -19,6 +20,7 @@ struct Deformation {
 struct DeformationDatabase {
   mesh::SurfaceMesh coarse, fine;  ///< At rest [m].
   std::vector<Deformation> samples;
+  std::string made_by;  ///< What DatabaseFolder was told.
 
   Eigen::Index numCoarse() const { return coarse.points.cols(); }
   Eigen::Index numFine() const { return fine.points.cols(); }

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surrogates of a body whose answer is known in closed form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "palpate/base/atomic_file.h"
+#include "palpate/base/text_file.h"
+#include "palpate/enrichment/surrogate_file.h"
+#include "palpate/enrichment/surrogate_training.h"
+#include "palpate/organs/organs.h"
+#include "support/input_error.h"
+#include "support/temp_folder.h"
+
+namespace palpate::enrichment {
+namespace {
+
+// Stiffer to the right, and the farther it is displaced; all points move along, those far less.
+Vec3 forceOf(const Vec3& place, const Vec3& d) {
+  return (100.0 + 500.0 * place.x() + 2e4 * d.norm()) * d;
+}
+
+DeformationDatabase springBed(int samples) {
+  DeformationDatabase database;
+  database.coarse = database.fine = organs::makeOrgan("slab", 0.03);
+  database.made_by = "organ, edges 0.01 m, patch 0.006 m, seed 1";
+  const Points& X = database.fine.points;
+  for (int k = 0; k < samples; ++k) {
+    Deformation sample;
+    sample.contact = static_cast<int>((7L * k) % X.cols());
+    const Vec3 place = X.col(sample.contact);
+    const Vec3 d = 0.004 * (0.3 + 0.7 * std::abs(std::sin(1.3 * k))) *
+                   Vec3(0.4 * std::sin(2.1 * k), 0.4 * std::sin(3.7 * k + 1.0), -1.0).normalized();
+    sample.force = forceOf(place, d);
+    sample.fine.resize(3, X.cols());
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      sample.fine.col(i) = d * std::exp(-(X.col(i) - place).squaredNorm() / (2.0 * 0.04 * 0.04));
+    }
+    database.samples.push_back(sample);
+  }
+  return database;
+}
+
+TrainingSettings settingsOf(const std::string& kind) {
+  TrainingSettings settings;
+  settings.kind = kind;
+  settings.hidden = {kind == "kernel" ? 48 : 16};  // a centre at each sample
+  settings.modes = 20;
+  settings.iterations = 600;
+  return settings;
+}
+
+class OfKind : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, OfKind, ::testing::Values("kernel", "network"));
+
+// A stiffness that is smooth over the body is to be found within 5 %, where it was not learned.
+TEST_P(OfKind, LearnsAClosedForm) {
+  const DeformationDatabase database = springBed(150);
+  std::vector<Deformation> held_out, learned;
+  const Surrogate made = trainSurrogate(database, settingsOf(GetParam()), &held_out, &learned);
+  EXPECT_EQ(held_out.size(), 30U);
+  EXPECT_EQ(learned.size(), 120U);
+  const SurrogateError error = errorOf(made, database, held_out);
+  std::printf("%s: force %.2f %%, displacement %.4f mm\n", GetParam(), 100 * error.relative_force,
+              1e3 * error.displacement);
+  EXPECT_LT(error.relative_force, 0.05);
+}
+
+TEST_P(OfKind, IsTheSameBitsAndHasNoForceAtRest) {
+  const DeformationDatabase database = springBed(60);
+  Surrogate a = trainSurrogate(database, settingsOf(GetParam()));
+  Surrogate b = trainSurrogate(database, settingsOf(GetParam()));
+  Eigen::VectorXd work, modes_a, modes_b;
+  Vec3 force_a, force_b;
+  const Vec3 place = database.fine.points.col(4);
+  for (const Vec3& d : {Vec3(0.0, 0.0, 0.0), Vec3(0.001, 0.0, -0.002), Vec3(5.0, 3.0, 1.0)}) {
+    a.predict(place, d, &work, &force_a, &modes_a);
+    b.predict(place, d, &work, &force_b, &modes_b);
+    EXPECT_EQ(force_a, force_b);
+    EXPECT_EQ(modes_a, modes_b);
+    EXPECT_TRUE(force_a.allFinite());
+    EXPECT_EQ(force_a.isZero(0.0), d.isZero(0.0));
+  }
+}
+
+TEST_P(OfKind, KnowsWhatItHasNotSeen) {
+  const DeformationDatabase database = springBed(150);
+  std::vector<Deformation> held_out;
+  const Surrogate made = trainSurrogate(database, settingsOf(GetParam()), &held_out);
+  int strange = 0, far = 0;
+  for (const Deformation& sample : held_out) {
+    const Vec3 place = database.fine.points.col(sample.contact);
+    const Vec3 d = sample.fine.col(sample.contact);
+    strange += made.strangeness(place, d) > 1.0;
+    EXPECT_LE(made.strangeness(place, 0.5 * d), made.strangeness(place, d) + 1e-12);
+    far += made.strangeness(place + Vec3(0.0, 0.0, 1.0), d) > 1.0;
+  }
+  EXPECT_LE(strange, 6);  // 5 % of those that were learned are
+  EXPECT_EQ(far, 30);
+}
+
+TEST_P(OfKind, IsReadAsItWasWrittenAndRefusedOtherwise) {
+  const test::TempFolder temp;
+  const DeformationDatabase database = springBed(40);
+  Surrogate made = trainSurrogate(database, settingsOf(GetParam()));
+  const std::string file = temp.path("a.net"), other = temp.path("b.net");
+  writeSurrogate(file, made);
+  Surrogate read = readSurrogate(file);
+  writeSurrogate(other, read);
+  const std::string bytes = readTextFile(file, 1U << 26);
+  EXPECT_EQ(bytes, readTextFile(other, 1U << 26));
+  EXPECT_EQ(read.made_by, made.made_by);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 50) {
+    writeFileAtomically(other, bytes.substr(0, size));
+    EXPECT_THROW(readSurrogate(other), InputError) << size;
+    std::string changed = bytes;
+    changed[size] = static_cast<char>(changed[size] ^ 0x11);
+    writeFileAtomically(other, changed);
+    EXPECT_THROW(readSurrogate(other), InputError) << size;
+  }
+}
+
+TEST(SurrogateTraining, RefusesWhatItCannotLearn) {
+  EXPECT_THROW(trainSurrogate(springBed(9), settingsOf("kernel")), std::invalid_argument);
+  DeformationDatabase database = springBed(40);
+  database.made_by = "somehow";
+  EXPECT_THROW(trainSurrogate(database, settingsOf("kernel")), std::invalid_argument);
+  EXPECT_THROW(trainSurrogate(springBed(40), settingsOf("forest")), std::invalid_argument);
+}
+
+TEST(RankCorrelation, IsOfTheOrderAlone) {
+  EXPECT_DOUBLE_EQ(rankCorrelation({1.0, 2.0, 3.0}, {1.0, 10.0, 100.0}), 1.0);
+  EXPECT_DOUBLE_EQ(rankCorrelation({1.0, 2.0, 3.0}, {3.0, 2.0, 1.0}), -1.0);
+  EXPECT_EQ(rankCorrelation({1.0, 1.0}, {1.0, 2.0}), 0.0);
+}
+
+}  // namespace
+}  // namespace palpate::enrichment
