@@ -70,9 +70,9 @@ void print(const char* name, const enrichment::SurrogateError& error) {
   std::size_t strange = 0;
   for (const double s : error.strangeness) strange += s > 1.0 ? 1U : 0U;
   std::cout << "  " << name << error.force.size() << " samples, force "
-            << 100.0 * error.relative_force << " % (worst " << error.worst_force
-            << " N), displacement " << 1e3 * error.displacement << " mm (worst "
-            << 1e3 * error.worst_displacement << " mm), " << strange
+            << 100.0 * error.relative_force << " % (median " << 100.0 * error.median_force
+            << " %, worst " << error.worst_force << " N), displacement " << 1e3 * error.displacement
+            << " mm (worst " << 1e3 * error.worst_displacement << " mm), " << strange
             << " strange, rank correlation of both "
             << enrichment::rankCorrelation(error.strangeness, error.force) << "\n";
 }

@@ -233,6 +233,7 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
   SurrogateError error;
   Eigen::VectorXd work, coefficients;
   Points shape;
+  std::vector<double> parts;
   double force_squares = 0.0, squares = 0.0, moved_squares = 0.0, points = 0.0;
   for (const Deformation& sample : samples) {
     const Vec3 place = database.fine.points.col(sample.contact);
@@ -241,6 +242,7 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
     one.predict(place, displacement, &work, &force, &coefficients);
     one.shape(coefficients, &shape);
     error.force.push_back((force - sample.force).norm());
+    parts.push_back(error.force.back() / std::max(sample.force.norm(), 1e-12));
     error.strangeness.push_back(one.strangeness(place, displacement));
     force_squares += sample.force.squaredNorm();
     squares += (force - sample.force).squaredNorm();
@@ -250,6 +252,8 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
     error.worst_displacement =
         std::max(error.worst_displacement, (shape - sample.fine).colwise().norm().maxCoeff());
   }
+  std::sort(parts.begin(), parts.end());
+  if (!parts.empty()) error.median_force = parts[parts.size() / 2];
   if (force_squares > 0.0) error.relative_force = std::sqrt(squares / force_squares);
   if (points > 0.0) error.displacement = std::sqrt(moved_squares / points);
   return error;

@@ -27,6 +27,7 @@ struct SurrogateError {
   std::vector<double> force;        ///< |F - F'|, a sample each [N].
   std::vector<double> strangeness;  ///< Of the samples.
   double relative_force = 0.0;      ///< Root of the mean square, over that of the forces.
+  double median_force = 0.0;        ///< Of |F - F'|/|F|.
   double worst_force = 0.0;         ///< [N]
   double displacement = 0.0;        ///< Root of the mean square over the surface's points [m].
   double worst_displacement = 0.0;  ///< [m]
