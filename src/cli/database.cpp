@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include "options.h"
 #include "organ_choice.h"
 #include "palpate/base/error.h"
+#include "palpate/base/number.h"
 #include "palpate/enrichment/sample_maker.h"
 #include "palpate/scene/organ_assembly.h"
 #include "palpate/scene/pressed_organ.h"
@@ -22,6 +24,7 @@ namespace {
 
 struct Options {
   std::string scene, organ, out, part = "0/1";
+  std::optional<std::string> within;
   enrichment::DatabasePlan plan;
   int threads = 1;
   double cone = 30.0;  // [degree]
@@ -38,6 +41,19 @@ enrichment::SharePart shareOf(const std::string& text) {
     throw InputError("command line", "--part", text, "must be K/N with K from 0 to N-1");
   }
   return share;
+}
+
+enrichment::PressBall ballOf(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<double> numbers;
+  for (std::string item; std::getline(in, item, ',');) {
+    numbers.push_back(parseNumber(item).value_or(std::nan("")));
+  }
+  if (numbers.size() != 4 || !std::isfinite(numbers[0] + numbers[1] + numbers[2] + numbers[3]) ||
+      !(numbers[3] > 0.0)) {
+    throw InputError("command line", "--within", text, "must be X,Y,Z,R in metres, R above 0");
+  }
+  return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
 void check(const Options& options) {
@@ -67,6 +83,7 @@ scene::PressedOrgan pressedOrgan(const Options& options, start::ProgressLine* li
 int run(Options options) {
   const enrichment::SharePart share = shareOf(options.part);
   check(options);
+  if (options.within) options.plan.within = ballOf(*options.within);
   options.plan.press.cone = options.cone * std::acos(-1.0) / 180.0;
   start::ProgressLine line;
   const scene::PressedOrgan organ = pressedOrgan(options, &line);
@@ -112,6 +129,8 @@ void addDatabase(CLI::App& app, Action& action) {
                  "Of the tetrahedra [m]; the fine surface's mean if not given");
   command.option("--patch", &plan.patch,
                  "Radius of what is pressed [m]; the coarse surface's mean edge if not given");
+  command.option("--within", &options->within,
+                 "X,Y,Z,R: press only in this ball, in the organ's frame [m]");
   command.option("--part", &options->part,
                  "K/N: samples K, K + N, K + 2 N ... only, for N programs at once");
   command.option("--threads", &options->threads, "Presses solved at once; 1 if not given")

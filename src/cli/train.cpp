@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -24,7 +26,7 @@ namespace {
 
 struct Options {
   std::string database, out;
-  std::optional<std::string> hidden, check;
+  std::optional<std::string> hidden, check, far;
   enrichment::TrainingSettings training;
 };
 
@@ -67,14 +69,64 @@ double timeOf(enrichment::Surrogate surrogate, const enrichment::DeformationData
 
 void print(const char* name, const enrichment::SurrogateError& error) {
   if (error.force.empty()) return;
-  std::size_t strange = 0;
-  for (const double s : error.strangeness) strange += s > 1.0 ? 1U : 0U;
+  const enrichment::Alarms alarms = enrichment::alarmsOf({error});
   std::cout << "  " << name << error.force.size() << " samples, force "
             << 100.0 * error.relative_force << " % (median " << 100.0 * error.median_force
             << " %, worst " << error.worst_force << " N), displacement " << 1e3 * error.displacement
-            << " mm (worst " << 1e3 * error.worst_displacement << " mm), " << strange
-            << " strange, rank correlation of both "
+            << " mm (worst " << 1e3 * error.worst_displacement << " mm), " << alarms.flagged
+            << " of " << alarms.wrong << " that are missed by more than 20 % are strange, and "
+            << alarms.false_alarms << " of " << alarms.right << " others; rank correlation of both "
             << enrichment::rankCorrelation(error.strangeness, error.force) << "\n";
+}
+
+// Which contacts are of the first half, for one half of the samples to set what is strange and the
+// other to tell whether it holds.
+using Halves = std::array<std::vector<enrichment::Deformation>, 2>;
+
+Halves halvesByContact(const std::vector<enrichment::Deformation>& samples) {
+  std::map<int, std::size_t> half;
+  for (const enrichment::Deformation& sample : samples) half.emplace(sample.contact, 0);
+  std::size_t k = 0;
+  for (auto& [contact, of] : half) of = k++ % 2;
+  Halves halves;
+  for (const enrichment::Deformation& sample : samples) {
+    halves[half[sample.contact]].push_back(sample);
+  }
+  return halves;
+}
+
+// Of another database of the surface.
+template <class Tell>
+void withSamplesOf(const std::string& folder, const Tell& tell) {
+  const enrichment::DeformationDatabase other = enrichment::readDatabase(folder);
+  try {
+    tell(other);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(folder, "", "", error.what());
+  }
+}
+
+void chooseSeen(const enrichment::DeformationDatabase& database,
+                const std::vector<enrichment::Deformation>& held_out, const std::string& far,
+                enrichment::Surrogate* made) {
+  withSamplesOf(far, [&](const enrichment::DeformationDatabase& other) {
+    const Halves near_halves = halvesByContact(held_out),
+                 far_halves = halvesByContact(other.samples);
+    const auto errors = [&](const enrichment::Surrogate& of, std::size_t half) {
+      return std::vector<enrichment::SurrogateError>{
+          enrichment::errorOf(of, database, near_halves[half]),
+          enrichment::errorOf(of, other, far_halves[half])};
+    };
+    enrichment::chooseSeen([&](const enrichment::Surrogate& of) { return errors(of, 0); }, made);
+    for (const std::size_t half : {0U, 1U}) {
+      const enrichment::Alarms alarms = enrichment::alarmsOf(errors(*made, half));
+      std::cout << (half == 0 ? "  strange is set by half of these and of what is held out: "
+                              : "  of the other half: ")
+                << alarms.flagged << " of " << alarms.wrong
+                << " that are missed by more than 20 %, and " << alarms.false_alarms << " of "
+                << alarms.right << " others\n";
+    }
+  });
 }
 
 int run(const Options& options) {
@@ -91,6 +143,7 @@ int run(const Options& options) {
     throw InputError(options.database, "", "", error.what());
   }
   line.finish();
+  if (options.far) chooseSeen(database, held_out, *options.far, &made);
   enrichment::writeSurrogate(options.out, made);
   std::cout << options.out << "\n  " << training.kind << "   " << made.numParameters()
             << " parameters, " << made.numModes() << " modes of " << made.surface.points.cols()
@@ -100,12 +153,9 @@ int run(const Options& options) {
   print("learned   ", enrichment::errorOf(made, database, learned));
   print("held out  ", enrichment::errorOf(made, database, held_out));
   if (options.check) {
-    const enrichment::DeformationDatabase other = enrichment::readDatabase(*options.check);
-    try {
+    withSamplesOf(*options.check, [&](const enrichment::DeformationDatabase& other) {
       print("checked   ", enrichment::errorOf(made, other, other.samples));
-    } catch (const std::invalid_argument& error) {
-      throw InputError(*options.check, "", "", error.what());
-    }
+    });
   }
   return kOk;
 }
@@ -133,6 +183,9 @@ void addTrain(CLI::App& app, Action& action) {
   command.option("--iterations", &training.iterations, "Of the network; 2000 if not given")
       .between(1, 1000000);
   command.option("--decay", &training.decay, "Of the network's weights; 1e-6 if not given");
+  command.option("--far", &options->far,
+                 "Another database of the same surface, of presses that go farther: what is "
+                 "strange is set by what these and those held out are missed by");
   command.option("--check", &options->check, "Another database of the same surface to predict");
   command.onUse([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -86,15 +87,31 @@ void KernelMap::evaluate(const Vec6& x, const Vec3& d, Eigen::Index rows,
   }
 }
 
-double leaveOneOutError(const ResponseSamples& samples, double ridge) {
+double leaveGroupsOutError(const ResponseSamples& samples, double ridge,
+                           const std::vector<int>& groups) {
   Eigen::MatrixXd system = kernels(samples);
   system.diagonal().array() += ridge;
   const Eigen::LLT<Eigen::MatrixXd> factor(system);
   const Eigen::MatrixXd inverse =
       factor.solve(Eigen::MatrixXd::Identity(samples.size(), samples.size()));
-  const Eigen::MatrixXd missed =
-      (samples.values * inverse) * inverse.diagonal().cwiseInverse().asDiagonal();
-  return missed.squaredNorm();
+  const Eigen::MatrixXd weights = samples.values * inverse;
+  std::map<int, std::vector<Eigen::Index>> members;
+  for (Eigen::Index k = 0; k < samples.size(); ++k) {
+    members[groups[static_cast<std::size_t>(k)]].push_back(k);
+  }
+  double sum = 0.0;
+  for (const auto& [number, of] : members) {
+    const auto n = static_cast<Eigen::Index>(of.size());
+    Eigen::MatrixXd block(n, n), some(weights.rows(), n);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      some.col(a) = weights.col(of[static_cast<std::size_t>(a)]);
+      for (Eigen::Index b = 0; b < n; ++b) {
+        block(a, b) = inverse(of[static_cast<std::size_t>(a)], of[static_cast<std::size_t>(b)]);
+      }
+    }
+    sum += block.ldlt().solve(some.transpose()).squaredNorm();
+  }
+  return sum;
 }
 
 }  // namespace palpate::enrichment

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace palpate::enrichment {
 namespace {
 
 constexpr std::size_t kLeastSamples = 10;
-constexpr double kSeenPart = 0.95;
+constexpr double kSeenPart = 0.95, kFlagged = 0.9;
 
 void check(const TrainingSettings& s) {
   const auto refuse = [](const std::string& what) { throw std::invalid_argument(what); };
@@ -107,20 +108,20 @@ struct Widths {
   double place = 0.0, displacement = 0.0, ridge = 0.0;
 };
 
-Widths chooseWidths(const ResponseSamples& samples, double longest,
+Widths chooseWidths(const ResponseSamples& samples, const std::vector<int>& places, double longest,
                     const std::function<void(double)>& progress) {
-  const auto places = samples.inputs.topRows<3>();
-  const double size = (places.rowwise().maxCoeff() - places.rowwise().minCoeff()).norm();
+  const auto X = samples.inputs.topRows<3>();
+  const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
   const double span = size > 0.0 ? size : 1.0;
   Widths best;
   double least = std::numeric_limits<double>::infinity();
   int k = 0;
-  for (const double place : {0.05, 0.1, 0.15, 0.25, 0.4}) {
+  for (const double place : {0.1, 0.2, 0.4, 0.8, 1.6}) {
     for (const double displacement : {0.5, 1.0, 2.0, 4.0}) {
       const ResponseSamples some =
           scaled(samples, Vec6::Zero(), scaleOf(place * span, displacement * longest));
       for (const double ridge : {1e-6, 1e-4, 1e-3, 1e-2}) {
-        const double error = leaveOneOutError(some, ridge);
+        const double error = leaveGroupsOutError(some, ridge, places);
         if (error < least) {
           least = error;
           best = {place * span, displacement * longest, ridge};
@@ -133,13 +134,19 @@ Widths chooseWidths(const ResponseSamples& samples, double longest,
   return best;
 }
 
-void findThreshold(SeenRegion* seen) {
+void findThreshold(const std::vector<int>& places, SeenRegion* seen) {
   const Eigen::Index n = seen->samples.cols();
   std::vector<double> distances;
   for (Eigen::Index k = 0; k < n; ++k) {
     SeenRegion others;
-    others.samples.resize(6, n - 1);
-    others.samples << seen->samples.leftCols(k), seen->samples.rightCols(n - 1 - k);
+    others.samples.resize(6, n);
+    Eigen::Index count = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if (places[static_cast<std::size_t>(i)] == places[static_cast<std::size_t>(k)]) continue;
+      others.samples.col(count++) = seen->samples.col(i);
+    }
+    if (count == 0) return;
+    others.samples.conservativeResize(Eigen::NoChange, count);
     distances.push_back(others.distance(seen->samples.col(k)));
   }
   std::sort(distances.begin(), distances.end());
@@ -174,6 +181,8 @@ std::vector<double> ranks(const std::vector<double>& values) {
 
 }  // namespace
 
+namespace {
+
 std::vector<int> drawnOrder(std::size_t samples, int seed) {
   std::vector<int> order(samples);
   std::iota(order.begin(), order.end(), 0);
@@ -182,15 +191,31 @@ std::vector<int> drawnOrder(std::size_t samples, int seed) {
   return order;
 }
 
+// Contacts of which all samples are held out.
+std::set<int> heldOutPlaces(const DeformationDatabase& database, const TrainingSettings& settings) {
+  std::set<int> all, apart;
+  for (const Deformation& sample : database.samples) all.insert(sample.contact);
+  const std::vector<int> places(all.begin(), all.end()),
+      order = drawnOrder(places.size(), settings.seed);
+  const auto out = static_cast<std::size_t>(settings.held_out * static_cast<double>(order.size()));
+  for (std::size_t k = 0; k < out; ++k) {
+    apart.insert(places[static_cast<std::size_t>(order[k])]);
+  }
+  return apart;
+}
+
+}  // namespace
+
 Surrogate trainSurrogate(const DeformationDatabase& database, const TrainingSettings& settings,
                          std::vector<Deformation>* held_out, std::vector<Deformation>* learned,
                          const std::function<void(double)>& progress) {
   check(settings);
   std::vector<Deformation> samples, others;
-  const std::vector<int> order = drawnOrder(database.samples.size(), settings.seed);
-  const auto out = static_cast<std::size_t>(settings.held_out * static_cast<double>(order.size()));
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    (k < out ? others : samples).push_back(database.samples[static_cast<std::size_t>(order[k])]);
+  const std::set<int> apart = heldOutPlaces(database, settings);
+  std::vector<int> places;
+  for (const Deformation& sample : database.samples) {
+    (apart.count(sample.contact) > 0 ? others : samples).push_back(sample);
+    if (apart.count(sample.contact) == 0) places.push_back(sample.contact);
   }
   if (samples.size() < kLeastSamples) {
     throw std::invalid_argument("needs at least " + std::to_string(kLeastSamples) +
@@ -203,10 +228,10 @@ Surrogate trainSurrogate(const DeformationDatabase& database, const TrainingSett
   Eigen::MatrixXd coefficients;
   takeModes(samples, settings.modes, &made, &coefficients);
   const ResponseSamples raw = gather(database, samples, coefficients, &made);
-  const Widths widths = chooseWidths(raw, made.longest, progress);
+  const Widths widths = chooseWidths(raw, places, made.longest, progress);
   made.seen_scale = scaleOf(widths.place, widths.displacement);
   made.seen.samples = made.seen_scale.cwiseInverse().asDiagonal() * raw.inputs;
-  findThreshold(&made.seen);
+  findThreshold(places, &made.seen);
   const Eigen::Index outputs = raw.values.rows();
   if (settings.kind == "kernel") {
     made.scale = made.seen_scale;
@@ -233,7 +258,6 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
   SurrogateError error;
   Eigen::VectorXd work, coefficients;
   Points shape;
-  std::vector<double> parts;
   double force_squares = 0.0, squares = 0.0, moved_squares = 0.0, points = 0.0;
   for (const Deformation& sample : samples) {
     const Vec3 place = database.fine.points.col(sample.contact);
@@ -242,7 +266,7 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
     one.predict(place, displacement, &work, &force, &coefficients);
     one.shape(coefficients, &shape);
     error.force.push_back((force - sample.force).norm());
-    parts.push_back(error.force.back() / std::max(sample.force.norm(), 1e-12));
+    error.part.push_back(error.force.back() / std::max(sample.force.norm(), 1e-12));
     error.strangeness.push_back(one.strangeness(place, displacement));
     force_squares += sample.force.squaredNorm();
     squares += (force - sample.force).squaredNorm();
@@ -252,11 +276,65 @@ SurrogateError errorOf(const Surrogate& surrogate, const DeformationDatabase& da
     error.worst_displacement =
         std::max(error.worst_displacement, (shape - sample.fine).colwise().norm().maxCoeff());
   }
+  std::vector<double> parts = error.part;
   std::sort(parts.begin(), parts.end());
   if (!parts.empty()) error.median_force = parts[parts.size() / 2];
   if (force_squares > 0.0) error.relative_force = std::sqrt(squares / force_squares);
   if (points > 0.0) error.displacement = std::sqrt(moved_squares / points);
   return error;
+}
+
+Alarms alarmsOf(const std::vector<SurrogateError>& errors, double threshold) {
+  Alarms alarms;
+  for (const SurrogateError& error : errors) {
+    for (std::size_t k = 0; k < error.part.size(); ++k) {
+      const bool wrong = error.part[k] > Alarms::kWrong, told = error.strangeness[k] > threshold;
+      alarms.wrong += wrong;
+      alarms.right += !wrong;
+      alarms.flagged += wrong && told;
+      alarms.false_alarms += !wrong && told;
+    }
+  }
+  return alarms;
+}
+
+void setThreshold(const std::vector<SurrogateError>& errors, Surrogate* surrogate) {
+  std::vector<double> wrong;
+  double right = 0.0;
+  for (const SurrogateError& error : errors) {
+    for (std::size_t k = 0; k < error.part.size(); ++k) {
+      if (error.part[k] > Alarms::kWrong) {
+        wrong.push_back(error.strangeness[k]);
+      } else {
+        right = std::max(right, error.strangeness[k]);
+      }
+    }
+  }
+  if (!wrong.empty()) {
+    std::sort(wrong.begin(), wrong.end());
+    // Of samples like these k + 1 of n + 1 are let by in the mean, where k of the n are.
+    const double let = (1.0 - kFlagged) * static_cast<double>(wrong.size() + 1) - 1.0;
+    const auto missed = static_cast<std::size_t>(std::max(0.0, let));
+    right = std::min(right, std::nextafter(wrong[missed], 0.0));
+  }
+  surrogate->seen.threshold *= std::max(right, 1e-6);
+}
+
+void chooseSeen(const std::function<std::vector<SurrogateError>(const Surrogate&)>& errors,
+                Surrogate* surrogate) {
+  Surrogate best;
+  int least = std::numeric_limits<int>::max();
+  for (const double factor : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0}) {
+    Surrogate other = *surrogate;
+    other.seen_scale.tail<3>() *= factor;
+    other.seen.samples.bottomRows<3>() /= factor;
+    setThreshold(errors(other), &other);
+    const int alarms = alarmsOf(errors(other)).false_alarms;
+    if (alarms >= least) continue;
+    least = alarms;
+    best = other;
+  }
+  *surrogate = best;
 }
 
 double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {

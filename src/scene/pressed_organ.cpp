@@ -40,8 +40,9 @@ double meanEdge(const mesh::SurfaceMesh& surface) {
   return mesh::meanEdgeLength({surface.points, surface.triangles, {}});
 }
 
-// Points whose place on the body's boundary is of free nodes only.
-std::vector<int> freePoints(const Body& body, const Points& points) {
+// Points within whose place on the body's boundary is of free nodes only.
+std::vector<int> freePoints(const Body& body, const Points& points,
+                            const std::optional<enrichment::PressBall>& within) {
   const mesh::SurfaceMesh boundary{body.mesh.points,
                                    mesh::trianglesOf(mesh::boundaryFaces(body.mesh))};
   std::vector<int> found;
@@ -49,14 +50,17 @@ std::vector<int> freePoints(const Body& body, const Points& points) {
   for (const mesh::FacePlace& place : mesh::nearestPlaces(boundary, points)) {
     bool free = true;
     for (int k = 0; k < 3; ++k) free &= body.free.col(place.nodes[k]).minCoeff() > 0.0;
+    if (within) free &= (points.col(i) - within->center).norm() <= within->radius;
     if (free) found.push_back(i);
     ++i;
   }
   return found;
 }
 
-std::string describe(const enrichment::PressPlan& plan, const Body& body, const Scene& scene,
+std::string describe(const enrichment::DatabasePlan& all, const Body& body, const Scene& scene,
                      const OrganConfig& organ) {
+  const enrichment::PressPlan& plan = all.press;
+  const std::optional<enrichment::PressBall>& within = all.within;
   std::ostringstream text;
   text.precision(17);
   text << "organ " << organ.name << " of " << scene.name << ", " << body.element << ", edges "
@@ -65,6 +69,9 @@ std::string describe(const enrichment::PressPlan& plan, const Body& body, const 
   for (const auto& [name, values] : organ.material.constants) {
     text << " " << name;
     for (const double value : values) text << " " << value;
+  }
+  if (within) {
+    text << "; within " << within->radius << " m of " << within->center.transpose();
   }
   text << "; held " << body.free.size() - body.free.sum() << " of " << body.free.size()
        << ", volumes and nodes " << body.mesh.points.sum() << " " << body.mesh.numTets();
@@ -101,13 +108,18 @@ PressedOrgan describePresses(const Scene& scene, int index,
     throw InputError(scene.file, body->key + ".supports", "",
                      "must hold the organ for static presses; they leave " + motions);
   }
-  surfaces.contacts = freePoints(*body, surfaces.coarse.points);
+  surfaces.contacts = freePoints(*body, surfaces.coarse.points, plan.within);
+  if (surfaces.contacts.empty() && plan.within) {
+    throw InputError("command line", "--within", "",
+                     "must hold points of the coarse surface that are free; it has " +
+                         std::to_string(surfaces.coarse.points.cols()) + " in all");
+  }
   if (surfaces.contacts.empty()) {
     throw InputError(scene.file, body->key + ".supports", "",
                      "must leave points of the surface free to be pressed");
   }
   surfaces.plan = plan.press;
-  surfaces.made_by = describe(plan.press, *body, scene, organ);
+  surfaces.made_by = describe(plan, *body, scene, organ);
   pressed.nodes = body->mesh.numPoints();
   pressed.tetrahedra = body->mesh.numTets();
   surfaces.make_body = [body, fine = surfaces.fine.points] {

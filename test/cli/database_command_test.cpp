@@ -55,6 +55,15 @@ TEST_F(DatabaseCommand, GoesOnWithWhatIsThereAndMakesTheSameInParts) {
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(one.samples[k].fine, other.samples[k].fine);
 }
 
+TEST_F(DatabaseCommand, PressesWithinABall) {
+  ASSERT_EQ(make("--samples 12 --within 0,0,0.03,0.03").status, 0);
+  const enrichment::DeformationDatabase database = enrichment::readDatabase(path("db"));
+  ASSERT_EQ(database.samples.size(), 12U);
+  for (const enrichment::Deformation& sample : database.samples) {
+    EXPECT_LE((database.coarse.points.col(sample.contact) - Vec3(0, 0, 0.03)).norm(), 0.03);
+  }
+}
+
 TEST_F(DatabaseCommand, RefusesWhatIsWrongByName) {
   ASSERT_EQ(make("--samples 1").status, 0);
   for (const auto& [arguments, part] :
@@ -63,6 +72,9 @@ TEST_F(DatabaseCommand, RefusesWhatIsWrongByName) {
         {"--part 1", "--part = 1: must be K/N"},
         {"--patch -1", "--patch"},
         {"--cone 0", "--cone"},
+        {"--within 0,0,0.03", "must be X,Y,Z,R"},
+        {"--within 0,0,0.03,-1", "must be X,Y,Z,R"},
+        {"--within 0,0,9,0.01", "must hold points"},
         {"--organ spleen", "--organ = spleen: must be one of slab"}}) {
     const CliResult result = make(arguments + " --samples 1");
     EXPECT_EQ(result.status, 2) << arguments;

@@ -78,25 +78,35 @@ TEST(KernelMap, PassesThroughItsSamples) {
   }
 }
 
-TEST(KernelMap, LeavesOutAsIfASampleHadNotBeenThere) {
-  const ResponseSamples samples = someSamples(8, 3);
+TEST(KernelMap, LeavesOutAsIfAGroupHadNotBeenThere) {
+  const ResponseSamples samples = someSamples(9, 3);
   const double ridge = 0.05;
+  const std::vector<int> groups{4, 1, 1, 7, 4, 4, 2, 7, 3};
   double sum = 0.0;
-  for (Eigen::Index k = 0; k < 8; ++k) {
+  for (const int group : {1, 2, 3, 4, 7}) {
+    std::vector<Eigen::Index> in, out;
+    for (Eigen::Index k = 0; k < 9; ++k) {
+      (groups[static_cast<std::size_t>(k)] == group ? out : in).push_back(k);
+    }
+    const auto n = static_cast<Eigen::Index>(in.size());
     ResponseSamples others;
-    others.inputs.resize(6, 7);
-    others.displacements.resize(3, 7);
-    others.values.resize(3, 7);
-    others.inputs << samples.inputs.leftCols(k), samples.inputs.rightCols(7 - k);
-    others.displacements << samples.displacements.leftCols(k),
-        samples.displacements.rightCols(7 - k);
-    others.values << samples.values.leftCols(k), samples.values.rightCols(7 - k);
+    others.inputs.resize(6, n);
+    others.displacements.resize(3, n);
+    others.values.resize(3, n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Eigen::Index at = in[static_cast<std::size_t>(k)];
+      others.inputs.col(k) = samples.inputs.col(at);
+      others.displacements.col(k) = samples.displacements.col(at);
+      others.values.col(k) = samples.values.col(at);
+    }
+    const KernelMap map = KernelMap::fit(others, n, ridge);
     Eigen::VectorXd y;
-    KernelMap::fit(others, 7, ridge)
-        .evaluate(samples.inputs.col(k), samples.displacements.col(k), 3, &y);
-    sum += (y - samples.values.col(k)).squaredNorm();
+    for (const Eigen::Index k : out) {
+      map.evaluate(samples.inputs.col(k), samples.displacements.col(k), 3, &y);
+      sum += (y - samples.values.col(k)).squaredNorm();
+    }
   }
-  EXPECT_NEAR(leaveOneOutError(samples, ridge), sum, 1e-9 * sum);
+  EXPECT_NEAR(leaveGroupsOutError(samples, ridge, groups), sum, 1e-9 * sum);
 }
 
 TEST(ResponseMaps, AnswerNothingToNothingAndAllocateNothing) {

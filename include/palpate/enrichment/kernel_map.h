@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "palpate/enrichment/response_samples.h"
 
 namespace palpate::enrichment {
@@ -42,8 +44,11 @@ class KernelMap {
   Eigen::MatrixXd weights_;
 };
 
-/// Sum over samples of the squares of what each is missed by, when the others predict it by ridge
-/// regression with the kernel: r_i / (1 - H_ii), closed form [Rasmussen, Williams 2006, (5.12)].
-double leaveOneOutError(const ResponseSamples& samples, double ridge);
+/// Sum over samples of the squares of what each is missed by, when those of other groups predict it
+/// by ridge regression with the kernel. Of a group G, closed form, with C = K + ridge I and values
+/// Y: Y C^-1 restricted to G, times the inverse of (C^-1)_GG [Rasmussen, Williams 2006, (5.12), of
+/// blocks]. `groups`: of each sample its number.
+double leaveGroupsOutError(const ResponseSamples& samples, double ridge,
+                           const std::vector<int>& groups);
 
 }  // namespace palpate::enrichment
