@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "palpate/contact/contact_potential.h"
-#include "triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 
 namespace palpate::contact {
 namespace {

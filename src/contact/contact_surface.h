@@ -5,7 +5,7 @@
 
 #include "palpate/contact/surface_contact.h"
 #include "palpate/contact/surface_samples.h"
-#include "triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 #include "triangle_tree.h"
 
 namespace palpate::contact {

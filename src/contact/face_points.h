@@ -8,7 +8,7 @@
 #include "palpate/base/types.h"
 #include "palpate/contact/touch.h"
 #include "palpate/contact/touch_balls.h"
-#include "triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 
 namespace palpate::contact {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "palpate/contact/triangle_distance.h"
 #include "palpate/instrument/geometry.h"
-#include "triangle_distance.h"
 
 namespace palpate::contact {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "palpate/base/number.h"
-#include "triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 
 namespace palpate::contact {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "face_balls.h"
 #include "palpate/contact/signed_distance.h"
-#include "triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 
 namespace palpate::contact {
 namespace {

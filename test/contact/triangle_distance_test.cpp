@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/triangle_distance.h"
+#include "palpate/contact/triangle_distance.h"
 
 #include <gtest/gtest.h>
 
