@@ -18,7 +18,7 @@ namespace palpate::enrichment {
 namespace {
 
 constexpr std::size_t kLeastSamples = 10;
-constexpr double kSeenPart = 0.95, kFlagged = 0.9;
+constexpr double kSeenPart = 0.95, kFlagged = 0.95;
 
 void check(const TrainingSettings& s) {
   const auto refuse = [](const std::string& what) { throw std::invalid_argument(what); };

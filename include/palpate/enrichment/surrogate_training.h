@@ -47,8 +47,8 @@ struct Alarms {
 
 Alarms alarmsOf(const std::vector<SurrogateError>& errors, double threshold = 1.0);
 
-/// Sets what is strange by errors that the surrogate made: so that nine tenths of the samples that
-/// are wrong (Alarms) are strange, and what is farther than any that was right.
+/// Sets what is strange by errors that the surrogate made: so that nineteen twentieths of the
+/// samples that are wrong (Alarms) are strange, and what is farther than any that was right.
 void setThreshold(const std::vector<SurrogateError>& errors, Surrogate* surrogate);
 
 /// `held_out`, `learned`: which samples were, whole places; may be null. `progress` gets a part in
