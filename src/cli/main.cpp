@@ -17,8 +17,7 @@ constexpr void (*kCommands[])(CLI::App&, Action&) = {
     palpate::cli::addMesh,   palpate::cli::addOrgan,   palpate::cli::addDocs,
     palpate::cli::addReplay, palpate::cli::addSolve,   palpate::cli::addBench,
     palpate::cli::addHand,   palpate::cli::addSprings, palpate::cli::addDatabase,
-    palpate::cli::addSkin,   palpate::cli::addTorture,
-    palpate::cli::addSkin,   palpate::cli::addTrain,
+    palpate::cli::addSkin,   palpate::cli::addTorture, palpate::cli::addTrain,
 };
 
 // CLI11 has an exit status for each kind of mistake; here they are all bad input.

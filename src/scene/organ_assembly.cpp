@@ -121,6 +121,10 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
   description.cloth = organ.cloth;
   description.sampling = organ.sampling;
   description.hybrid = organ.hybrid;
+  description.neural = organ.neural;
+  if (!organ.neural.file.empty()) {
+    description.neural.file = resolve(organ.neural.file, scene.file, key + ".neural.file");
+  }
   if (!organ.springs.file.empty()) {
     description.springs.file = resolve(organ.springs.file, scene.file, key + ".springs.file");
   }

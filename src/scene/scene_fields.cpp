@@ -84,6 +84,8 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
              "Of model `enriched`: the fine surface that its elements carry, and what it learns "
              "from."},
             organ.enriched);
+  v.section({"neural", "", "Of model `neural`: what it has learned, and when it lets go."},
+            organ.neural);
   describe(v, static_cast<BodyConfig&>(organ));
   v.rule(organ.model != "cloth" || organ.regions.empty(), "regions",
          "model cloth has one material; leave regions out");

@@ -9,6 +9,7 @@
 #include "fem/make_fem.h"
 #include "honeycomb/make_honeycomb.h"
 #include "hybrid/make_hybrid.h"
+#include "neural/make_neural.h"
 #include "palpate/base/error.h"
 #include "sampled/sampled_tissue.h"
 #include "springs/make_mass_spring.h"
@@ -34,6 +35,7 @@ constexpr Entry kModels[] = {
     {"honeycomb", makeHoneycomb, false},
     {"bem", makeBem, false},
     {"enriched", makeEnriched, true},
+    {"neural", makeNeural, false},
 };
 
 const Entry& find(const std::string& name) {

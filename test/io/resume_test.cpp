@@ -12,6 +12,7 @@
 #include "palpate/io/state_file.h"
 #include "palpate/tissue/method_facts.h"
 #include "sim/slab_scene.h"
+#include "support/learned_box.h"
 
 namespace palpate::io {
 namespace {
@@ -231,6 +232,11 @@ std::vector<Case> cases() {
                      s->organs[0].sampling.coarsest = 0.02;
                    }});
   }
+  all.push_back({"neural", [](scene::Scene* s) {
+                   static const test::LearnedBox learned = test::learnedSlab();
+                   s->organs[0].model = "neural";
+                   s->organs[0].neural.file = learned.file();
+                 }});
   all.push_back({"bem", [](scene::Scene* s) { s->organs[0].model = "bem"; }});
   for (const char* detail : {"residual", "displacement"}) {
     all.push_back({std::string("enriched_") + detail,

@@ -15,7 +15,8 @@ namespace {
 class ModelScenes : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Slabs, ModelScenes,
                          ::testing::Values("slab_springs", "slab_tensor_mass", "slab_hybrid",
-                                           "slab_sampled", "slab_bem", "slab_enriched"),
+                                           "slab_sampled", "slab_bem", "slab_enriched",
+                                           "slab_neural"),
                          [](const auto& of) { return of.param; });
 
 TEST_P(ModelScenes, PushBackAndLetGo) {

@@ -8,6 +8,7 @@
 #include "palpate/haptics/tool_renderer.h"
 #include "palpate/sim/simulator.h"
 #include "support/allocations.h"
+#include "support/learned_box.h"
 
 namespace palpate::sim {
 namespace {
@@ -122,6 +123,16 @@ TEST(NoAllocationOfEnriched, InACycleOnceItHasSeenOneLikeIt) {
     test::beEnriched(detail, &scene);
     pressTwice(scene);
   }
+}
+
+// Nor where it is as it learned, and of finite elements beyond.
+TEST(NoAllocationOfNeural, InACycleOnceItHasSeenOneLikeIt) {
+  SlabScene slab;
+  const test::LearnedBox learned = test::learnedSlab();
+  scene::Scene scene = slab.scene();
+  scene.organs[0].model = "neural";
+  scene.organs[0].neural.file = learned.file();
+  pressTwice(scene);
 }
 
 // Nor where it is a sheet, laid flat or rolled up.

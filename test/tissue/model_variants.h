@@ -7,6 +7,7 @@
 
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
+#include "support/learned_box.h"
 #include "two_organs.h"
 
 namespace palpate::test {
@@ -22,6 +23,7 @@ struct ModelVariant {
   tissue::HybridSettings hybrid = {};
   double stiffness_damping = 0.002;  ///< [s]
   tissue::EnrichedSettings enriched = {};
+  std::string learned = {};          ///< File of model neural.
 
   /// Whether its sums are exact, for nothing is solved for.
   bool isExplicit() const {
@@ -37,6 +39,18 @@ inline ModelVariant springVariant(const std::string& name, const std::string& sc
   variant.springs.scheme = scheme;
   variant.springs.step = step;
   variant.springs.region = region;
+  return variant;
+}
+
+/// What it learned of the block covers a visit, or its beginning.
+inline ModelVariant neuralVariant(bool covers) {
+  const auto learn = [](double force) {
+    return LearnedBox(Vec3(0.06, 0.06, 0.03), Eigen::Vector3i(6, 6, 3), kLiver, force, 0.011);
+  };
+  static const LearnedBox much = learn(0.8), little = learn(0.1);
+  ModelVariant variant{covers ? "neural" : "neural_and_elements", "neural", {}, {}};
+  variant.has_inertia = false;
+  variant.learned = (covers ? much : little).file();
   return variant;
 }
 
@@ -70,6 +84,8 @@ inline std::vector<ModelVariant> modelVariants() {
     all.push_back({std::string("enriched_") + detail, "enriched", {}, {}});
     all.back().enriched.detail = detail;
   }
+  all.push_back(neuralVariant(true));
+  all.push_back(neuralVariant(false));
   return all;
 }
 
@@ -106,6 +122,7 @@ inline OrganSketch variantBlock(const ModelVariant& variant, bool held = true) {
   organ.honeycomb = variant.honeycomb;
   organ.hybrid = variant.hybrid;
   organ.enriched = variant.enriched;
+  organ.neural.file = variant.learned;
   return organ;
 }
 

@@ -29,6 +29,7 @@ struct OrganSketch {
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;
   tissue::EnrichedSettings enriched;
+  tissue::NeuralSettings neural;
   material::Solid solid{kLiver, 1060.0, {}};
   Pose X_WO = Pose::Identity();  ///< Of model cloth, whose points `held` gets in its frame.
 
@@ -46,6 +47,7 @@ struct OrganSketch {
     organ.hybrid = hybrid;
     organ.enriched = enriched;
     organ.deformations = [this] { return dentedBlock(mesh); };
+    organ.neural = neural;
     organ.tetrahedra = [this] { return mesh; };
     organ.surface_elements = [this] {
       return mesh::onlyUsedPoints({mesh.points, mesh::trianglesOf(mesh::boundaryFaces(mesh))});

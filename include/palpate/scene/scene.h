@@ -24,6 +24,7 @@
 #include "palpate/tissue/enriched/enriched_settings.h"
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
+#include "palpate/tissue/neural/neural_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/skip_switches.h"
 #include "palpate/tissue/springs/spring_settings.h"
@@ -59,6 +60,7 @@ struct OrganConfig : BodyConfig {
   tissue::HoneycombSettings honeycomb;
   tissue::HybridSettings hybrid;
   tissue::EnrichedSettings enriched;
+  tissue::NeuralSettings neural;
   solver::RayleighDamping damping;
   std::vector<SupportConfig> supports;
   std::vector<PressureConfig> pressure;

@@ -20,6 +20,7 @@
 #include "palpate/tissue/honeycomb/honeycomb_settings.h"
 #include "palpate/tissue/hybrid/hybrid_settings.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/neural/neural_settings.h"
 #include "palpate/tissue/sampled/sampling_settings.h"
 #include "palpate/tissue/springs/spring_settings.h"
 #include "palpate/tissue/surroundings.h"
@@ -65,6 +66,7 @@ struct OrganDescription {
   HoneycombSettings honeycomb;      ///< For model honeycomb.
   HybridSettings hybrid;            ///< For model hybrid.
   EnrichedSettings enriched;        ///< For model enriched.
+  NeuralSettings neural;            ///< For model neural.
 };
 
 /// What the maker of a tissue model gets.
