@@ -57,7 +57,23 @@ MODELS = {
         "`cloth.width`, `length`, `thickness`, `spacing`, or a surface; `preload`, `rolled`.",
         "For meshes and membranes. Not where they wrinkle finely: edges do not meet edges, and springs contract as with nu = "
         "1/3."),
+    "enriched": (
+        "Coarse finite elements carry a fine surface, which is shown and felt, with detail that presses of finer ones taught.",
+        "A fine point is at sum w_k x_k + r + d; d = |c| phi_max X a of what interpolation leaves out, by the regressor of "
+        "[Bounik, Shamsi, Sedaaghi 2020] on features c of length 1; as published, a mean of fine displacements, a body at rest "
+        "has the mean shape of its samples.",
+        "`enriched.detail`, `samples`, `force`, `patch`, `triangles`, `splits`, `sigma`, `time`, or a `database`.",
+        "For pictures of a coarse simulation. Not for the force: it stays that of the coarse elements; `adapt` mends it."),
+    "neural": (
+        "What presses taught answers those that are like them; finite elements answer all others.",
+        "F = (A_0 + A(x)) d of the displacement d of the deepest point, x = (place, d); A by kernels, ridge regression, or by a "
+        "perceptron. Strange is what is far from all ways to a sample, in the kernels' widths.",
+        "`neural.file`, of `palpate train`; `switch_time`.",
+        "For one tool of one shape on a known patch, where a cycle may take a tenth of a millisecond. Not where presses leave what "
+        "was learned: there it costs what its elements cost, and is as far off."),
 }
+ELSEWHERE = {"cloth": "the scene `cloth` and the parts on hung and unrolling cloth have its times",
+             "neural": "the part on learned presses has its error and its times, on the block that it learned"}
 TEXT = """What each model is, with the formulas as they are right, and the place of its best mesh in real time on the plane above.
 [theory.md](theory.md#springs-and-tensors-for-tissue) has them whole. Boundary elements, the published interface, skin and
 samples have chapters of their own."""
@@ -67,7 +83,7 @@ def place(rows, name):
     """Of the model's meshes the one with the least error that a cycle of real time allows."""
     own = [r for r in rows if r["name"].split(",")[0].strip("`") == name]
     if not own:
-        return "*Place:* none under this tool; the scene `cloth` and the parts on hung and unrolling cloth have its times."
+        return f"*Place:* none under this tool; {ELSEWHERE[name]}."
     fast = [r for r in own if 1e-3 * r["median"] <= STEP]
     best = min(fast or own, key=lambda r: r["press"])
     lead = "" if fast else "none in real time; the nearest, "

@@ -17,9 +17,9 @@ SWAY = {"mass": 20.0}
 EDGES = (0.010, 0.006, 0.004)  # [m]
 REFERENCE = (0.001, 0.0007)  # adapt.finest of the reference and of its finer one [m]
 MARK = {"fem": "o", "mass_spring": "s", "tensor_mass": "^", "hybrid": "<", "sampled_elasticity": "D",
-        "honeycomb": "p", "bem": "*"}
+        "honeycomb": "p", "bem": "*", "enriched": "X"}
 COLOUR = ["#1f4e79", "#6b9ac4", "#444444", "#b5322a", "#d98880", "#8a5a00", "#7b4aa0", "#3a7d44", "#00807a", "#aa3377",
-          "#c29a00", "#8c8c8c", "#5b2c6f"]
+          "#c29a00", "#8c8c8c", "#5b2c6f", "#d35400"]
 
 TEXT = """A ball of 5 mm presses a block 100 x 100 x 30 mm on a table 3 mm deep, slides 20 mm and leaves; a second time it
 goes 10 mm deep. E = 10 kPa, nu = 1/4, steps of 5 ms, one thread, settings as shipped but for what the table names. Errors
@@ -64,6 +64,8 @@ def variants():
                                                "sampling": {"coarsest": coarsest, "levels": 2},
                                                "damping": {**SWAY, "stiffness": 1e-3}},
                       f"particles {1e3 * coarsest:g} mm apart, half that where it bends") for coarsest in (0.01, 0.005)]
+    fine = {"triangles": 600, "splits": 1, "samples": 30, "force": 0.5}
+    found += on_edges("`enriched`", {"model": "enriched", "enriched": fine}, edges=EDGES[:2])
     found += on_edges("`fem`, `anp`, nu = 0.49", {}, edges=EDGES[:2])
     found += [Variant("`honeycomb`", {"model": "honeycomb", "edge_length": 0.01,
                                       "honeycomb": {"cell_size": size, "volume": "exact"}},
