@@ -48,7 +48,7 @@ CHAPTERS = {
         "Enriched by samples",
         "A coarse interactive model made fine by a regressor [Bounik, Shamsi, Sedaaghi 2020]; the room `enrichment` has it, "
         "`palpate database` makes its samples.",
-        ["enriched"],
+        ["enriched", "neural"],
         "Bounik, Shamsi, Sedaaghi, in *Journal of Nonlinear Systems in Electrical Engineering* 7(1), 2020, "
         "149-162."),
 }
