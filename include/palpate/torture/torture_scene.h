@@ -10,6 +10,7 @@
 #include "palpate/material/constants.h"
 #include "palpate/mesh/surface_mesh.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "palpate/solver/step_settings.h"
 
 namespace palpate::torture {
 
@@ -65,8 +66,9 @@ struct TortureScene {
   bool bone = false;            ///< A block below.
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   double friction = 0.0;
-  std::string method = "implicit_pcg", integrator = "backward_euler";
-  double step = 0.01;  ///< Longest [s].
+  std::string method = solver::StepSettings().method;
+  std::string integrator = solver::StepSettings().integrator;
+  double step = solver::StepSettings().step;  ///< Longest [s].
   Start start = Start::kRest;
   double thrown = 0.0;  ///< The second organ's speed, down [m/s].
   formats::Trajectory trajectory;
