@@ -23,7 +23,7 @@ struct ModelVariant {
   tissue::HybridSettings hybrid = {};
   double stiffness_damping = 0.002;  ///< [s]
   tissue::EnrichedSettings enriched = {};
-  std::string learned = {};          ///< File of model neural.
+  std::string learned = {};  ///< File of model neural.
 
   /// Whether its sums are exact, for nothing is solved for.
   bool isExplicit() const {
