@@ -60,6 +60,7 @@ def numbers(pattern, text):
 
 def sizes_part(context):
     learned, far = databases(context)
+    (context.work / "neural").mkdir(parents=True, exist_ok=True)
     lines = []
     error = r" +\d+ samples, force ([\d.e+-]+) % \(median ([\d.e+-]+) %"
     for hidden in SIZES:
