@@ -83,7 +83,8 @@ def place(rows, name):
     """Of the model's meshes the one with the least error that a cycle of real time allows."""
     own = [r for r in rows if r["name"].split(",")[0].strip("`") == name]
     if not own:
-        return f"*Place:* none under this tool; {ELSEWHERE.get(name, "this run is quick and leaves it out")}."
+        elsewhere = ELSEWHERE.get(name, "this run is quick and leaves it out")
+        return f"*Place:* none under this tool; {elsewhere}."
     fast = [r for r in own if 1e-3 * r["median"] <= STEP]
     best = min(fast or own, key=lambda r: r["press"])
     lead = "" if fast else "none in real time; the nearest, "
