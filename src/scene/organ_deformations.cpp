@@ -91,8 +91,11 @@ enrichment::DeformationDatabase organDeformations(const Scene& scene, int index,
     warnOfUnsolved(organ.name, unsolved, place.folder(), warnings);
   }
   if (database.samples.empty() && enriched.detail != "none") {
-    throw InputError(scene.file, key + (enriched.database.empty() ? "samples" : "database"),
-                     enriched.database, "has no press that was solved; a smaller force may help");
+    const bool made = enriched.database.empty();
+    throw InputError(scene.file, key + (made ? "force" : "database"),
+                     made ? std::to_string(enriched.plan.press.force) : enriched.database,
+                     made ? "no press of this size was solved; must be smaller"
+                          : "has no press that was solved; must be a folder that has some");
   }
   return database;
 }

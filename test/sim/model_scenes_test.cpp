@@ -67,6 +67,28 @@ TEST(BemScene, IsRefusedWithEdgesThatItCannotHave) {
   EXPECT_TRUE(contains(refusal(edges), "organs[0].edge_length.near"));
 }
 
+// The file, the key and its value are named.
+TEST(EnrichedScene, IsRefusedWithSurfacesAndFoldersThatCannotBe) {
+  scene::Scene scene = scene::readScene(test::sourceFolder() + "/config/scenes/slab_enriched.yaml");
+  tissue::EnrichedSettings& enriched = scene.organs[0].enriched;
+  enriched.plan.samples = 1;
+  enriched.plan.triangles = 101;
+  const auto refusal = [&] {
+    try {
+      const Simulator simulator(scene);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  using test::contains;
+  EXPECT_TRUE(contains(refusal(), "slab_enriched.yaml"));
+  EXPECT_TRUE(contains(refusal(), "organs[0].enriched.triangles = 101"));
+  enriched.plan.triangles = 100;
+  enriched.database = "nowhere";
+  EXPECT_TRUE(contains(refusal(), "nowhere"));
+}
+
 // A sheet between two edges is a rope more than a plate: what pulls is its stretch.
 TEST(ClothScene, PushesBackAndLetsGo) {
   test::ShippedReplay replay("cloth");

@@ -132,6 +132,26 @@ TEST_F(Neural, GoesToTheElementsAndBackWithoutAJump) {
   EXPECT_LT(solved, all - 20);  // and came back
 }
 
+// A tool that was never like those learned is of elements from its first touch on: what it was
+// taken for at first would be told while they come.
+TEST_F(Neural, IsOfElementsFromTheFirstTouchOfAStrangeTool) {
+  const instrument::Geometry flat = instrument::Box{Vec3(0.008, 0.008, 0.01)};
+  const auto neural = make(), elements = make("fem");
+  double most = 0.0, off = 0.0;
+  for (int k = 0; k < 40; ++k) {
+    const auto pose = [](double t) {
+      return Pose(Eigen::Translation3d(0.03, 0.03, 0.041 - std::min(0.02 * t, 0.004)));
+    };
+    const contact::Obstacle way{&flat, 0, pose(kStep * k), pose(kStep * (k + 1))};
+    const Vec3 told = onTool(neural->step({way}, kStep));
+    const Vec3 right = onTool(elements->step({way}, kStep));
+    off = std::max(off, (told - right).norm());
+    most = std::max(most, right.norm());
+  }
+  EXPECT_GT(most, 0.05);
+  EXPECT_LT(off, 0.01 * most);
+}
+
 // Of two tools nothing was learned: in the end they feel what they do of elements alone.
 TEST_F(Neural, IsOfElementsUnderTwoTools) {
   const auto neural = make(), elements = make("fem");

@@ -56,17 +56,21 @@ std::vector<std::string> NeuralOrgan::notes() const {
 const TissueStep& NeuralOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
   x_begin_ = x_;
   out_.clear();
+  const bool untouched = followed_ < 0;
   findPresses(obstacles);
   const double strangeness = answer();
   const double wanted = wantedPart(strangeness);
   const bool begins = !solving_ && wanted > 0.0;
+  // Nothing was told yet that would have to go over to them.
+  const bool at_once = begins && untouched;
   if (begins) {
     elements_->place(0, X_, still_);  // as reset(), without its memory
-    drawOut(obstacles);
+    if (!at_once) drawOut(obstacles);
     solving_ = true;
-    begun_ = kUntold;
+    begun_ = at_once ? 0 : kUntold;
+    if (at_once) part_ = wanted;
   }
-  if (solving_ && !stepElements(begins ? ways_ : obstacles, dt)) return out_;
+  if (solving_ && !stepElements(begins && !at_once ? ways_ : obstacles, dt)) return out_;
   approach(wanted, strangeness, dt);
   report(obstacles, dt);
   return out_;

@@ -40,7 +40,8 @@ struct NeuralParts {
 /// wide, flat or of an edge, and where several touch. Then, and some way before, the elements are
 /// solved in the same cycles, and a part of their force and shape is told that goes from 0 to 1 and
 /// back no faster than NeuralSettings::switch_time. They begin where nothing touches, with the
-/// tools drawn out; they are not solved while none of them is told.
+/// tools drawn out, and at a first touch are told at once; they are not solved while none of them
+/// is told.
 class NeuralOrgan final : public TissueModel {
  public:
   /// @throws std::invalid_argument as SurrogateShape.
