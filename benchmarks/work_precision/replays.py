@@ -91,7 +91,9 @@ class Played:
         rows = read_table(folder / "R.csv")
         self.folder = folder
         self.status = [r["status"] for r in rows]
-        self.columns = {k: np.array([float(r[k]) for r in rows]) for k in rows[0] if k != "status"}
+        self.hashes = [r["state_hash"] for r in rows]
+        words = ("status", "state_hash")
+        self.columns = {k: np.array([float(r[k]) for r in rows]) for k in rows[0] if k not in words}
         self.forces = np.column_stack([self.columns[k] for k in ("fx", "fy", "fz")])
         self.log = (folder / "log.txt").read_text()
         self.resident = json.loads((folder / "resident.json").read_text())  # [(part of the wall time, MB)]
@@ -118,7 +120,7 @@ class Played:
 
     def bits(self):
         """All that depends on the inputs alone."""
-        return [self.columns[k].tobytes() for k in sorted(self.columns) if k != "step_ms"] + self.status
+        return [self.columns[k].tobytes() for k in sorted(self.columns) if k != "step_ms"] + self.status + self.hashes
 
 
 def play(context, scene, motion, threads=1, *, kept=False, again=False, words=()):
