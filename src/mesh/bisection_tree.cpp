@@ -119,7 +119,7 @@ void BisectionTree::addChild(int parent, int lost, int middle) {
   child.vertex = cells_[parent].vertex;
   child.vertex[lost] = middle;
   child.parent = parent;
-  child.boundary = cells_[parent].boundary & ~(1 << (1 - lost));
+  child.boundary = static_cast<std::uint8_t>(cells_[parent].boundary & ~(1 << (1 - lost)));
   child.odd = cells_[parent].odd;
   addCell(child, 0.5 * volume_[parent]);
 }

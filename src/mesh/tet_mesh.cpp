@@ -89,7 +89,9 @@ std::vector<std::uint8_t> outerSides(const Eigen::Matrix4Xi& tets) {
       for (int l = begin[i]; l < begin[i + 1]; ++l) {
         same += sides[l].middle == sides[k].middle && sides[l].largest == sides[k].largest;
       }
-      if (same == 1) outer[sides[k].face / 4] |= 1 << sides[k].face % 4;
+      if (same > 1) continue;
+      std::uint8_t& bits = outer[sides[k].face / 4];
+      bits = static_cast<std::uint8_t>(bits | 1 << sides[k].face % 4);
     }
   }
   return outer;

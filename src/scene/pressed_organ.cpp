@@ -73,7 +73,7 @@ std::string describe(const enrichment::DatabasePlan& all, const Body& body, cons
   if (within) {
     text << "; within " << within->radius << " m of " << within->center.transpose();
   }
-  text << "; held " << body.free.size() - body.free.sum() << " of " << body.free.size()
+  text << "; held " << (body.free.array() == 0.0).count() << " of " << body.free.size()
        << ", volumes and nodes " << body.mesh.points.sum() << " " << body.mesh.numTets();
   return text.str();
 }

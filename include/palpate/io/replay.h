@@ -26,7 +26,9 @@ class Replay {
   std::size_t row() const { return row_; }  ///< Rows done.
   /// Simulated steps that the last row took.
   int parts() const { return lockstep_.parts(); }
-  double fraction() const { return static_cast<double>(row_) / trajectory_.t.size(); }
+  double fraction() const {
+    return static_cast<double>(row_) / static_cast<double>(trajectory_.t.size());
+  }
 
   /// Head of the output.
   std::vector<std::string> columns() const;
