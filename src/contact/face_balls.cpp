@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "circle.h"
 #include "palpate/contact/signed_distance.h"
 #include "palpate/contact/surface_samples.h"
 
@@ -56,10 +57,10 @@ Balls ballsOf(const instrument::Cylinder& cylinder) {
     addLine(-end, end, std::max(r, kClosest), r, &balls);
   }
   const double rounding = std::min({kRounding, 0.5 * r, 0.5 * h});
-  const int n = std::max(8, divisions(2.0 * EIGEN_PI * r, kClosest));
+  const int n = std::max(8, divisions(perimeter(r), kClosest));
   for (const double z : {rounding - h, h - rounding}) {
     for (int i = 0; i < n; ++i) {
-      const double angle = 2.0 * EIGEN_PI * i / n, inset = r - rounding;
+      const double angle = circleAngle(i, n), inset = r - rounding;
       balls.push_back({Vec3(inset * std::cos(angle), inset * std::sin(angle), z), rounding});
     }
   }

@@ -71,7 +71,7 @@ double windingNumber(const Points& x, const Eigen::Matrix3Xi& triangles, const V
     sum +=
         std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
-  return sum / (2.0 * EIGEN_PI);
+  return static_cast<double>(sum / (2.0 * EIGEN_PI));  // EIGEN_PI is a long double
 }
 
 bool overlaps(const instrument::Geometry& geometry, const Pose& X_WG, const Points& x,

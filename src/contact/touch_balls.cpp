@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "circle.h"
 #include "palpate/contact/surface_samples.h"
 #include "palpate/mesh/tet_mesh.h"
 
@@ -51,9 +52,9 @@ Balls ballsOf(const instrument::Cylinder& cylinder) {
       std::sqrt(2.0 * std::pow(cylinder.radius, 2) + std::pow(cylinder.half_length, 2));
   Balls balls;
   const auto addRing = [&](double radius, double z) {
-    const int n = radius > 0.0 ? std::max(6, divisions(2.0 * EIGEN_PI * radius, spacing)) : 1;
+    const int n = radius > 0.0 ? std::max(6, divisions(perimeter(radius), spacing)) : 1;
     for (int i = 0; i < n; ++i) {
-      const double angle = 2.0 * EIGEN_PI * i / n;
+      const double angle = circleAngle(i, n);
       balls.push_back({Vec3(radius * std::cos(angle), radius * std::sin(angle), z), 0.0});
     }
   };
