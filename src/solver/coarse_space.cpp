@@ -30,7 +30,8 @@ double nodesAlong(const Points& points) {
   const Points d = points.colwise() - Vec3(points.rowwise().mean());
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(d * d.transpose(), Eigen::EigenvaluesOnly);
   const Vec3 sides = axes.eigenvalues().cwiseMax(1e-12 * axes.eigenvalues()[2]).cwiseSqrt();
-  return std::cbrt(sides[2] * sides[2] / (sides[0] * sides[1]) * points.cols());
+  return std::cbrt(sides[2] * sides[2] / (sides[0] * sides[1]) *
+                   static_cast<double>(points.cols()));
 }
 
 int groupSize(int nodes) {
