@@ -34,7 +34,7 @@ int Draw::whole(int count) { return static_cast<int>(next() % static_cast<std::u
 bool Draw::chance(double p) { return between(0.0, 1.0) < p; }
 
 Vec3 Draw::direction() {
-  const double z = between(-1.0, 1.0), angle = between(0.0, 2.0 * EIGEN_PI);
+  const double z = between(-1.0, 1.0), angle = between(0.0, 2.0 * M_PI);
   const double r = std::sqrt(1.0 - z * z);
   return {r * std::cos(angle), r * std::sin(angle), z};
 }

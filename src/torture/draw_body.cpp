@@ -106,7 +106,9 @@ double slowestFrequency(const TortureOrgan& organ) {
   }
   const double mu = organ.young / (2.0 * (1.0 + organ.poisson));
   const double slow = organ.contrast > 1.0 ? 0.6 : 1.0;
-  return slow * 0.5 * EIGEN_PI * std::sqrt(mu / organ.density) / organ.size.z();
+  // EIGEN_PI is a long double
+  return static_cast<double>(slow * 0.5 * EIGEN_PI * std::sqrt(mu / organ.density) /
+                             organ.size.z());
 }
 
 void drawDamping(Draw* draw, const TortureScene& scene, TortureOrgan* organ) {

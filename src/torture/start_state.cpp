@@ -26,7 +26,8 @@ Points displaced(const TortureScene& scene, const TortureOrgan& organ, const Poi
     if (scene.start == Start::kInverted) x.z() = organ.low.z() - up;
     if (scene.start == Start::kScaled) x = organ.low + kScale * (X - organ.low);
     if (scene.start == Start::kTwisted) {
-      const Eigen::AngleAxisd turn(EIGEN_PI * up / organ.size.z(), Vec3::UnitZ());
+      const double angle = static_cast<double>(EIGEN_PI * up / organ.size.z());
+      const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
       x = middle + turn * (X - middle);
     }
     points.col(i) = x;
