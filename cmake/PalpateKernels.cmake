@@ -20,7 +20,7 @@ function(palpate_kernels room)
     # No contraction to fused multiply-adds: all builds of a kernel give the same bits.
     target_compile_options(${target} PRIVATE -O3 -ffp-contract=off -fno-math-errno
       -fno-trapping-math ${flags_${isa}})
-    palpate_warnings(${target})
+    palpate_core_warnings(${target})
     # GCC 12 warns of its own headers' deliberately undefined registers, and
     # of registers passed between functions, which are all inlined.
     target_compile_options(${target} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-psabi)
