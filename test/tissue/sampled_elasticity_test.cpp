@@ -25,7 +25,7 @@ material::Moduli moduli() {
 // Of the particle in the middle of 5^3, for displacements X -> d.
 template <class Field>
 Vec3 forceInTheMiddle(const std::string& weights, const Field& field) {
-  ParticleTree tree(cube(), 0.01, 1);
+  ParticleTree tree(cube(), Pose::Identity(), 0.01, 1);
   const std::vector<int> leaves = tree.leafList();
   Umbrella umbrella(moduli(), 1000.0, weights);
   umbrella.build(tree, leaves, {});
@@ -62,7 +62,7 @@ TEST(Umbrella, IsOfElasticitysSizeWhereItIsConsistent) {
 }
 
 TEST(Umbrella, OfPairsIsOppositeWhereItIsConsistent) {
-  ParticleTree tree(cube(), 0.01, 2);
+  ParticleTree tree(cube(), Pose::Identity(), 0.01, 2);
   std::vector<int> parted;
   tree.refine(tree.leafAt(Vec3(0.01, 0.02, 0.03)), &parted);
   const std::vector<int> leaves = tree.leafList();
@@ -83,7 +83,7 @@ TEST(Umbrella, OfPairsIsOppositeWhereItIsConsistent) {
 }
 
 TEST(ParticleTree, FillsTheOrganOnceWhateverIsParted) {
-  ParticleTree tree(cube(), 0.0125, 4);
+  ParticleTree tree(cube(), Pose::Identity(), 0.0125, 4);
   test::Random random(9);
   std::vector<int> parted;
   for (int k = 0; k < 40; ++k) {
@@ -117,7 +117,7 @@ TEST(SampledBody, KeepsItsMomentumWhileItAdapts) {
   settings.refine_above = 1e-4;
   settings.coarsen_below = 5e-5;
   const mesh::TetMesh mesh = cube();
-  SampledBody body(mesh, mesh.points, {}, moduli(), 1000.0, settings);
+  SampledBody body(mesh, Pose::Identity(), mesh.points, {}, moduli(), 1000.0, settings);
   const auto bendIt = [&](double size) {
     for (std::size_t k = 0; k < body.leaves().size(); ++k) {
       const Vec3 X = body.tree().particles()[static_cast<std::size_t>(body.leaves()[k])].X;

@@ -17,8 +17,11 @@ constexpr double kMostCells = 3e7;
 
 }  // namespace
 
-ParticleTree::ParticleTree(const mesh::TetMesh& mesh, double coarsest, int levels)
-    : levels_(levels), finest_(coarsest / (1 << (levels - 1))) {
+ParticleTree::ParticleTree(const mesh::TetMesh& mesh_W, const Pose& X_WO, double coarsest,
+                           int levels)
+    : levels_(levels), finest_(coarsest / (1 << (levels - 1))), X_OW_(X_WO.inverse()) {
+  mesh::TetMesh mesh = mesh_W;
+  mesh.points = (X_OW_ * mesh.points.colwise().homogeneous()).eval();
   const Vec3 low = mesh.points.rowwise().minCoeff(), high = mesh.points.rowwise().maxCoeff();
   const int widest = 1 << (levels - 1);
   Vec3 counts;
@@ -51,7 +54,10 @@ ParticleTree::ParticleTree(const mesh::TetMesh& mesh, double coarsest, int level
   for (Eigen::Index t = 0; t < mesh.numTets(); ++t) {
     organ += mesh::signedVolume(mesh.points, mesh.tets.col(t));
   }
-  for (Particle& p : particles_) p.volume *= organ / volume;
+  for (Particle& p : particles_) {
+    p.volume *= organ / volume;
+    p.X = X_WO * p.X;
+  }
   reset();
 }
 
@@ -226,10 +232,11 @@ std::vector<int> ParticleTree::neighbours(int leaf) const {
 }
 
 int ParticleTree::leafAt(const Vec3& p) const {
+  const Vec3 p_O = X_OW_ * p;
   Eigen::Vector3i c;
   for (int k = 0; k < 3; ++k) {
     c[k] =
-        std::clamp(static_cast<int>(std::floor((p[k] - origin_[k]) / finest_)), 0, cells_[k] - 1);
+        std::clamp(static_cast<int>(std::floor((p_O[k] - origin_[k]) / finest_)), 0, cells_[k] - 1);
   }
   const int here = owner_[static_cast<std::size_t>(cellAt(c))];
   if (here >= 0) return here;

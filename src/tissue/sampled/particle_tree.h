@@ -16,7 +16,7 @@ namespace palpate::tissue {
 class ParticleTree {
  public:
   struct Particle {
-    Vec3 X;         ///< At rest [m].
+    Vec3 X;         ///< At rest, in the world [m].
     double volume;  ///< [m^3]
     double size;    ///< Edge of its cube [m].
     int level;      ///< 0: the largest cubes.
@@ -25,9 +25,9 @@ class ParticleTree {
     Eigen::Vector3i low;  ///< Of its cube, in the smallest ones.
   };
 
-  /// `mesh`: the organ at rest in the world. @throws std::invalid_argument if no cube has any of
-  /// it.
-  ParticleTree(const mesh::TetMesh& mesh, double coarsest, int levels);
+  /// `mesh`: the organ at rest in the world; cubes lie along the axes of its own frame, so that it
+  /// is parted alike however it stands. @throws std::invalid_argument if no cube has any of it.
+  ParticleTree(const mesh::TetMesh& mesh, const Pose& X_WO, double coarsest, int levels);
 
   const std::vector<Particle>& particles() const { return particles_; }
   int levels() const { return levels_; }
@@ -50,7 +50,7 @@ class ParticleTree {
 
   /// Leaves whose cubes share a face or an edge with that of a leaf, ascending.
   std::vector<int> neighbours(int leaf) const;
-  /// The leaf nearest to a point, by its cube.
+  /// The leaf nearest to a point of the world, by its cube.
   int leafAt(const Vec3& p) const;
 
  private:
@@ -67,7 +67,8 @@ class ParticleTree {
 
   int levels_;
   double finest_;
-  Vec3 origin_;
+  Pose X_OW_;
+  Vec3 origin_;  // in the organ's frame
   Eigen::Vector3i cells_;
   std::vector<Particle> particles_;
   std::vector<char> leaf_;

@@ -13,10 +13,10 @@ constexpr double kOfTheWhole = 4.0;
 
 }  // namespace
 
-SampledBody::SampledBody(const mesh::TetMesh& mesh, const Points& surface,
+SampledBody::SampledBody(const mesh::TetMesh& mesh, const Pose& X_WO, const Points& surface,
                          const std::vector<Umbrella::Anchor>& held, const material::Moduli& moduli,
                          double density, const SamplingSettings& settings)
-    : tree_(mesh, settings.coarsest, settings.levels),
+    : tree_(mesh, X_WO, settings.coarsest, settings.levels),
       X_surface_(surface),
       held_(held),
       umbrella_(moduli, density, settings.weights),

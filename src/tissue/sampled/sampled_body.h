@@ -17,7 +17,7 @@ namespace palpate::tissue {
 class SampledBody {
  public:
   /// `surface`: its points at rest, 3 x n [m]; `held`: parts of it that are held.
-  SampledBody(const mesh::TetMesh& mesh, const Points& surface,
+  SampledBody(const mesh::TetMesh& mesh, const Pose& X_WO, const Points& surface,
               const std::vector<Umbrella::Anchor>& held, const material::Moduli& moduli,
               double density, const SamplingSettings& settings);
 

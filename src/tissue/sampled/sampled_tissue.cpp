@@ -34,8 +34,8 @@ class SampledTissue final : public TissueModel {
                 const OrganDescription& organ, const ModelSettings& settings)
       : X_(mesh.points),
         triangles_(mesh::trianglesOf(mesh::boundaryFaces(mesh))),
-        body_(mesh, X_, heldParts(free, organ.sampling), material::moduli(solid.law), solid.density,
-              organ.sampling),
+        body_(mesh, organ.X_WO, X_, heldParts(free, organ.sampling), material::moduli(solid.law),
+              solid.density, organ.sampling),
         gravity_(settings.gravity),
         damping_(organ.damping.mass),
         lag_(organ.damping.stiffness),
