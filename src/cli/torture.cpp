@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "files.h"
 #include "palpate/base/error.h"
+#include "palpate/tissue/model_list.h"
 #include "palpate/torture/result_table.h"
 #include "palpate/torture/shrink.h"
 #include "palpate/torture/torture_report.h"
@@ -25,7 +26,7 @@ namespace {
 struct TortureOptions {
   int count = 100, seed = 1, first = 0;
   std::optional<int> only;
-  std::string out = "torture", part = "1/1", category, report;
+  std::string out = "torture", part = "1/1", category, model, report;
   double minutes = 0.0, scene_limit = 60.0, cycle_limit = 5.0, shrink = 30.0;
   int tetrahedra = 0;
   bool keep = false;
@@ -116,6 +117,7 @@ class Tortures {
 
 bool isWanted(const TortureOptions& options, const torture::TortureScene& scene) {
   if (!options.category.empty() && scene.category != options.category) return false;
+  if (!options.model.empty() && scene.organs.front().model != options.model) return false;
   return options.tetrahedra == 0 ||
          scene.organs.front().mesh.numTets() <= static_cast<Eigen::Index>(options.tetrahedra);
 }
@@ -176,6 +178,8 @@ void addTorture(CLI::App& app, Action& action) {
   command.option("--minutes", &options->minutes, "Begin no scene after so many; 0: go on");
   command.option("--category", &options->category, "Scenes of one category alone")
       .oneOf(torture::categories());
+  command.option("--model", &options->model, "Scenes of one tissue model alone")
+      .oneOf(tissue::modelNames());
   command.option("--tetrahedra", &options->tetrahedra, "Scenes of at most so many; 0: all");
   command.option("--scene-limit", &options->scene_limit, "Leave a scene off after so long [s]");
   command.option("--cycle-limit", &options->cycle_limit, "End a cycle after so long [s]");

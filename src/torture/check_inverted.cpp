@@ -8,7 +8,7 @@ namespace {
 // Models whose mechanics are those of their tetrahedra.
 bool hasTets(const TortureOrgan& organ) {
   return organ.model == "fem" || organ.model == "mass_spring" || organ.model == "tensor_mass" ||
-         organ.model == "hybrid";
+         organ.model == "hybrid" || organ.model == "enriched";
 }
 
 class Inverted : public Criterion {

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "draw_body.h"
+#include "palpate/tissue/enriched/enriched_settings.h"
+#include "palpate/tissue/neural/neural_settings.h"
 
 namespace palpate::torture {
 namespace {
@@ -166,20 +168,26 @@ class Rows {
 
 bool isQuasiStatic(const TortureScene& scene) {
   const std::string& model = scene.organs.front().model;
-  if (model == "fem") {
+  if (model == "fem" || model == "enriched" || model == "neural") {
     return scene.integrator == "static" || scene.method == "linear_precomputed" ||
            scene.method == "newton_bicgstab";
   }
   return model == "bem" || model == "honeycomb";
 }
 
+constexpr double kTimes = 14.0;  // a time constant until 1e-6 is left
+
 // Until 1e-5 is left of the slowest motion: a damping between 0.8 and 1.6 of its frequency takes
-// away more than 0.4 of that in its time. And a Prony series must have relaxed.
+// away more than 0.4 of that in its time. And a Prony series must have relaxed, and what was
+// learned must have been let go.
 double timeToRest(const TortureScene& scene) {
   double longest = 0.0;
   for (const TortureOrgan& organ : scene.organs) {
-    longest = std::max(longest, 30.0 / slowestFrequency(organ));
-    if (organ.prony_g > 0.0) longest = std::max(longest, 14.0 * organ.prony_tau);
+    if (!isQuasiStatic(scene)) longest = std::max(longest, 30.0 / slowestFrequency(organ));
+    double slowest = organ.prony_g > 0.0 ? organ.prony_tau : 0.0;
+    if (organ.model == "enriched") slowest = tissue::EnrichedSettings().time;
+    if (organ.model == "neural") slowest = tissue::NeuralSettings().switch_time;
+    longest = std::max(longest, kTimes * slowest);
   }
   return longest;
 }
@@ -242,7 +250,7 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   }
   for (std::size_t k = 0; k < ways.size(); ++k) ways[k] = far(static_cast<int>(k));
   scene->leave = rows.count();
-  const double time = isQuasiStatic(*scene) ? 0.0 : timeToRest(*scene);
+  const double time = timeToRest(*scene);
   const double longest = std::clamp(time / 100.0, dt, kLongest);
   const int count =
       std::max(static_cast<int>(std::ceil(std::min(time / longest, 1e6))), kLeastRestRows);

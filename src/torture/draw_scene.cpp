@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "draw_body.h"
+#include "draw_learned.h"
 #include "draw_mesh.h"
 #include "draw_motion.h"
 #include "palpate/torture/torture_scene.h"
@@ -177,7 +178,9 @@ TortureScene drawScene(std::uint64_t seed, int number) {
   drawMeshOf(scene, &draw, &organ);
   if (scene.category == "fall") throwOrgan(&draw, &scene);
   drawGravity(&draw, &scene);
+  drawLearning(&scene);
   drawTools(&draw, &scene);
+  drawPrescribed(&scene);
   drawMotion(draw.decades(1e-4, 0.05), &draw, &scene);
   scene.live = number % 6 == 5;
   return scene;
@@ -188,12 +191,12 @@ std::string describe(const TortureScene& scene) {
   char text[512];
   std::snprintf(text, sizeof text,
                 "%s: %s%s%s %s E=%.3g nu=%g rho=%.3g, %s of %td tetrahedra (%.3g deg), %s %s, step "
-                "%.3g s, %zu tools, friction %.2g, start %s",
+                "%.3g s, %zu tools, friction %.2g, start %s%s",
                 scene.category.c_str(), o.model.c_str(), o.model == "fem" ? " " : "",
                 o.model == "fem" ? o.element.c_str() : "", o.law.c_str(), o.young, o.poisson,
                 o.density, o.shape.c_str(), o.mesh.numTets(), o.min_dihedral, scene.method.c_str(),
                 scene.integrator.c_str(), scene.step, scene.tools.size(), scene.friction,
-                toString(scene.start));
+                toString(scene.start), scene.prescribed ? ", prescribed" : "");
   return text;
 }
 

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "learned_files.h"
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/number.h"
 #include "palpate/formats/surface_io.h"
@@ -49,8 +50,9 @@ std::string materialText(const TortureOrgan& organ, double stiffer) {
 
 std::string modelText(const TortureOrgan& organ) {
   std::ostringstream out;
-  if (organ.model == "fem") out << "    element: " << organ.element << "\n";
-  if (organ.model != "fem") out << "    model: " << organ.model << "\n";
+  const bool elements = organ.model == "fem" || organ.model == "enriched";
+  if (elements) out << "    element: " << organ.element << "\n";
+  if (organ.model != "fem") out << "    model: " << organ.model << "\n" << learnedText(organ);
   if (organ.adapt > 0.0) out << "    adapt: {finest: " << formatNumber(organ.adapt) << "}\n";
   if (organ.scheme != "implicit") out << "    springs: {scheme: " << organ.scheme << "}\n";
   if (organ.model == "hybrid") {
@@ -146,6 +148,7 @@ SceneFiles writeScene(const TortureScene& scene, const std::string& folder) {
   out << "instruments:\n";
   for (const TortureTool& tool : scene.tools) out << writeTool(tool, folder);
   out << boneText(scene, folder);
+  if (scene.prescribed) out << "contact: {model: prescribed, organs: false}\n";
   if (scene.friction > 0.0) {
     out << "contact:\n  friction: {static: " << formatNumber(scene.friction)
         << ", kinetic: " << formatNumber(0.8 * scene.friction) << "}\n";

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 
+#include "learned_files.h"
 #include "palpate/base/error.h"
 #include "palpate/base/percentiles.h"
 #include "palpate/base/phase_times.h"
@@ -21,12 +22,13 @@ constexpr double kTwice =
 class Run {
  public:
   Run(const TortureScene& scene, const std::string& folder, const RunLimits& limits)
-      : scene_(scene), limits_(limits), files_(writeScene(scene, folder)) {}
+      : scene_(scene), limits_(limits), folder_(folder), files_(writeScene(scene, folder)) {}
 
   Outcome go() {
     const double begin = steadySeconds();
     std::unique_ptr<sim::Simulator> simulator;
     try {
+      writeLearned(scene_, files_.scene, folder_);
       scene::Scene read = scene::readScene(files_.scene);
       read.solver.threads = limits_.threads;
       simulator = std::make_unique<sim::Simulator>(read);
@@ -102,6 +104,7 @@ class Run {
 
   const TortureScene& scene_;
   const RunLimits& limits_;
+  std::string folder_;
   SceneFiles files_;
   Outcome outcome_;
   std::vector<double> touching_;  // [s]

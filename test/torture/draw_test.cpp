@@ -12,6 +12,7 @@
 #include "palpate/mesh/quality.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/method_facts.h"
+#include "palpate/tissue/model_list.h"
 #include "palpate/torture/scene_files.h"
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
@@ -85,7 +86,7 @@ TEST(DrawnScenes, HaveAllThatThereIs) {
     EXPECT_LE(scene.trajectory.t.size(), 1000u);
   }
   EXPECT_EQ(categories_seen.size(), categories().size());
-  EXPECT_EQ(models.size(), 8u);
+  EXPECT_EQ(models.size(), tissue::modelNames().size());
   EXPECT_EQ(elements.size(), 5u);
   EXPECT_EQ(laws.size(), material::materialNames().size());
   EXPECT_EQ(methods.size(), tissue::methodNames().size());

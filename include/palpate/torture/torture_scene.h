@@ -66,6 +66,7 @@ struct TortureScene {
   bool bone = false;            ///< A block below.
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   double friction = 0.0;
+  bool prescribed = false;  ///< Contact as of a segment that the tissue sticks to.
   std::string method = solver::StepSettings().method;
   std::string integrator = solver::StepSettings().integrator;
   double step = solver::StepSettings().step;  ///< Longest [s].
