@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which samples of the surface, and balls of tools on its triangles, may touch in a cycle.
+#include <algorithm>
+
+#include "face_points.h"
+#include "palpate/contact/contact_potential.h"
+#include "palpate/contact/signed_distance.h"
+
+namespace palpate::contact {
+
+void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
+  bool same = placed_.size() == obstacles.size();
+  for (std::size_t b = 0; same && b < obstacles.size(); ++b) {
+    same = placed_[b].obstacle().geometry == obstacles[b].geometry;
+  }
+  if (!same) placed_.clear();
+  for (std::size_t b = 0; b < obstacles.size(); ++b) {
+    if (same) {
+      placed_[b].move(obstacles[b]);
+    } else {
+      placed_.emplace_back(obstacles[b], margin_);
+    }
+  }
+  if (faces_ && !same) faces_->setObstacles(placed_);
+}
+
+void ContactPotential::findCandidates(const Points& x, const std::vector<double>& reach) {
+  candidates_.clear();
+  if (faces_) faces_->clear();
+  for (int b = 0; b < numObstacles(); ++b) {
+    if (addSamples(x, b, reach[b])) faces_->findCandidates(x, placed_, b, reach[b]);
+  }
+}
+
+// Whether somewhere near it they are too far apart for the obstacle.
+bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
+  bool coarse = faces_ && nodes_only_;
+  const PlacedObstacle& placed = placed_[obstacle];
+  const instrument::Geometry& geometry = *placed.obstacle().geometry;
+  const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
+  for (const Patch& patch : patches_) {
+    if (skip_distant_) {
+      // The distance changes by at most the way: skip triangles that are too far as a whole.
+      const Vec3 corner = x.col(patch.nodes[0]);
+      const double size = std::max((x.col(patch.nodes[1]) - corner).norm(),
+                                   (x.col(patch.nodes[2]) - corner).norm());
+      const Vec3 corner_G = placed.toObstacle(corner);
+      if (corner_G.norm() > ball + size) continue;
+      if (signedDistanceValue(geometry, corner_G) > far + size) continue;
+    }
+    if (patch.triangle >= 0) {
+      const double spacing = faces_->sampleSpacing(patch.triangle, x);
+      coarse = coarse || faces_->meets(obstacle, spacing);
+      if (faces_->meetsAlone(obstacle, spacing)) continue;
+    }
+    for (int s = patch.begin; s < patch.end; ++s) {
+      if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
+      candidates_.push_back({s, obstacle});
+    }
+  }
+  return coarse;
+}
+
+bool ContactPotential::hasCandidates(int obstacle) const {
+  return std::any_of(candidates_.begin(), candidates_.end(),
+                     [&](const Candidate& c) { return c.obstacle == obstacle; }) ||
+         (faces_ && faces_->hasCandidates(obstacle));
+}
+
+int ContactPotential::numCandidates() const {
+  return static_cast<int>(candidates_.size()) + (faces_ ? faces_->numCandidates() : 0);
+}
+
+void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
+  nodes->clear();
+  for (const Candidate& c : candidates_) {
+    const SurfaceSample& s = samples_[c.sample];
+    for (int k = 0; k < 3; ++k) {
+      if (s.weights[k] != 0.0) nodes->push_back(s.nodes[k]);
+    }
+  }
+  if (faces_) faces_->forNodes([&](int node) { nodes->push_back(node); });
+  std::sort(nodes->begin(), nodes->end());
+  nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+}
+
+}  // namespace palpate::contact
