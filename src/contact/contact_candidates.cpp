@@ -5,8 +5,15 @@
 #include "face_points.h"
 #include "palpate/contact/contact_potential.h"
 #include "palpate/contact/signed_distance.h"
+#include "sample_runs.h"
 
 namespace palpate::contact {
+
+void ContactPotential::setSkips(bool distant, bool inactive) {
+  skip_distant_ = distant;
+  skip_inactive_ = inactive;
+  if (faces_) faces_->setSkip(inactive);
+}
 
 void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
   bool same = placed_.size() == obstacles.size();
@@ -30,6 +37,7 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   for (int b = 0; b < numObstacles(); ++b) {
     if (addSamples(x, b, reach[b])) faces_->findCandidates(x, placed_, b, reach[b]);
   }
+  runs_->build(samples_, candidates_, placed_, largest_offset_);
 }
 
 // Whether somewhere near it they are too far apart for the obstacle.
@@ -63,7 +71,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
 
 bool ContactPotential::hasCandidates(int obstacle) const {
   return std::any_of(candidates_.begin(), candidates_.end(),
-                     [&](const Candidate& c) { return c.obstacle == obstacle; }) ||
+                     [&](const SampleCandidate& c) { return c.obstacle == obstacle; }) ||
          (faces_ && faces_->hasCandidates(obstacle));
 }
 
@@ -71,9 +79,13 @@ int ContactPotential::numCandidates() const {
   return static_cast<int>(candidates_.size()) + (faces_ ? faces_->numCandidates() : 0);
 }
 
+int ContactPotential::numDistant() const {
+  return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
+}
+
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->clear();
-  for (const Candidate& c : candidates_) {
+  for (const SampleCandidate& c : candidates_) {
     const SurfaceSample& s = samples_[c.sample];
     for (int k = 0; k < 3; ++k) {
       if (s.weights[k] != 0.0) nodes->push_back(s.nodes[k]);

@@ -7,27 +7,17 @@
 #include <limits>
 #include <utility>
 
+#include "contact_candidates.h"
 #include "face_points.h"
 #include "palpate/contact/signed_distance.h"
 
 namespace palpate::contact {
-namespace {
-
-// In so many stages a ball goes through a cycle without its centre's getting behind the surface.
-constexpr double kCarefulStages = 8.0;
-
-// How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
-// next look: up to the surface, and half of what is left from there to the middle. With a smaller r
-// it may go less far in.
-double allowedApproach(double distance, double r) {
-  return distance >= 0.0 ? distance + 0.5 * r : 0.5 * std::max(distance + r, 0.0);
-}
-
-}  // namespace
 
 ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
                                    std::unique_ptr<Response> response)
-    : samples_(std::move(samples)), response_(std::move(response)) {
+    : samples_(std::move(samples)),
+      response_(std::move(response)),
+      runs_(std::make_unique<SampleRuns>()) {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (patches_.empty() || samples_[s].nodes != patches_.back().nodes) {
       patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0, -1});
@@ -67,11 +57,11 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   const bool motion = response_->followsMotion();
   Touch touch;
   touch.motion_W.setZero();
-  for (const Candidate& c : candidates_) {
+  const auto look = [&](const SampleCandidate& c) {
     const SurfaceSample& s = samples_[c.sample];
     const PlacedObstacle& obstacle = placed_[c.obstacle];
     obstacle.measureGap(s.position(x), &touch);
-    if (skip_inactive && !(touch.gap < reach)) continue;
+    if (skip_inactive && !(touch.gap < reach)) return;
     touch.sample = c.sample;
     touch.obstacle = c.obstacle;
     touch.nodes = s.nodes;
@@ -79,10 +69,16 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
     touch.area = s.area;
     touch.offset = s.offset;
     touch.bearing = bearingOf(touch);
-    if (skip_inactive && !response_->active(touch)) continue;
+    if (skip_inactive && !response_->active(touch)) return;
     if (with_frame || motion) obstacle.measureFrame(&touch);
     if (motion && begun_) obstacle.measureMotion(s.position(x_begin_), &touch);
     visit(touch);
+  };
+  if (skip_inactive) {
+    forCandidates(
+        x, [&](const auto&, double least) { return least >= reach; }, look);
+  } else {
+    for (const SampleCandidate& c : candidates_) look(c);
   }
 }
 
@@ -158,50 +154,6 @@ bool ContactPotential::addPush(const Points& x, const std::vector<Pose>& motions
   return any;
 }
 
-double ContactPotential::maxStep(const Points& x, const Points& d) const {
-  double largest = 1.0;
-  for (const Candidate& c : candidates_) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
-    const Vec3 motion = samples_[c.sample].of(d);
-    const double length = motion.norm();
-    Touch touch;
-    obstacle.measureGap(samples_[c.sample].position(x), &touch);
-    const double allowed = allowedApproach(touch.gap, obstacle.radius());
-    if (length * largest <= allowed) continue;
-    obstacle.measureFrame(&touch);
-    const double approach = -touch.normal_W.dot(motion);
-    if (approach * largest > allowed) largest = allowed / approach;
-  }
-  if (faces_) largest = faces_->maxStep(x, d, placed_, largest);
-  // A sample that is already in the middle must not bring the solve to a stand.
-  return std::max(largest, 1e-3);
-}
-
-void ContactPotential::allowedMotions(const Points& x, const std::vector<double>& ways,
-                                      std::vector<double>* allowed) const {
-  allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
-  for (const Candidate& c : candidates_) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
-    const SurfaceSample& s = samples_[c.sample];
-    const double distance = obstacle.gap(s.position(x));
-    double& least = (*allowed)[c.obstacle];
-    if (distance >= least) continue;
-    const double size = std::min(obstacle.radius(), s.meanEdge(x));
-    least = std::min(least, allowedApproach(distance, size));
-  }
-  if (!faces_) return;
-  faces_->forBalls(x, placed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
-    const auto b = static_cast<std::size_t>(obstacle);
-    // A fast one may get behind the surface, which is then brought back.
-    const double follow = FacePoints::kFollow * m.edge;
-    const double deep =
-        std::clamp(ways[b] / kCarefulStages, 0.5 * radius, std::max(0.5 * radius, follow));
-    const double room = m.distance < 0.0 ? std::max(deep + m.distance, 0.25 * deep)
-                                         : std::max(m.distance - radius, 0.0) + deep;
-    (*allowed)[b] = std::min((*allowed)[b], room);
-  });
-}
-
 void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) const {
   contacts->clear();
   forEach(x, true, true, [&](const Touch& touch) {
@@ -214,10 +166,11 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
 
 void ContactPotential::penetrating(const Points& x, std::vector<Touch>* touches) const {
   touches->clear();
-  for (const Candidate& c : candidates_) {
-    if (!(placed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) continue;
+  const auto isOutside = [](const auto&, double least) { return least >= 0.0; };
+  forCandidates(x, isOutside, [&](const SampleCandidate& c) {
+    if (!(placed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) return;
     touches->push_back(touch(c.sample, c.obstacle, x));
-  }
+  });
 }
 
 Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {

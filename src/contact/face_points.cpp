@@ -14,6 +14,7 @@ namespace {
 
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
 constexpr double kNoDirection = 1e-12;
+constexpr double kSlack = 1e-8;  // more than what counts as equally near
 
 // That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
 constexpr double kLeastArea = 2e-5;
@@ -38,6 +39,9 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
   triangles_ = triangles;
   areas_.resize(triangles.cols());
   divisions_.resize(triangles.cols());
+  is_used_.assign(static_cast<std::size_t>(triangles.cols()), 0);
+  middles_.resize(3, triangles.cols());
+  radii_.resize(triangles.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     const Mat3 at = corners(X, static_cast<int>(t));
     areas_[t] = 0.5 * (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0)).norm();
@@ -45,6 +49,13 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
                                      (at.col(0) - at.col(2)).norm()});
     divisions_[t] = sampleDivisions(longest, spacing);
   }
+}
+
+void FacePoints::clear() {
+  candidates_.clear();
+  groups_.clear();
+  for (const int t : used_) is_used_[static_cast<std::size_t>(t)] = 0;
+  used_.clear();
 }
 
 void FacePoints::setObstacles(const std::vector<PlacedObstacle>& placed) {
@@ -149,6 +160,9 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
       nearest = std::numeric_limits<double>::infinity();
     }
     candidates_.push_back({triangle, meanEdge(at)});
+    char& used = is_used_[static_cast<std::size_t>(triangle)];
+    if (!used) used_.push_back(triangle);
+    used = 1;
     groups_.back().end = numCandidates();
     if (distance < nearest) groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
     nearest = std::min(nearest, distance);
@@ -160,17 +174,36 @@ bool FacePoints::hasCandidates(int obstacle) const {
                      [&](const Group& group) { return group.obstacle == obstacle; });
 }
 
-// Fills meetings_ and returns the nearest. Of triangles that are equally near, as those around an
-// edge or a corner are, the one that the centre is most in front of, or behind, knows the side.
+void FacePoints::placeTriangles(const Points& x) const {
+  for (const int t : used_) {
+    const Mat3 at = corners(x, t);
+    const Vec3 middle = at.rowwise().mean();
+    middles_.col(t) = middle;
+    radii_[t] = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
+  }
+}
+
+// Fills meetings_ with the triangles that may be the nearest or are nearer than `within`, and
+// returns the nearest. Of those that are equally near, as those around an edge or a corner are, the
+// one that the centre is most in front of, or behind, knows the side.
 const FacePoints::Meeting& FacePoints::measure(const Points& x,
                                                const std::vector<PlacedObstacle>& placed,
-                                               const Group& group) const {
+                                               const Group& group, double within) const {
   const Vec3 center = placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
+  apart_.clear();
+  double farthest = std::numeric_limits<double>::infinity();  // that the nearest may be
+  for (int c = group.begin; c < group.end; ++c) {
+    apart_.push_back((center - middles_.col(candidates_[c].triangle)).norm());
+    farthest = std::min(farthest, apart_.back());
+  }
+  const double far = std::max(farthest, within) * (1.0 + kSlack) + kNoDirection;
   meetings_.clear();
   std::size_t nearest = 0;
   double most_across = 0.0;
   for (int c = group.begin; c < group.end; ++c) {
-    const Mat3 at = corners(x, candidates_[c].triangle);
+    const int triangle = candidates_[c].triangle;
+    if (skip_far_ && apart_[c - group.begin] - radii_[triangle] > far) continue;
+    const Mat3 at = corners(x, triangle);
     const Vec3 n = normalOf(at);
     Meeting m{};
     m.near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
@@ -183,6 +216,7 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
       m.distance = std::abs(across);
     }
     m.edge = candidates_[c].edge;
+    m.triangle = triangle;
     meetings_.push_back(m);
     const double least = meetings_[nearest].distance;
     const bool as_near = m.distance <= least * (1.0 + 1e-9) + kNoDirection;
@@ -203,8 +237,9 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
   return m;
 }
 
-void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group, int triangle,
+void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group,
                       const Meeting& meeting, double gap, Touch* touch) const {
+  const int triangle = meeting.triangle;
   const Obstacle& obstacle = placed[group.obstacle].obstacle();
   touch->sample = -1 - (group.ball * static_cast<int>(triangles_.cols()) + triangle);
   touch->obstacle = group.obstacle;
@@ -227,11 +262,16 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
 
 double FacePoints::maxStep(const Points& x, const Points& d,
                            const std::vector<PlacedObstacle>& placed, double largest) const {
+  placeTriangles(x);
+  double longest = 0.0;
+  for (const int t : used_) {
+    longest = std::max(longest, corners(d, t).colwise().squaredNorm().maxCoeff());
+  }
+  longest = std::sqrt(longest);
   for (const Group& group : groups_) {
-    measure(x, placed, group);
-    for (int c = group.begin; c < group.end; ++c) {
-      const Meeting& m = meetings_[c - group.begin];
-      const Mat3 motion = corners(d, candidates_[c].triangle);
+    measure(x, placed, group, longest * largest);
+    for (const Meeting& m : meetings_) {
+      const Mat3 motion = corners(d, m.triangle);
       const double allowed = std::max(m.distance, 0.0) + kFollow * m.edge;
       if (std::sqrt(motion.colwise().squaredNorm().maxCoeff()) * largest <= allowed) continue;
       const double approach = m.direction.dot(motion * m.near.weights);

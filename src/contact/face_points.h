@@ -39,7 +39,10 @@ class FacePoints {
     return spacing > shapes_[obstacle]->too_coarse;
   }
 
-  void clear() { candidates_.clear(), groups_.clear(); }
+  /// Whether triangles that are too far to matter are left out, as they are by default.
+  void setSkip(bool far) { skip_far_ = far; }
+
+  void clear();
   /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
   /// x. All of them, or none: which is nearest knows the side.
   void findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
@@ -61,21 +64,21 @@ class FacePoints {
     bool touched;        ///< Not so behind the nearest, but for itself.
     Vec3 direction;      ///< Unit, from there to the centre, or opposite behind it.
     double edge;         ///< Of the triangle, on average, when it was found [m].
+    int triangle;
   };
   /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
   /// whole but for its motion.
   template <class Visit>
   void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
                const Visit& visit) const {
+    placeTriangles(x);
     for (const Group& group : groups_) {
-      measure(x, placed, group);
-      for (int c = group.begin; c < group.end; ++c) {
-        const Meeting& meeting = meetings_[static_cast<std::size_t>(c - group.begin)];
+      measure(x, placed, group, reach + ball(group).radius);
+      for (const Meeting& meeting : meetings_) {
         const double gap = meeting.distance - ball(group).radius;
         if (!(gap < reach) || !meeting.touched) continue;
         Touch touch;
-        fill(placed, group, candidates_[static_cast<std::size_t>(c)].triangle, meeting, gap,
-             &touch);
+        fill(placed, group, meeting, gap, &touch);
         visit(&touch, meeting);
       }
     }
@@ -84,8 +87,9 @@ class FacePoints {
   template <class Visit>
   void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
                 const Visit& visit) const {
+    placeTriangles(x);
     for (const Group& group : groups_) {
-      visit(group.obstacle, ball(group).radius, measure(x, placed, group));
+      visit(group.obstacle, ball(group).radius, measure(x, placed, group, 0.0));
     }
   }
   /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
@@ -123,10 +127,11 @@ class FacePoints {
   const Shape* shapeOf(const Obstacle& obstacle);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
+  void placeTriangles(const Points& x) const;
   const Meeting& measure(const Points& x, const std::vector<PlacedObstacle>& placed,
-                         const Group& group) const;
-  void fill(const std::vector<PlacedObstacle>& placed, const Group& group, int triangle,
-            const Meeting& meeting, double gap, Touch* touch) const;
+                         const Group& group, double within) const;
+  void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
+            double gap, Touch* touch) const;
 
   Eigen::Matrix3Xi triangles_;
   Eigen::VectorXd areas_;      // at rest [m^2]
@@ -137,7 +142,15 @@ class FacePoints {
   std::vector<Group> groups_;
   std::vector<Near> near_;
   std::vector<std::pair<int, int>> found_;  // balls and triangles
-  mutable std::vector<Meeting> meetings_;   // of one group
+  // What is spared: balls around the triangles that are candidates, as they are now, and how far
+  // from them a ball's centre is.
+  bool skip_far_ = true;
+  std::vector<int> used_;
+  std::vector<char> is_used_;
+  mutable Points middles_;
+  mutable Eigen::VectorXd radii_;
+  mutable std::vector<double> apart_;
+  mutable std::vector<Meeting> meetings_;  // of one group, those that may matter
 };
 
 }  // namespace palpate::contact

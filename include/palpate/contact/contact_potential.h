@@ -12,6 +12,8 @@
 namespace palpate::contact {
 
 class FacePoints;
+class SampleRuns;
+struct SampleCandidate;
 
 /// A touch that is answered.
 struct Contact {
@@ -57,9 +59,7 @@ class ContactPotential final : public fem::EnergyTerm {
   int numObstacles() const { return static_cast<int>(placed_.size()); }
   int numCandidates() const;
   /// Samples, times obstacles, that the last findCandidates() did not take.
-  int numDistant() const {
-    return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
-  }
+  int numDistant() const;
 
   /// What the surface is borne by: `free`, 3 x n, see fem::FreeMask, `masses` of the nodes, n [kg],
   /// and `stiffness` around them, n: Young's modulus over the length of an edge [Pa/m]. Samples
@@ -70,10 +70,7 @@ class ContactPotential final : public fem::EnergyTerm {
 
   /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
   /// default; the sums are the same without.
-  void setSkips(bool distant, bool inactive) {
-    skip_distant_ = distant;
-    skip_inactive_ = inactive;
-  }
+  void setSkips(bool distant, bool inactive);
   /// The nodes that candidates lie between, ascending.
   void candidateNodes(std::vector<int>* nodes) const;
 
@@ -137,14 +134,13 @@ class ContactPotential final : public fem::EnergyTerm {
   void restore(StateReader* from);
 
  private:
-  struct Candidate {
-    int sample, obstacle;
-  };
   struct Patch {  // samples of one triangle, which follow one another
     Eigen::Vector3i nodes;
     int begin, end;
     int triangle;  // of the surface; known where faces are met
   };
+  template <class Far, class Visit>
+  void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
   void gather(const Points& x);
   bool addSamples(const Points& x, int obstacle, double reach);
   template <class Visit>
@@ -171,7 +167,8 @@ class ContactPotential final : public fem::EnergyTerm {
   double largest_offset_ = 0.0;  // of a sample [m]
   bool skip_distant_ = true, skip_inactive_ = true;
   std::vector<PlacedObstacle> placed_;
-  std::vector<Candidate> candidates_;
+  std::vector<SampleCandidate> candidates_;
+  std::unique_ptr<SampleRuns> runs_;  // of the candidates
   Points x_begin_;               // of the step, where the response follows motions or remembers;
   bool begun_ = false;           // since it forgot
   std::vector<Contact> at_end_;  // of the last step, where the response remembers

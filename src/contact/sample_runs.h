@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "palpate/contact/surface_samples.h"
+#include "palpate/contact/touch.h"
+
+namespace palpate::contact {
+
+/// A sample of the surface that may touch a placed obstacle.
+struct SampleCandidate {
+  int sample, obstacle;
+};
+
+/// Candidates that follow one another and lie close together on a triangle: of a triangle, and of
+/// parts of it. Where the middle of such a run is far from the obstacle all of the run is, and
+/// nobody need look at its samples.
+class SampleRuns {
+ public:
+  struct Run {
+    Eigen::Vector3i nodes;  ///< Of the triangle.
+    int obstacle;
+    int begin, end;             ///< Of its candidates.
+    int first_part, last_part;  ///< Of a triangle, [first, last).
+    Vec3 middle;                ///< Barycentric.
+    double spread;              ///< Around it, at most, of the triangle's longest edge.
+  };
+
+  /// Of these candidates; `largest_offset` [m]: of a sample from its triangle.
+  void build(const std::vector<SurfaceSample>& samples,
+             const std::vector<SampleCandidate>& candidates,
+             const std::vector<PlacedObstacle>& placed, double largest_offset);
+
+  /// visit(candidate's index), in order, of all runs that are not far(run, least): `least` is a
+  /// gap [m] below those of all of its samples at x, or not a number.
+  template <class Far, class Visit>
+  void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, const Far& far,
+               const Visit& visit) const {
+    for (const Run& run : triangles_) {
+      if (far(run, leastGap(run, x, placed))) continue;
+      for (int p = run.first_part; p < run.last_part; ++p) {
+        const Run& part = parts_[static_cast<std::size_t>(p)];
+        const bool whole = run.last_part - run.first_part == 1;
+        if (!whole && far(part, leastGap(part, x, placed))) continue;
+        for (int c = part.begin; c < part.end; ++c) visit(c);
+      }
+    }
+  }
+
+ private:
+  double leastGap(const Run& run, const Points& x, const std::vector<PlacedObstacle>& placed) const;
+  static void enclose(const std::vector<SurfaceSample>& samples,
+                      const std::vector<SampleCandidate>& candidates, Run* run);
+
+  std::vector<Run> triangles_, parts_;
+  std::vector<double> errors_;  // of the obstacles' distances, see distanceError() [m]
+  double offset_ = 0.0;
+};
+
+}  // namespace palpate::contact

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is left out as too far to touch would not have: same bits as where each sample is looked at.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "palpate/contact/contact_potential.h"
+#include "palpate/mesh/tet_mesh.h"
+#include "test_shapes.h"
+
+namespace palpate::contact {
+namespace {
+
+constexpr double kSpacing = 1e-3;  // of samples [m]
+
+// A block of coarse triangles, which samples and balls of thin tools meet, and a tool beside a
+// larger ball.
+class FarSamples : public ::testing::TestWithParam<std::pair<std::string, instrument::Geometry>> {
+ protected:
+  FarSamples() {
+    for (ContactPotential* potential : {&quick, &plain}) {
+      potential->meetFaces(mesh.points, triangles, kSpacing);
+    }
+    plain.setSkips(true, false);
+    tool = Pose(Eigen::Translation3d(0.02, 0.02, 0.025));
+  }
+
+  std::vector<Obstacle> obstacles() const {
+    const Pose beside(Eigen::Translation3d(tool.translation() + Vec3(0.012, 0.0, 0.004)));
+    return {{&GetParam().second, 0, tool, tool}, {&ball, 0, beside, beside}};
+  }
+  void findCandidates(double reach) {
+    for (ContactPotential* potential : {&quick, &plain}) {
+      potential->setObstacles(obstacles());
+      potential->findCandidates(x, {reach, reach});
+    }
+  }
+  void compare() {
+    Points g = Points::Zero(3, x.cols()), h = g;
+    ASSERT_EQ(quick.value(x), plain.value(x));
+    ASSERT_EQ(quick.addGradient(x, &g), plain.addGradient(x, &h));
+    ASSERT_EQ(g, h);
+    pushed += g.norm() > 0.0;
+    const Points d = randomPoints(&rng, x.cols(), step);
+    ASSERT_EQ(quick.maxStep(x, d), plain.maxStep(x, d));
+    std::vector<double> allowed, all;
+    quick.allowedMotions(x, {0.01, 0.01}, &allowed);
+    plain.allowedMotions(x, {0.01, 0.01}, &all);
+    ASSERT_EQ(allowed, all);
+    std::vector<Touch> touches, every;
+    quick.penetrating(x, &touches);
+    plain.penetrating(x, &every);
+    ASSERT_EQ(touches.size(), every.size());
+  }
+
+  std::mt19937 rng{7};
+  mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.04, 0.04, 0.02), Eigen::Vector3i(3, 3, 2));
+  Eigen::Matrix3Xi triangles = mesh::boundaryTriangles(mesh.tets);
+  Points x = mesh.points;
+  ContactPotential quick{sampleSurface(x, triangles, kSpacing), makeResponse({"penalty"})};
+  ContactPotential plain{sampleSurface(x, triangles, kSpacing), makeResponse({"penalty"})};
+  instrument::Geometry ball = instrument::Sphere{0.004};
+  Pose tool;
+  double step = 0.0;  // how far a node goes at once [m]
+  int pushed = 0;
+};
+
+std::vector<std::pair<std::string, instrument::Geometry>> tools() {
+  auto all = testShapes();
+  all.emplace_back("needle", instrument::Cylinder{2.5e-4, 0.015});
+  all.emplace_back("blade", instrument::Box{Vec3(1e-4, 0.005, 0.012)});
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Tools, FarSamples, ::testing::ValuesIn(tools()), [](const auto& of) {
+  std::string name = of.param.first;
+  for (char& c : name) c = c == ' ' ? '_' : c;
+  return name;
+});
+
+TEST_P(FarSamples, WouldNotHaveTouched) {
+  std::uniform_real_distribution<double> u(0.0, 1.0);
+  for (int round = 0; round < 6; ++round) {
+    x = mesh.points;
+    findCandidates(round % 3 == 0 ? 0.002 : round % 3 == 1 ? 0.01 : 0.1);
+    for (int k = 0; k < 25; ++k) {
+      step = std::pow(10.0, -6.0 + 3.5 * u(rng));
+      x += randomPoints(&rng, x.cols(), step);
+      tool.translation() += step * Vec3(u(rng) - 0.5, u(rng) - 0.5, u(rng) - 0.5);
+      if (k % 8 == 0) {
+        tool.linear() = randomPose(&rng, 0.0).linear();
+        tool.translation() = Vec3(0.02, 0.02, 0.018 + 0.01 * u(rng));
+      }
+      for (ContactPotential* potential : {&quick, &plain}) potential->setObstacles(obstacles());
+      compare();
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(pushed, 25);
+}
+
+}  // namespace
+}  // namespace palpate::contact
