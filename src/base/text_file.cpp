@@ -1,34 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/base/text_file.h"
 
-#include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "palpate/base/error.h"
 
 namespace palpate {
+namespace {
+
+constexpr std::size_t kMiB = std::size_t{1} << 20;
+
+/// An open file that is closed at the end.
+class Descriptor {
+ public:
+  // Not blocking: a pipe would wait for who writes into it.
+  explicit Descriptor(const std::string& file)
+      : value_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+  ~Descriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int value() const { return value_; }
+
+ private:
+  int value_;
+};
+
+[[noreturn]] void tooLarge(const std::string& file, std::size_t max_bytes) {
+  throw InputError(file, "", "",
+                   "is larger than " + std::to_string(max_bytes / kMiB) +
+                       " MiB, more than any file of this kind");
+}
+
+/// Its size; what is no regular file may have no end, or never begin.
+std::size_t sizeOf(const Descriptor& descriptor, const std::string& file) {
+  struct stat status {};
+  if (::fstat(descriptor.value(), &status) != 0) {
+    throw InputError(file, "", "", std::string("cannot be read: ") + std::strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode))
+    throw InputError(file, "", "", "is a folder, must be a regular file");
+  if (!S_ISREG(status.st_mode)) throw InputError(file, "", "", "must be a regular file");
+  return static_cast<std::size_t>(status.st_size);
+}
+
+}  // namespace
 
 std::string readTextFile(const std::string& file, std::size_t max_bytes) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw InputError(file, "", "", "no such file");
-  if (fs::is_directory(status)) throw InputError(file, "", "", "is a folder, not a file");
-
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file, "", "", "cannot be opened for reading");
-  std::string text;
-  char block[1 << 16];
-  while (stream.read(block, sizeof(block)) || stream.gcount() > 0) {
-    text.append(block, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > max_bytes) {
-      throw InputError(file, "", "",
-                       "is larger than " + std::to_string(max_bytes >> 20) +
-                           " MiB, more than any file of this kind");
-    }
+  const Descriptor descriptor(file);
+  if (descriptor.value() < 0) {
+    const bool none = errno == ENOENT || errno == ENOTDIR;
+    throw InputError(file, "", "",
+                     none ? "no such file"
+                          : std::string("cannot be opened for reading: ") + std::strerror(errno));
   }
-  if (stream.bad()) throw InputError(file, "", "", "cannot be read to its end");
+  const std::size_t size = sizeOf(descriptor, file);
+  if (size > max_bytes) tooLarge(file, max_bytes);
+  // One byte more shows whether it has grown since, or has another size than it says.
+  std::string text(size + 1, '\0');
+  std::size_t done = 0;
+  for (;;) {
+    const ssize_t n = ::read(descriptor.value(), &text[done], text.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      throw InputError(file, "", "",
+                       std::string("cannot be read to its end: ") + std::strerror(errno));
+    }
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+    if (done > max_bytes) tooLarge(file, max_bytes);
+    if (done == text.size()) text.resize(std::min(2 * done, max_bytes + 1));
+  }
+  text.resize(done);
   return text;
 }
 

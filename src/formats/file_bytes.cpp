@@ -3,24 +3,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text_file.h"
 
 namespace palpate::formats {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 31;
+
+}  // namespace
+
 std::string readFileBytes(const std::string& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(file, "", "", "no such file");
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InputError(file, "", "", "must be a regular file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  const auto size = std::filesystem::file_size(file, error);
-  std::string bytes(in && !error ? size : 0, '\0');
-  if (!in || error || !in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-    throw InputError(file, "", "", "cannot be read");
-  }
+  std::string bytes = readTextFile(file, kMaxBytes);
   if (bytes.empty()) throw InputError(file, "", "", "the file is empty");
   return bytes;
 }

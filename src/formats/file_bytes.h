@@ -5,7 +5,8 @@
 
 namespace palpate::formats {
 
-/// The whole file. @throws InputError if it is missing, no regular file, unreadable or empty.
+/// The whole file. @throws InputError if it is missing, no regular file, unreadable, empty or
+/// larger than 2 GiB.
 std::string readFileBytes(const std::string& file);
 
 /// ".obj" of "a/Liver.OBJ"; "" if there is none.

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
+#include "palpate/base/text_file.h"
 
 namespace palpate::io {
 namespace {
@@ -19,6 +18,7 @@ namespace {
 constexpr char kFormat[] = "palpate state 3";
 constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2"};
 constexpr char kPayload[] = "payload: ";
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
 // What a name may have that would look like another line.
 std::string inOneLine(std::string text) {
@@ -59,23 +59,23 @@ void writeState(const std::string& file, const sim::SimulatorState& state) {
 }
 
 sim::SimulatorState readState(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
+  const std::string bytes = readTextFile(file, kMaxBytes);
   const auto fail = [&](const std::string& value, const std::string& allowed) {
     throw InputError(file, "", value.substr(0, 60), allowed);
   };
-  if (!in) fail("", "cannot be opened");
-  std::string line, lines;
-  std::getline(in, line);
+  const std::string first = bytes.substr(0, bytes.find('\n'));
   for (const char* old : kOldFormats) {
-    if (line == old) fail(line, "was written by an earlier version that knew less: save it again");
+    if (first == old)
+      fail(first, "was written by an earlier version that knew less: save it again");
   }
-  if (line != kFormat) fail(line, std::string("is no state: must begin with '") + kFormat + "'");
-  while (in && line.rfind(kPayload, 0) != 0) {
-    lines += line + "\n";
-    std::getline(in, line);
+  if (first != kFormat) {
+    fail(first, std::string("is no state: must begin with '") + kFormat + "'");
   }
-  const std::string payload{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (line + "\n" != payloadLine(lines, payload)) {
+  const std::size_t line = bytes.find(std::string("\n") + kPayload) + 1;  // 0: there is none
+  const std::size_t end = line > 0 ? bytes.find('\n', line) : std::string::npos;
+  const std::string payload = end == std::string::npos ? "" : bytes.substr(end + 1);
+  if (end == std::string::npos ||
+      bytes.compare(line, end + 1 - line, payloadLine(bytes.substr(0, line), payload)) != 0) {
     fail("", "is cut off or was changed: its checksum is not that of its bytes");
   }
   try {

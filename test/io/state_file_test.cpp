@@ -89,8 +89,11 @@ TEST_F(StateFile, SaysWhatAFileIsThatIsNone) {
   }
   EXPECT_TRUE(contains(errorOf("t,x,y\n1,2,3\n"), "is no state"));
   EXPECT_TRUE(contains(errorOf(""), "is no state"));
+  EXPECT_TRUE(
+      contains(errorOf(std::string("palpate state 3\n") + std::string(1000, '\n')), "is cut off"));
   std::filesystem::remove(file());
   EXPECT_THROW(readState(file()), InputError);
+  EXPECT_THROW(readState("/dev/zero"), InputError);
 }
 
 TEST_F(StateFile, IsRefusedByAnotherScene) {
