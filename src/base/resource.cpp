@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text_file.h"
 
 namespace palpate {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr int kCrawlDepth = 3;
+constexpr std::size_t kMaxPackageFile = std::size_t{1} << 20;  // [bytes]
 
 std::vector<std::string> pathList(const char* variable) {
   std::vector<std::string> entries;
@@ -36,14 +38,27 @@ bool isPackage(const fs::path& folder) {
   return fs::is_regular_file(folder / "package.xml", ignored);
 }
 
+/// `text` without its comments.
+std::string withoutComments(const std::string& text) {
+  std::string left;
+  std::size_t at = 0;
+  for (std::size_t begin; (begin = text.find("<!--", at)) != std::string::npos;) {
+    left.append(text, at, begin - at);
+    const std::size_t end = text.find("-->", begin);
+    if (end == std::string::npos) return left;
+    at = end + 3;
+  }
+  return left.append(text, at, std::string::npos);
+}
+
 /// The <name> of folder/package.xml, or "".
 std::string packageName(const fs::path& folder) {
   if (!isPackage(folder)) return "";
-  std::ifstream in(folder / "package.xml");
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  for (std::size_t begin; (begin = text.find("<!--")) != std::string::npos;) {
-    const std::size_t end = text.find("-->", begin);
-    text.erase(begin, end == std::string::npos ? end : end + 3 - begin);
+  std::string text;
+  try {
+    text = withoutComments(readTextFile((folder / "package.xml").string(), kMaxPackageFile));
+  } catch (const InputError&) {
+    return "";
   }
   const std::size_t open = text.find("<name>"), close = text.find("</name>");
   if (open == std::string::npos || close == std::string::npos || close < open) return "";
@@ -102,6 +117,9 @@ bool startsWith(const std::string& text, const std::string& begin) {
 std::string resolveResource(const std::string& uri, const std::string& relative_to_folder) {
   static constexpr char kPackage[] = "package://", kFile[] = "file://";
   if (uri.empty()) throw std::invalid_argument("the name of the file is empty");
+  if (uri.find('\0') != std::string::npos) {
+    throw std::invalid_argument("the name of the file must not have a zero byte");
+  }
   if (startsWith(uri, kPackage)) {
     const std::string rest = uri.substr(sizeof(kPackage) - 1);
     const std::size_t slash = rest.find('/');
@@ -109,7 +127,11 @@ std::string resolveResource(const std::string& uri, const std::string& relative_
     if (package.empty() || package == "." || package == ".." || slash == std::string::npos) {
       throw std::invalid_argument("'" + uri + "' must be package://NAME/path");
     }
-    return (findPackage(package, relative_to_folder) / rest.substr(slash + 1)).string();
+    const fs::path inside = fs::path(rest.substr(slash + 1)).lexically_normal();
+    if (inside.is_absolute() || (!inside.empty() && *inside.begin() == "..")) {
+      throw std::invalid_argument("'" + uri + "' must stay within its package");
+    }
+    return (findPackage(package, relative_to_folder) / inside).string();
   }
   std::string path = uri;
   if (startsWith(uri, kFile)) {

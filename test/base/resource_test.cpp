@@ -90,6 +90,36 @@ TEST(Resource, SaysWhereItLooked) {
   }
 }
 
+TEST(Resource, StaysWithinAPackage) {
+  const TempFolder temp;
+  temp.write("arm/package.xml", package("arm"));
+  for (const char* rest :
+       {"../a.stl", "..", "meshes/../../a.stl", "/etc/passwd", "a/../..", "./.."}) {
+    EXPECT_THROW(resolveResource("package://arm/" + std::string(rest), temp.path("arm")),
+                 std::invalid_argument)
+        << rest;
+  }
+  EXPECT_EQ(resolveResource("package://arm/a/../..b/./c.stl", temp.path("arm")),
+            temp.path("arm/..b/c.stl"));
+}
+
+// As long as may be, and of as many comments: in no time.
+TEST(Resource, LooksIntoAnyPackageFile) {
+  const TempFolder temp;
+  std::string comments;
+  for (int i = 0; i < 100000; ++i) comments += "<!---->";
+  temp.write("arm/package.xml", comments + package("arm"));
+  EXPECT_EQ(resolveResource("package://arm/a.stl", temp.path("arm")), temp.path("arm/a.stl"));
+  temp.write("arm/package.xml", package("arm") + "<!-- without an end");
+  EXPECT_EQ(resolveResource("package://arm/a.stl", temp.path("arm")), temp.path("arm/a.stl"));
+  temp.write("arm/package.xml", package("arm") + std::string(std::size_t{2} << 20, ' '));
+  EXPECT_THROW(resolveResource("package://arm/a.stl", temp.path("arm")), std::invalid_argument);
+}
+
+TEST(Resource, RefusesAZeroByte) {
+  EXPECT_THROW(resolveResource(std::string("a.obj\0.off", 10), "/tmp"), std::invalid_argument);
+}
+
 TEST(Resource, RefusesWhatItCannotRead) {
   for (const char* uri : {"", "package://", "package:///a.stl", "package://arm", "package://../a",
                           "https://example.org/a.stl", "model://arm/a.stl"}) {
