@@ -8,6 +8,34 @@
 namespace palpate {
 namespace {
 
+// A message is read by people, on a terminal that heeds control characters.
+constexpr std::size_t kLongestValue = 200, kLongestText = 4000;
+constexpr std::size_t kLongestName = 100;  // of which a similar one is looked for
+
+/// `text` without control characters, those that UTF-8 writes in two bytes included, and not longer
+/// than `longest`.
+std::string readable(std::string text, std::size_t longest, bool keep_lines) {
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool line = c == '\n' && keep_lines;
+    if ((c < ' ' && !line) || c == 0x7F) text[i] = '?';
+    if (c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) {
+      text[i] = text[i + 1] = '?';
+    }
+  }
+  return text;
+}
+
+std::vector<Problem> readable(std::vector<Problem> problems) {
+  for (Problem& p : problems) {
+    p.key = readable(std::move(p.key), kLongestValue, false);
+    p.value = readable(std::move(p.value), kLongestValue, false);
+    p.allowed = readable(std::move(p.allowed), kLongestText, true);
+  }
+  return problems;
+}
+
 std::string describe(const std::string& file, const std::vector<Problem>& problems) {
   std::string text;
   for (const Problem& p : problems) {
@@ -38,9 +66,12 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 InputError::InputError(std::string file, std::vector<Problem> problems)
-    : std::runtime_error(describe(file, problems)),
-      file_(std::move(file)),
-      problems_(std::move(problems)) {}
+    : InputError(Readable{std::move(file), readable(std::move(problems))}) {}
+
+InputError::InputError(Readable what)
+    : std::runtime_error(describe(what.file, what.problems)),
+      file_(std::move(what.file)),
+      problems_(std::move(what.problems)) {}
 
 InputError::InputError(std::string file, std::string key, std::string value, std::string allowed)
     : InputError(std::move(file),
@@ -48,8 +79,10 @@ InputError::InputError(std::string file, std::string key, std::string value, std
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& known) {
   std::string nearest;
+  if (name.size() > kLongestName) return nearest;
   std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : known) {
+    if (candidate.size() >= name.size() + best) continue;
     const std::size_t distance = editDistance(name, candidate);
     if (distance < best) {
       best = distance;

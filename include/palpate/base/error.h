@@ -18,6 +18,9 @@ struct Problem {
 /// that a user mends them in one go. what() has one line a problem:
 ///
 ///     scene.yaml: organs[0].material.poisson_ratio = 0.5: must be in (-1, 0.5)
+///
+/// Control characters are replaced in all texts, and what is too long for a message is cut: a file
+/// says what it likes.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::vector<Problem> problems);
@@ -27,11 +30,18 @@ class InputError : public std::runtime_error {
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
+  struct Readable {
+    std::string file;
+    std::vector<Problem> problems;
+  };
+  explicit InputError(Readable what);
+
   std::string file_;
   std::vector<Problem> problems_;
 };
 
-/// The known name that looks most like `name` (edit distance), or "" if none is close.
+/// The known name that looks most like `name` (edit distance), or "" if none is close; nothing is
+/// close to a name of more than 100 bytes.
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 
 /// "a, b, c".
