@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
 #include "palpate/base/text_file.h"
+#include "yaml_bounds.h"
 
 namespace palpate::keys {
 namespace {
@@ -25,23 +25,19 @@ bool isQuoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 YAML::Node readYamlMap(const std::string& file) {
   const std::string text = readTextFile(file, kMaxBytes);
-  std::vector<YAML::Node> documents;
+  YAML::Node document;
   try {
-    documents = YAML::LoadAll(text);
+    checkYamlBounds(file, text);
+    document = YAML::Load(text);
   } catch (const YAML::Exception& e) {
     const std::string line = e.mark.is_null() ? "" : "line " + std::to_string(e.mark.line + 1);
     throw InputError(file, line, "", "is not YAML: " + e.msg);
   }
-  if (documents.empty() || (documents.size() == 1 && documents[0].IsNull())) {
-    throw InputError(file, "", "", "is empty");
+  if (document.IsNull()) throw InputError(file, "", "", "is empty");
+  if (!document.IsMap()) {
+    throw InputError(file, "", shown(document), "must be keys with values, `key: value`");
   }
-  if (documents.size() > 1) {
-    throw InputError(file, "", "", "has several YAML documents (`---`), must have one");
-  }
-  if (!documents[0].IsMap()) {
-    throw InputError(file, "", shown(documents[0]), "must be keys with values, `key: value`");
-  }
-  return documents[0];
+  return document;
 }
 
 std::optional<YAML::Node> findPath(const YAML::Node& map, const std::string& path) {

@@ -8,6 +8,7 @@ namespace palpate::keys {
 namespace {
 
 constexpr std::size_t kMaxProblems = 50;  // more than anybody reads
+constexpr int kMostItems = 2000;
 
 std::string didYouMean(const std::string& nearest) {
   return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
@@ -46,10 +47,8 @@ YamlVisitor::YamlVisitor(const YAML::Node& root) { pushLevel(root, ""); }
 
 std::vector<Problem> YamlVisitor::finish() {
   leaveSection();
-  if (problems_.size() > kMaxProblems) {
-    const std::size_t more = problems_.size() - kMaxProblems;
-    problems_.resize(kMaxProblems);
-    problems_.push_back({"", "", "and " + std::to_string(more) + " more"});
+  if (num_problems_ > kMaxProblems) {
+    problems_.push_back({"", "", "and " + std::to_string(num_problems_ - kMaxProblems) + " more"});
   }
   return problems_;
 }
@@ -61,7 +60,7 @@ void YamlVisitor::pushLevel(const YAML::Node& map, const std::string& path) {
     if (!entry.first.IsScalar()) {
       problem("", entry.first, "must be a plain word, as every key");
     } else if (!level.given.emplace(entry.first.Scalar(), entry.second).second) {
-      problemAt(entry.first.Scalar(), "stands twice" + lineOf(entry.first));
+      problemAt(shown(entry.first), "stands twice" + lineOf(entry.first));
     }
   }
 }
@@ -83,17 +82,21 @@ std::optional<YAML::Node> YamlVisitor::find(const Field& field) {
   return {};
 }
 
-void YamlVisitor::problem(const std::string& key, const YAML::Node& node,
-                          const std::string& allowed) {
+std::string YamlVisitor::pathOf(const std::string& key) const {
   std::string path = levels_.back().path + key;
   if (key.empty() && !path.empty()) path.pop_back();  // the section itself: no dot
-  problems_.push_back({path, shown(node), allowed + lineOf(node)});
+  return path;
+}
+
+void YamlVisitor::problem(const std::string& key, const YAML::Node& node,
+                          const std::string& allowed) {
+  if (++num_problems_ > kMaxProblems) return;
+  problems_.push_back({pathOf(key), shown(node), allowed + lineOf(node)});
 }
 
 void YamlVisitor::problemAt(const std::string& key, const std::string& allowed) {
-  std::string path = levels_.back().path + key;
-  if (key.empty() && !path.empty()) path.pop_back();
-  problems_.push_back({path, "", allowed});
+  if (++num_problems_ > kMaxProblems) return;
+  problems_.push_back({pathOf(key), "", allowed});
 }
 
 void YamlVisitor::rule(bool holds, const std::string& key, const std::string& text) {
@@ -109,7 +112,7 @@ void YamlVisitor::rule(bool holds, const std::string& key, const std::string& te
 
 bool YamlVisitor::numbersOfKind(const std::string&, const std::vector<Kind>& kinds,
                                 const std::string& chosen, NumberLists& values) {
-  const std::size_t problems_before = problems_.size();
+  const std::size_t problems_before = num_problems_;
   const bool skipped = !skipped_condition_.empty();
   for (const std::string& name : keysOf(kinds, skipped ? "" : chosen)) {
     const std::optional<YAML::Node> node = find({name, "", ""});
@@ -121,7 +124,7 @@ bool YamlVisitor::numbersOfKind(const std::string&, const std::vector<Kind>& kin
       problem(name, *node, "must be a number or a list of numbers, finite");
     }
   }
-  return !skipped && problems_.size() == problems_before;
+  return !skipped && num_problems_ == problems_before;
 }
 
 FieldVisitor::Entered YamlVisitor::enterSection(const Field& field) {
@@ -162,6 +165,10 @@ int YamlVisitor::enterList(const Field& field, int min_size) {
     return 0;
   }
   const int size = static_cast<int>(node->size());
+  if (size > kMostItems) {
+    problem(field.key, *node, "must have at most " + std::to_string(kMostItems) + " items");
+    return 0;
+  }
   if (size < min_size) {
     problem(field.key, *node, "must have at least " + std::to_string(min_size) + " item");
   }
@@ -193,6 +200,10 @@ void YamlVisitor::reportUnknownKeys() {
     const std::string key = entry.first.Scalar();
     if (level.known.count(key)) continue;
     const auto other = level.elsewhere.find(key);
+    if (num_problems_ >= kMaxProblems) {  // what is not said need not be looked for
+      ++num_problems_;
+      continue;
+    }
     const std::string why = other != level.elsewhere.end()
                                 ? "is a key only with " + other->second
                                 : "no such key" + didYouMean(nearestName(key, names));

@@ -63,6 +63,7 @@ class YamlVisitor : public FieldVisitor {
   void pushLevel(const YAML::Node& map, const std::string& path);
   /// What stands at the field, noted as known; nothing if absent, a problem if that is one.
   std::optional<YAML::Node> find(const Field& field);
+  std::string pathOf(const std::string& key) const;
   void problem(const std::string& key, const YAML::Node& node, const std::string& allowed);
   void problemAt(const std::string& key, const std::string& allowed);
   void reportUnknownKeys();
@@ -71,7 +72,8 @@ class YamlVisitor : public FieldVisitor {
              const std::function<bool(const YAML::Node&, int)>& component);
 
   std::vector<Level> levels_;
-  std::vector<Problem> problems_;
+  std::vector<Problem> problems_;  // the first of them
+  std::size_t num_problems_ = 0;
   std::string skipped_condition_;  // of the alternative we are in and that was not chosen
 };
 
