@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "palpate/base/types.h"
+#include "support/heap_peak.h"
 
 namespace palpate {
 namespace {
@@ -62,6 +63,21 @@ TEST(StateBytes, HugeCountsAllocateNothing) {
   Points p;
   EXPECT_THROW(StateReader(out.bytes()).get(&v), std::invalid_argument);
   EXPECT_THROW(StateReader(out.bytes()).get(&p), std::invalid_argument);
+}
+
+// As many as there are bytes left, of things that take more.
+TEST(StateBytes, CountsThatCannotBeAllocateLittle) {
+  StateWriter out;
+  out.put(std::int64_t{1000000});
+  const std::string bytes = out.bytes() + std::string(1000000, '\0');
+  std::vector<std::string> texts;
+  std::vector<std::vector<double>> lists;
+  std::vector<double> numbers;
+  const test::HeapPeak heap;
+  EXPECT_THROW(StateReader(bytes).get(&texts), std::invalid_argument);
+  EXPECT_THROW(StateReader(bytes).get(&lists), std::invalid_argument);
+  EXPECT_THROW(StateReader(bytes).get(&numbers), std::invalid_argument);
+  EXPECT_LT(heap.bytes(), 100000U);
 }
 
 TEST(StateBytes, MatricesOfAnotherHeightAreRefused) {

@@ -49,7 +49,8 @@ class StateWriter {
 };
 
 /// Reads what a StateWriter wrote. Every function throws std::invalid_argument where the bytes end
-/// too early or are of another shape; nothing larger than the bytes that are left is allocated.
+/// too early or are of another shape; what is allocated is a few times the bytes that are left at
+/// most.
 class StateReader {
  public:
   /// `bytes` must outlive the reader.
@@ -83,8 +84,10 @@ class StateReader {
   }
   template <class T>
   void get(std::vector<T>* values) {
+    // All but plain numbers begin with a number of what follows.
+    constexpr bool plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
     values->clear();
-    values->resize(static_cast<std::size_t>(count(1)));
+    values->resize(static_cast<std::size_t>(count(plain ? sizeof(T) : sizeof(std::int64_t))));
     for (T& value : *values) get(&value);
   }
   /// A number of things that take at least `least` bytes each of what is left.
