@@ -100,8 +100,10 @@ bool readSample(const std::string& file, std::uint64_t mark, const DeformationDa
   }
   if (of != mark) throw InputError(file, "", "", "is of another body than the folder's");
   if (solved != 0 && (sample->fine.cols() != database.numFine() || !sample->fine.allFinite() ||
-                      sample->contact < 0 || sample->contact >= database.numCoarse())) {
-    throw InputError(file, "", "", "has not the points of the folder's body");
+                      !sample->force.allFinite() || sample->contact < 0 ||
+                      sample->contact >= database.numCoarse())) {
+    throw InputError(file, "", "",
+                     "has not the points of the folder's body, or numbers that are not finite");
   }
   return solved != 0;
 }
@@ -117,7 +119,7 @@ DatabaseFolder::DatabaseFolder(const std::string& folder, const mesh::SurfaceMes
   fs::create_directories(folder, error);
   if (error) throw InputError(folder, "", "", "cannot be made a folder: " + error.message());
   const std::string body = (fs::path(folder) / kBodyName).string();
-  if (!fs::exists(body)) {
+  if (!fs::exists(body, error)) {
     writeFileAtomically(body, std::string(kBody) + bytes);
   } else if (readAfter(body, kBody) != bytes) {
     throw InputError(
@@ -126,7 +128,10 @@ DatabaseFolder::DatabaseFolder(const std::string& folder, const mesh::SurfaceMes
   }
 }
 
-bool DatabaseFolder::has(int index) const { return fs::exists(fileOf(folder_, index)); }
+bool DatabaseFolder::has(int index) const {
+  std::error_code ignored;
+  return fs::exists(fileOf(folder_, index), ignored);
+}
 
 void DatabaseFolder::write(int index, const Deformation& sample, bool solved) const {
   StateWriter out;
@@ -150,13 +155,16 @@ DeformationDatabase readDatabase(const std::string& folder, int* unsolved, int c
   readBody(body, bytes, &database);
   const std::string end = fileOf("", count);
   std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.compare(0, 7, "sample_") == 0 && entry.path().extension() == ".bin" &&
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), none; !error && entry != none;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.compare(0, 7, "sample_") == 0 && entry->path().extension() == ".bin" &&
         (name.size() < end.size() || name < end)) {
-      files.push_back(entry.path().string());
+      files.push_back(entry->path().string());
     }
   }
+  if (error) throw InputError(folder, "", "", "cannot be read: " + error.message());
   std::sort(files.begin(), files.end());
   int others = 0;
   for (const std::string& file : files) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/enrichment/surrogate_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string_view>
@@ -39,6 +40,19 @@ void put(const Perceptron& map, StateWriter* out) {
   out->put(map.parameters());
 }
 
+// So large that nothing learned comes near, and so small that no answer of such numbers overflows.
+constexpr double kLargest = 1e12;
+
+template <class Values>
+bool moderate(const Values& values) {
+  return (values.array().abs() <= kLargest).all();  // NaN is not
+}
+bool moderateScale(double scale) { return scale >= 1.0 / kLargest && scale <= kLargest; }
+bool moderateScale(const Vec6& scale) {
+  return std::all_of(scale.data(), scale.data() + scale.size(),
+                     [](double one) { return moderateScale(one); });
+}
+
 KernelMap readKernel(StateReader* in, Eigen::Index outputs) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> inputs;
   Points displacements;
@@ -46,8 +60,8 @@ KernelMap readKernel(StateReader* in, Eigen::Index outputs) {
   in->get(&inputs);
   in->get(&displacements);
   in->get(&weights);
-  if (weights.rows() != outputs || !inputs.allFinite() || !displacements.allFinite() ||
-      !weights.allFinite()) {
+  if (weights.rows() != outputs || !moderate(inputs) || !moderate(displacements) ||
+      !moderate(weights)) {
     StateReader::fail();
   }
   return {inputs, displacements, weights};
@@ -58,7 +72,7 @@ Perceptron readNetwork(StateReader* in, Eigen::Index outputs) {
   Eigen::VectorXd parameters;
   in->get(&hidden);
   in->get(&parameters);
-  bool fits = hidden.size() <= static_cast<std::size_t>(kMostLayers) && parameters.allFinite();
+  bool fits = hidden.size() <= static_cast<std::size_t>(kMostLayers) && moderate(parameters);
   for (const int width : hidden) fits &= width >= 1 && width <= kWidest;
   if (!fits || Perceptron::numParameters(hidden, outputs) != parameters.size()) StateReader::fail();
   Perceptron network(hidden, outputs, 0);
@@ -69,13 +83,13 @@ Perceptron readNetwork(StateReader* in, Eigen::Index outputs) {
 bool sound(const Surrogate& s) {
   const Eigen::Index n = s.surface.points.cols();
   const auto& t = s.surface.triangles;
-  return n > 0 && s.surface.points.allFinite() && t.size() > 0 && t.minCoeff() >= 0 &&
-         t.maxCoeff() < n && s.modes.rows() == 3 * n && s.modes.cols() > 0 && s.modes.allFinite() &&
-         s.patch > 0.0 && s.middle.allFinite() && s.scale.allFinite() && s.scale.minCoeff() > 0.0 &&
-         s.seen_scale.allFinite() && s.seen_scale.minCoeff() > 0.0 && s.displacement_scale > 0.0 &&
-         s.force_scale > 0.0 && s.mode_scale > 0.0 && s.longest > 0.0 &&
-         s.plain.rows() == 3 + s.modes.cols() && s.plain.cols() == 3 && s.plain.allFinite() &&
-         s.seen.samples.cols() > 0 && s.seen.samples.allFinite() && s.seen.threshold > 0.0;
+  return n > 0 && moderate(s.surface.points) && t.size() > 0 && t.minCoeff() >= 0 &&
+         t.maxCoeff() < n && s.modes.rows() == 3 * n && s.modes.cols() > 0 && moderate(s.modes) &&
+         moderateScale(s.patch) && moderate(s.middle) && moderateScale(s.scale) &&
+         moderateScale(s.seen_scale) && moderateScale(s.displacement_scale) &&
+         moderateScale(s.force_scale) && moderateScale(s.mode_scale) && moderateScale(s.longest) &&
+         s.plain.rows() == 3 + s.modes.cols() && s.plain.cols() == 3 && moderate(s.plain) &&
+         s.seen.samples.cols() > 0 && moderate(s.seen.samples) && moderateScale(s.seen.threshold);
 }
 
 // Of each member that is plain data, in the file's order.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "palpate/mesh/surface_levels.h"
 #include "palpate/organs/organs.h"
@@ -81,6 +82,19 @@ TEST(DatabaseFolder, RefusesWhatIsNoDatabaseAndFilesThatAreCutOffAnywhere) {
     temp.write(name, whole);
     EXPECT_EQ(readDatabase(folder).samples.size(), 1U);
   }
+}
+
+TEST(DatabaseFolder, RefusesForcesThatAreNotFinite) {
+  const test::TempFolder temp;
+  const Body body;
+  const std::string folder = temp.path("data");
+  const DatabaseFolder out(folder, body.coarse, body.fine, "");
+  Deformation sample = body.sample(0);
+  sample.force.y() = std::numeric_limits<double>::quiet_NaN();
+  out.write(0, sample, false);  // as one that was not solved it is nobody's
+  EXPECT_NO_THROW(readDatabase(folder));
+  out.write(1, sample, true);
+  EXPECT_THROW(readDatabase(folder), InputError);
 }
 
 }  // namespace

@@ -144,6 +144,41 @@ TEST_P(OfKind, IsReadAsItWasWrittenAndRefusedOtherwise) {
   }
 }
 
+// Finite numbers of which an answer is not: a hand would feel it.
+TEST_P(OfKind, IsRefusedWhereAnAnswerWouldOverflow) {
+  const test::TempFolder temp;
+  const Surrogate made = trainSurrogate(springBed(40), settingsOf(GetParam()));
+  const std::string file = temp.path("a.net");
+  const auto refused = [&](const auto& change) {
+    Surrogate changed = made;
+    change(&changed);
+    writeSurrogate(file, changed);
+    return !test::complaint([&] { readSurrogate(file); }).empty();
+  };
+  EXPECT_FALSE(refused([](Surrogate*) {}));
+  for (const double value : {1e200, -1e200, std::nan("")}) {
+    EXPECT_TRUE(refused([&](Surrogate* s) { s->force_scale = value; })) << value;
+    EXPECT_TRUE(refused([&](Surrogate* s) { s->plain(2, 1) = value; })) << value;
+    EXPECT_TRUE(refused([&](Surrogate* s) { s->surface.points(0, 0) = value; })) << value;
+    EXPECT_TRUE(refused([&](Surrogate* s) { s->seen.samples(5, 0) = value; })) << value;
+  }
+  EXPECT_TRUE(refused([](Surrogate* s) { s->scale[3] = 1e-200; }));
+  EXPECT_TRUE(refused([](Surrogate* s) { s->scale[3] = 1e200; }));
+  EXPECT_TRUE(refused([](Surrogate* s) { s->displacement_scale = 1e-200; }));
+  EXPECT_TRUE(refused([](Surrogate* s) {
+    if (auto* kernel = std::get_if<KernelMap>(&s->map)) {
+      Eigen::MatrixXd weights = kernel->weights();
+      weights(1, 2) = 1e200;
+      *kernel = KernelMap(kernel->inputs(), kernel->displacements(), weights);
+    } else {
+      auto& network = std::get<Perceptron>(s->map);
+      Eigen::VectorXd parameters = network.parameters();
+      parameters[7] = 1e200;
+      network.setParameters(parameters);
+    }
+  }));
+}
+
 TEST(SurrogateTraining, RefusesWhatItCannotLearn) {
   EXPECT_THROW(trainSurrogate(springBed(9), settingsOf("kernel")), std::invalid_argument);
   DeformationDatabase database = springBed(40);

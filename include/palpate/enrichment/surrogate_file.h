@@ -12,7 +12,8 @@ namespace palpate::enrichment {
 void writeSurrogate(const std::string& file, const Surrogate& surrogate);
 
 /// @throws InputError for a file that is none of this version, is cut off or changed, larger than
-/// 64 MiB, or whose parts do not fit together or are not finite.
+/// 64 MiB, or whose parts do not fit together or have numbers beyond 1e12, of which an answer might
+/// not be finite.
 Surrogate readSurrogate(const std::string& file);
 
 }  // namespace palpate::enrichment
