@@ -40,7 +40,7 @@ std::string describe(const std::string& file, const std::vector<Problem>& proble
   std::string text;
   for (const Problem& p : problems) {
     if (!text.empty()) text += '\n';
-    text += file;
+    text += readable(file, kLongestText, false);
     if (!p.key.empty()) text += ": " + p.key;
     if (!p.value.empty()) text += " = " + p.value;
     text += ": " + p.allowed;

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
@@ -94,7 +95,8 @@ material::Solid makeSolid(const MaterialConfig& material, const std::string& fil
     } catch (const std::invalid_argument& error) {
       throw InputError(file, place, material.file, error.what());
     }
-    if (!std::filesystem::exists(path)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) {
       throw InputError(file, place, material.file, "there is no file " + path);
     }
     config = readTissueFile(path).material;

@@ -25,6 +25,7 @@ TEST(InputError, HasNoControlCharacters) {
                          "must be\none of \x07 a, \xC3\xA4");
   EXPECT_STREQ(error.what(), "a.yaml: k?ey = ?[2J??2J??: must be\none of ? a, \xC3\xA4");
   EXPECT_EQ(error.problems()[0].value, "?[2J??2J??");
+  EXPECT_STREQ(InputError("a\x1b.yaml", "", "", "is bad").what(), "a?.yaml: is bad");
 }
 
 TEST(InputError, IsShort) {

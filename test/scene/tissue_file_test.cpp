@@ -71,6 +71,8 @@ TEST_F(TissueFiles, PathsStartFromTheScene) {
 TEST_F(TissueFiles, RefusalsNameTheFileAndTheKey) {
   EXPECT_TRUE(hasProblem(test::problemsOf([&] { solidOf("absent.yaml"); }),
                          "organs[0].material.file", "there is no file"));
+  EXPECT_TRUE(hasProblem(test::problemsOf([&] { solidOf(std::string(10000, 'x')); }),
+                         "organs[0].material.file", "there is no file"));
   EXPECT_TRUE(
       hasProblem(test::problemsOf([&] { solidOf("http://x/y"); }), "organs[0].material.file", ""));
   const std::string bad = folder_.write("bad.yaml",
