@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -13,23 +14,49 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
+constexpr std::size_t kMostNumbers = 3;   // of an attribute
+constexpr std::size_t kLongestName = 60;  // in a report
+
 void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
   const Element* origin = parent.FirstChildElement("origin");
   if (origin == nullptr) return;
-  checkNumbers(*origin, "xyz", 3, Range::kFinite, Need::kOptional, problems);
-  checkNumbers(*origin, "rpy", 3, Range::kFinite, Need::kOptional, problems);
+  checkNumbers(*origin, "xyz", 3, Range::kPlace, Need::kOptional, problems);
+  checkNumbers(*origin, "rpy", 3, Range::kDirection, Need::kOptional, problems);
+}
+
+/// What a range means for one number, and in words.
+struct Bounds {
+  double most;
+  bool positive, not_zero;
+  const char* words;
+};
+
+Bounds boundsOf(Range range) {
+  switch (range) {
+    case Range::kPlace:
+      return {100.0, false, false, " in [-100, 100]"};
+    case Range::kDirection:
+      return {1e6, false, false, " in [-1e6, 1e6]"};
+    case Range::kLength:
+      return {100.0, true, false, " > 0, at most 100"};
+    case Range::kScale:
+      return {1e6, false, true, " in [-1e6, 1e6], none of them 0"};
+    case Range::kFinite:
+      break;
+  }
+  return {std::numeric_limits<double>::max(), false, false, ""};
 }
 
 bool inRange(double number, Range range) {
-  return range == Range::kFinite || (range == Range::kPositive ? number > 0.0 : number != 0.0);
+  const Bounds bounds = boundsOf(range);
+  return std::abs(number) <= bounds.most && !(bounds.positive && !(number > 0.0)) &&
+         !(bounds.not_zero && number == 0.0);
 }
 
 std::string describe(std::size_t count, Range range) {
   std::string wish = "must be ";
   wish += count == 1 ? "one finite number" : std::to_string(count) + " finite numbers";
-  if (range == Range::kPositive) wish += " > 0";
-  if (range == Range::kNonZero) wish += ", none of them 0";
-  return wish;
+  return wish + boundsOf(range).words;
 }
 
 /// All numbers of `text`, or nothing if something else stands there.
@@ -37,6 +64,7 @@ std::vector<double> parseNumbers(const std::string& text) {
   std::istringstream in(text);
   std::vector<double> numbers;
   for (std::string word; in >> word;) {
+    if (numbers.size() == kMostNumbers) return {};
     const std::optional<double> number = parseNumber(word);
     if (!number) return {};
     numbers.push_back(*number);
@@ -51,9 +79,9 @@ std::string whereIs(const Element& element, const char* attribute) {
   for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
     const Element* e = node->ToElement();
     if (e == nullptr || (e->Parent() == e->GetDocument() && e != &element)) break;
-    const std::string name = text(*e, "name");
-    path = std::string(e->Name()) + (name.empty() ? "" : " " + name) + (path.empty() ? "" : "/") +
-           path;
+    const std::string name = text(*e, "name").substr(0, kLongestName);
+    path = std::string(e->Name()).substr(0, kLongestName) + (name.empty() ? "" : " " + name) +
+           (path.empty() ? "" : "/") + path;
   }
   if (attribute != nullptr) path += std::string(" ") + attribute;
   return path + " (line " + std::to_string(element.GetLineNum()) + ")";
@@ -80,7 +108,8 @@ std::vector<double> checkNumbers(const Element& element, const char* attribute, 
       })) {
     return numbers;
   }
-  problems->push_back({whereIs(element, attribute), "'" + value + "'", describe(count, range)});
+  problems->push_back({whereIs(element, attribute), "'" + value.substr(0, kLongestName) + "'",
+                       describe(count, range)});
   return {};
 }
 
@@ -95,17 +124,17 @@ void checkShape(const Element& visual_or_collision, std::vector<Problem>* proble
   }
   const std::string kind = shape->Name();
   if (kind == "sphere") {
-    checkNumbers(*shape, "radius", 1, Range::kPositive, Need::kRequired, problems);
+    checkNumbers(*shape, "radius", 1, Range::kLength, Need::kRequired, problems);
   } else if (kind == "cylinder") {
-    checkNumbers(*shape, "radius", 1, Range::kPositive, Need::kRequired, problems);
-    checkNumbers(*shape, "length", 1, Range::kPositive, Need::kRequired, problems);
+    checkNumbers(*shape, "radius", 1, Range::kLength, Need::kRequired, problems);
+    checkNumbers(*shape, "length", 1, Range::kLength, Need::kRequired, problems);
   } else if (kind == "box") {
-    checkNumbers(*shape, "size", 3, Range::kPositive, Need::kRequired, problems);
+    checkNumbers(*shape, "size", 3, Range::kLength, Need::kRequired, problems);
   } else if (kind == "mesh") {
     if (text(*shape, "filename").empty()) {
       problems->push_back({whereIs(*shape, "filename"), "", "is missing"});
     }
-    checkNumbers(*shape, "scale", 3, Range::kNonZero, Need::kOptional, problems);
+    checkNumbers(*shape, "scale", 3, Range::kScale, Need::kOptional, problems);
   } else {
     problems->push_back({whereIs(*shape), "", "must be a sphere, cylinder, box or mesh"});
   }
@@ -116,7 +145,7 @@ void checkJointNumbers(const Element& joint, std::vector<Problem>* problems) {
   const std::string type = text(joint, "type");
   if (type == "fixed") return;
   if (const Element* axis = joint.FirstChildElement("axis")) {
-    const auto xyz = checkNumbers(*axis, "xyz", 3, Range::kFinite, Need::kRequired, problems);
+    const auto xyz = checkNumbers(*axis, "xyz", 3, Range::kDirection, Need::kRequired, problems);
     if (!xyz.empty() && !(std::hypot(xyz[0], xyz[1], xyz[2]) > 1e-9)) {
       problems->push_back(
           {whereIs(*axis, "xyz"), "'" + text(*axis, "xyz") + "'", "must have a direction"});
@@ -138,8 +167,8 @@ void checkJointNumbers(const Element& joint, std::vector<Problem>* problems) {
     checkNumbers(*limit, "velocity", 1, Range::kFinite, Need::kRequired, problems);
   }
   if (const Element* mimic = joint.FirstChildElement("mimic")) {
-    checkNumbers(*mimic, "multiplier", 1, Range::kFinite, Need::kOptional, problems);
-    checkNumbers(*mimic, "offset", 1, Range::kFinite, Need::kOptional, problems);
+    checkNumbers(*mimic, "multiplier", 1, Range::kDirection, Need::kOptional, problems);
+    checkNumbers(*mimic, "offset", 1, Range::kDirection, Need::kOptional, problems);
   }
 }
 

@@ -16,7 +16,7 @@
 namespace palpate::instrument {
 namespace {
 
-constexpr std::size_t kMaxBytes = 64u << 20;  // of a URDF
+constexpr std::size_t kMaxBytes = 4u << 20;  // of a URDF
 
 }  // namespace
 
@@ -71,10 +71,14 @@ Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions&
   checkTopology(&outline);
   if (!outline.problems.empty()) throw InputError(urdf_file, outline.problems);
 
-  const ParsedUrdf parsed = parseUrdf(urdf_file, text, outline);
+  const ParsedUrdf parsed = parseUrdf(urdf_file, outline);
   auto impl = std::make_unique<Instrument::Impl>();
   impl->name = outline.robot;
-  impl->kinematics = buildKinematics(*parsed.model, outline);
+  try {
+    impl->kinematics = buildKinematics(*parsed.model, outline);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(urdf_file, "robot " + outline.robot, "", error.what());
+  }
   Shapes shapes = readShapes(*parsed.model, impl->kinematics.links,
                              std::filesystem::path(urdf_file).parent_path().string(), options);
   if (!shapes.problems.empty()) throw InputError(urdf_file, shapes.problems);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinematics.h"
 
+#include <cmath>
 #include <kdl/frames.hpp>
 #include <kdl/joint.hpp>
 #include <kdl/segment.hpp>
@@ -12,6 +13,8 @@
 
 namespace palpate::instrument {
 namespace {
+
+constexpr double kMostFollowed = 1e9;  // of mimics of mimics together
 
 Vec3 toVec3(const KDL::Vector& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -96,6 +99,13 @@ class Builder {
     for (; joint->mimic; joint = model_.getJoint(joint->mimic->joint_name).get()) {
       segment->offset += segment->multiplier * joint->mimic->offset;
       segment->multiplier *= joint->mimic->multiplier;
+    }
+    if (!(std::abs(segment->multiplier) <= kMostFollowed) ||
+        !(std::abs(segment->offset) <= kMostFollowed)) {
+      throw std::invalid_argument(
+          "a joint that follows '" + joint->name +
+          "' by others goes too far: multipliers and offsets must give less "
+          "than 1e9 together");
     }
     segment->joint = driven_.at(joint->name);
   }

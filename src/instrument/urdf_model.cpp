@@ -58,12 +58,12 @@ bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
 
 }  // namespace
 
-ParsedUrdf parseUrdf(const std::string& file, const std::string& text, const UrdfOutline& outline) {
+ParsedUrdf parseUrdf(const std::string& file, const UrdfOutline& outline) {
   Collector collector;
   urdf::ModelInterfaceSharedPtr model;
   try {
     const Listening listening(&collector);
-    model = urdf::parseURDF(text);
+    model = urdf::parseURDF(outline.xml);
   } catch (const std::exception& error) {
     throw InputError(file, "", "", std::string("is not a valid URDF: ") + error.what());
   }

@@ -15,8 +15,8 @@ struct ParsedUrdf {
   std::string complaints;               ///< What urdfdom would have printed, or "".
 };
 
-/// Parses by urdfdom, silently. `outline` is of the same text and has no problems.
+/// Parses the outline's text by urdfdom, silently; the outline has no problems.
 /// @throws InputError with urdfdom's complaints if it refuses the file, or leaves a part of it out.
-ParsedUrdf parseUrdf(const std::string& file, const std::string& text, const UrdfOutline& outline);
+ParsedUrdf parseUrdf(const std::string& file, const UrdfOutline& outline);
 
 }  // namespace palpate::instrument

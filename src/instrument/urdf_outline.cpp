@@ -12,8 +12,33 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-/// Far beyond any instrument; keeps the recursion of the libraries over links shallow.
-constexpr std::size_t kMaxLinks = 1000;
+/// Far beyond any instrument; keeps the recursion of the libraries over links shallow, and what
+/// takes the square of a number short.
+constexpr std::size_t kMaxLinks = 1000, kMaxShapes = 10000, kMaxName = 100;
+
+/// Collects links, joints and their problems.
+class Outliner {
+ public:
+  explicit Outliner(UrdfOutline* outline) : outline_(outline) {}
+
+  void readLink(const Element& link);
+  void readJoint(const Element& element);
+  /// There is nothing more to be said, or more than can be.
+  bool full() const {
+    return outline_->problems.size() >= kMaxProblems || outline_->links.size() > kMaxLinks ||
+           outline_->joints.size() > kMaxLinks || num_shapes_ > kMaxShapes;
+  }
+  /// @throws InputError if there is more than can be.
+  void checkCounts(const std::string& file) const;
+
+ private:
+  void checkName(const std::string& name, const std::string& where, const char* kind,
+                 std::set<std::string>* names);
+
+  UrdfOutline* outline_;
+  std::set<std::string> link_names_, joint_names_;
+  std::size_t num_shapes_ = 0;
+};
 
 std::string linkOf(const Element& joint, const char* side, std::vector<Problem>* problems) {
   const Element* element = joint.FirstChildElement(side);
@@ -37,42 +62,59 @@ void checkType(const Element& joint, std::vector<Problem>* problems) {
                            (nearest.empty() ? "" : "; did you mean " + nearest + "?")});
 }
 
-void readLink(const Element& link, std::set<std::string>* names, UrdfOutline* outline) {
-  const std::string name = text(link, "name");
+void Outliner::checkName(const std::string& name, const std::string& where, const char* kind,
+                         std::set<std::string>* names) {
   if (name.empty()) {
-    outline->problems.push_back({whereIs(link), "", "needs a name"});
+    outline_->problems.push_back({where, "", "needs a name"});
+  } else if (name.size() > kMaxName) {
+    outline_->problems.push_back(
+        {where, "", "must have a name of at most " + std::to_string(kMaxName) + " bytes"});
   } else if (!names->insert(name).second) {
-    outline->problems.push_back({whereIs(link), "", "a link of this name stands above"});
+    outline_->problems.push_back(
+        {where, "", std::string("a ") + kind + " of this name stands above"});
   }
-  outline->links.push_back(name);
-  outline->shapes.push_back(0);
+}
+
+void Outliner::readLink(const Element& link) {
+  checkName(text(link, "name"), whereIs(link), "link", &link_names_);
+  outline_->links.push_back(text(link, "name"));
+  outline_->shapes.push_back(0);
   for (const char* kind : {"visual", "collision"}) {
-    for (const Element* e = link.FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
-      ++outline->shapes.back();
-      checkShape(*e, &outline->problems);
+    for (const Element* e = link.FirstChildElement(kind); e && !full();
+         e = e->NextSiblingElement(kind)) {
+      ++num_shapes_;
+      ++outline_->shapes.back();
+      checkShape(*e, &outline_->problems);
     }
   }
 }
 
-void readJoint(const Element& element, std::set<std::string>* names, UrdfOutline* outline) {
+void Outliner::readJoint(const Element& element) {
   JointOutline joint;
   joint.where = whereIs(element);
   joint.name = text(element, "name");
   joint.type = text(element, "type");
-  if (joint.name.empty()) {
-    outline->problems.push_back({joint.where, "", "needs a name"});
-  } else if (!names->insert(joint.name).second) {
-    outline->problems.push_back({joint.where, "", "a joint of this name stands above"});
-  }
-  checkType(element, &outline->problems);
-  joint.parent = linkOf(element, "parent", &outline->problems);
-  joint.child = linkOf(element, "child", &outline->problems);
-  checkJointNumbers(element, &outline->problems);
+  checkName(joint.name, joint.where, "joint", &joint_names_);
+  checkType(element, &outline_->problems);
+  joint.parent = linkOf(element, "parent", &outline_->problems);
+  joint.child = linkOf(element, "child", &outline_->problems);
+  checkJointNumbers(element, &outline_->problems);
   if (const Element* mimic = element.FirstChildElement("mimic")) {
     joint.mimics = true;
     joint.mimic = text(*mimic, "joint");
   }
-  outline->joints.push_back(joint);
+  outline_->joints.push_back(joint);
+}
+
+void Outliner::checkCounts(const std::string& file) const {
+  const auto check = [&](std::size_t count, std::size_t most, const std::string& what) {
+    if (count <= most) return;
+    throw InputError(file, "", "more than " + std::to_string(most) + " " + what,
+                     "must be at most " + std::to_string(most));
+  };
+  check(outline_->links.size(), kMaxLinks, "links");
+  check(outline_->joints.size(), kMaxLinks, "joints");
+  check(num_shapes_, kMaxShapes, "shapes");
 }
 
 }  // namespace
@@ -94,18 +136,19 @@ UrdfOutline readOutline(const std::string& file, const std::string& text_of_file
   UrdfOutline outline;
   outline.robot = text(*robot, "name");
   if (outline.robot.empty()) outline.problems.push_back({whereIs(*robot), "", "needs a name"});
-  std::set<std::string> link_names, joint_names;
-  for (const Element* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
-    if (std::strcmp(e->Name(), "link") == 0) readLink(*e, &link_names, &outline);
-    if (std::strcmp(e->Name(), "joint") == 0) readJoint(*e, &joint_names, &outline);
+  Outliner outliner(&outline);
+  for (const Element* e = robot->FirstChildElement(); e && !outliner.full();
+       e = e->NextSiblingElement()) {
+    if (std::strcmp(e->Name(), "link") == 0) outliner.readLink(*e);
+    if (std::strcmp(e->Name(), "joint") == 0) outliner.readJoint(*e);
     if (std::strncmp(e->Name(), "xacro:", 6) == 0) {
       outline.problems.push_back({whereIs(*e), "", "is a macro; expand the file with xacro first"});
     }
   }
-  if (outline.links.size() > kMaxLinks) {
-    throw InputError(file, "", std::to_string(outline.links.size()) + " links",
-                     "must be at most " + std::to_string(kMaxLinks));
-  }
+  outliner.checkCounts(file);
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  outline.xml = printer.CStr();
   return outline;
 }
 

@@ -20,6 +20,9 @@ struct JointOutline {
 /// in single elements. The parser behind it (urdfdom) stops at the first error and logs it; this
 /// look finds them all and names them.
 struct UrdfOutline {
+  /// The same text, written anew by the parser that has read it: what urdfdom's parser has no end
+  /// with, or reads otherwise, is not in it.
+  std::string xml;
   std::string robot;
   std::vector<std::string> links;
   std::vector<std::size_t> shapes;  ///< Visuals and collisions, one number a link.
@@ -27,7 +30,11 @@ struct UrdfOutline {
   std::vector<Problem> problems;
 };
 
-/// @throws InputError if `text` is not XML or its root is not <robot>.
+/// More problems than anybody reads; others are not looked for.
+constexpr std::size_t kMaxProblems = 50;
+
+/// @throws InputError if `text` is not XML, its root is not <robot>, or there are more links,
+/// joints or shapes than any instrument has.
 UrdfOutline readOutline(const std::string& file, const std::string& text);
 
 /// Adds what is wrong between elements: names that do not exist, two parents, loops, not exactly

@@ -19,6 +19,7 @@ std::map<std::string, const JointOutline*> joinLinks(UrdfOutline* outline) {
   std::map<std::string, const JointOutline*> above;
   const auto& links = outline->links;
   for (const JointOutline& joint : outline->joints) {
+    if (outline->problems.size() >= kMaxProblems) break;
     for (const std::string* link : {&joint.parent, &joint.child}) {
       if (link->empty() || std::find(links.begin(), links.end(), *link) != links.end()) continue;
       outline->problems.push_back({joint.where + (link == &joint.parent ? " parent" : " child"),
@@ -79,6 +80,7 @@ void checkMimics(UrdfOutline* outline) {
   }
   for (const JointOutline& joint : outline->joints) {
     if (!joint.mimics || joint.type == "fixed") continue;
+    if (outline->problems.size() >= kMaxProblems) break;
     const std::string where = joint.where + " mimic";
     const auto leader = joints.find(joint.mimic);
     if (leader == joints.end()) {
@@ -106,6 +108,7 @@ void checkMimics(UrdfOutline* outline) {
 }  // namespace
 
 void checkTopology(UrdfOutline* outline) {
+  if (outline->problems.size() >= kMaxProblems) return;  // not all of the file was looked at
   checkTree(outline);
   checkMimics(outline);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -92,6 +93,70 @@ TEST(BadUrdf, DeepNestingAndVeryManyLinks) {
     many += link(b) + joint("j" + b, "fixed", a, b);
   }
   EXPECT_PROBLEM(robot(many), "at most");
+}
+
+// What is taken for each joint, or each name, would take the square of their number or length.
+TEST(BadUrdf, ManyJointsShapesAndLongNames) {
+  std::string joints, shapes, wrong;
+  for (int i = 0; i < 20000; ++i) {
+    const std::string name = "j" + std::to_string(i);
+    joints += joint(name, "continuous", "a", "b", "<mimic joint=\"" + name + "x\"/>");
+    shapes += collision("<sphere radius=\"1\"/>");
+    wrong += collision("<sphere radius=\"-1\"/>");
+  }
+  EXPECT_PROBLEM(robot(link("a") + joints + link("b")), "more than 1000 joints");
+  EXPECT_PROBLEM(robot(link("a", shapes)), "more than 10000 shapes");
+  const std::string many = problemOf(robot(link("a", wrong)));
+  EXPECT_EQ(std::count(many.begin(), many.end(), '\n'), 49);
+  EXPECT_PROBLEM(robot(link(std::string(1000000, 'a'))), "a name of at most 100 bytes");
+  std::string unknown = link("base");
+  for (int i = 0; i < 900; ++i) {
+    unknown +=
+        link("l" + std::to_string(i)) +
+        joint("j" + std::to_string(i), "fixed", std::string(4000, 'x') + std::to_string(i), "y");
+  }
+  EXPECT_PROBLEM(robot(unknown), "no link has this name");
+  EXPECT_PROBLEM(std::string(std::size_t{5} << 20, ' '), "larger than 4 MiB");
+}
+
+TEST(BadUrdf, NumbersWhoseProductsAreNotFinite) {
+  const auto one = [](const std::string& inside) {
+    return robot(link("a") + link("b") + joint("j", "revolute", "a", "b", limit() + inside));
+  };
+  EXPECT_PROBLEM(one("<origin xyz=\"0 0 1e300\"/>"), "[-100, 100]");
+  EXPECT_PROBLEM(one("<origin rpy=\"0 0 1e300\"/>"), "[-1e6, 1e6]");
+  EXPECT_PROBLEM(one("<axis xyz=\"0 0 1e300\"/>"), "[-1e6, 1e6]");
+  EXPECT_PROBLEM(robot(link("a", collision("<sphere radius=\"1e300\"/>"))), "> 0, at most 100");
+  EXPECT_PROBLEM(robot(link("a", collision("<box size=\"1 1 101\"/>"))), "> 0, at most 100");
+  EXPECT_PROBLEM(robot(link("a", collision("<mesh filename=\"a.obj\" scale=\"1 1 1e7\"/>"))),
+                 "none of them 0");
+  // Each follows the one before, a million times as far.
+  std::string chain = link("l0") + link("l1") + joint("j1", "continuous", "l0", "l1");
+  for (int i = 2; i < 100; ++i) {
+    const std::string a = std::to_string(i - 1), b = std::to_string(i);
+    chain += link("l" + b) + joint("j" + b, "continuous", "l" + a, "l" + b,
+                                   "<mimic joint=\"j" + a + "\" multiplier=\"1e6\"/>");
+  }
+  EXPECT_PROBLEM(robot(chain), "goes too far");
+}
+
+// The second parser reads what the first one has understood: in some texts it has no end.
+TEST(BadUrdf, BytesThatAreNoText) {
+  const std::string good = robot(link("a", collision("<sphere radius=\"1\"/>")));
+  for (const std::string& bytes :
+       {std::string("\xEF"), std::string("\xEF\0\0", 3), std::string("\0<?xml \0", 8),
+        std::string("<?xml \0", 7), std::string("<!DOCTYPE [")}) {
+    for (const std::size_t at :
+         {std::size_t{0}, good.find("<link"), good.find("name=\"a"), good.size()}) {
+      const TempFolder temp;
+      const std::string file = temp.write("a.urdf", std::string(good).insert(at, bytes));
+      try {
+        readInstrument(file);
+      } catch (const InputError& error) {
+        EXPECT_EQ(error.file(), file);
+      }
+    }
+  }
 }
 
 TEST(BadUrdf, JointLoops) {
