@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "csv_cells.h"
 #include "palpate/base/error.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
+constexpr std::size_t kMostColumns = 2000;
 
 /// Goes through a text line by line, takes rows and gathers problems.
 class Reader {
@@ -21,7 +23,7 @@ class Reader {
   void readLine(std::string_view line) {
     ++line_number_;
     const std::string_view text = trimmed(line);
-    if (text.empty() || text[0] == '#' || problems_.size() >= kMaxProblems) return;
+    if (text.empty() || text[0] == '#' || ended_ || problems_.size() >= kMaxProblems) return;
     if (header_.empty()) {
       readHeader(text);
     } else {
@@ -47,6 +49,7 @@ class Reader {
 
  private:
   void problem(const std::string& where, std::string_view value, const std::string& allowed) {
+    if (problems_.size() >= kMaxProblems) return;
     const std::string line = "line " + std::to_string(line_number_);
     const std::string shown(value.substr(0, 60));
     problems_.push_back({line + (where.empty() ? "" : ", " + where),
@@ -54,12 +57,20 @@ class Reader {
   }
 
   void readHeader(std::string_view text) {
-    for (const std::string_view cell : csvCells(text)) header_.emplace_back(cell);
+    const std::vector<std::string_view> cells = csvCells(text);
+    if (cells.size() > kMostColumns) {
+      header_.emplace_back("t");
+      ended_ = true;
+      problem("", std::to_string(cells.size()) + " columns",
+              "must have at most " + std::to_string(kMostColumns));
+      return;
+    }
+    header_.assign(cells.begin(), cells.end());
     if (header_[0] != "t") problem("column 1", header_[0], "the first column must be named t");
+    std::set<std::string_view> names = {header_[0]};
     for (std::size_t i = 1; i < header_.size(); ++i) {
       if (header_[i].empty()) problem("column " + std::to_string(i + 1), "", "has no name");
-      if (std::find(header_.begin(), header_.begin() + static_cast<std::ptrdiff_t>(i),
-                    header_[i]) != header_.begin() + static_cast<std::ptrdiff_t>(i)) {
+      if (!names.insert(header_[i]).second) {
         problem("column " + std::to_string(i + 1), header_[i], "the name stands twice");
       }
     }
@@ -89,6 +100,7 @@ class Reader {
   }
 
   int line_number_ = 0;
+  bool ended_ = false;  // nothing that follows can be understood
   std::vector<std::string> header_;
   std::vector<double> times_, values_;
   std::vector<Problem> problems_;

@@ -10,6 +10,8 @@
 namespace palpate::io {
 namespace {
 
+constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
+
 std::string prefixOf(const sim::Simulator& simulator, int instrument) {
   return simulator.scene().instruments[instrument].name + "/";
 }
@@ -40,6 +42,7 @@ Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const 
   }
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (used.count(static_cast<int>(c))) continue;
+    if (problems.size() >= kMaxProblems) break;
     const std::string nearest = nearestName(columns[c], wanted);
     problems.push_back({"column " + columns[c], "",
                         "is no joint of the scene" +

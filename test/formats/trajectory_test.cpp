@@ -106,5 +106,19 @@ TEST_F(TrajectoryFile, ManyProblemsAreToldInOneMessageOfModestLength) {
   EXPECT_LE(count, 20u);
 }
 
+// Names are compared, problems are kept: for a file of any width that must not take long, or much.
+TEST_F(TrajectoryFile, ManyColumnsAreRefusedAtOnce) {
+  const auto row = [](const std::string& cell, int count) {
+    std::string text = "t";
+    for (int i = 0; i < count; ++i) text += "," + cell + std::to_string(i);
+    return text + "\n";
+  };
+  const auto problems = problemsOfText(row("q", 1000000) + row("", 1000000));
+  EXPECT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(hasProblem(problems, "line 1", "must have at most 2000"));
+  EXPECT_EQ(problemsOfText(row("q", 1999) + row("x", 1999)).size(), 20U);
+  EXPECT_EQ(read(row("q", 1999) + "0" + row("0.", 1999).substr(1)).columns.size(), 1999U);
+}
+
 }  // namespace
 }  // namespace palpate::formats
