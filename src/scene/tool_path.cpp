@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/number.h"
 #include "palpate/base/resource.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/instrument/instrument.h"
 #include "palpate/instrument/joint_mapper.h"
+#include "way_corners.h"
 
 namespace palpate::scene {
 namespace {
 
-constexpr double kDeviation = 0.1;  // of the finest edge
+constexpr double kDeviation = 0.1;   // of the finest edge
+constexpr double kFarthest = 100.0;  // from the organ [m]
+constexpr std::size_t kMostCorners = 20000;
 
 const InstrumentConfig& findInstrument(const Scene& scene, const std::string& name,
                                        const std::string& key) {
@@ -46,27 +50,6 @@ std::vector<std::string> jointNames(std::vector<std::string> columns, const std:
     if (column.rfind(prefix, 0) == 0) column.erase(0, prefix.size());
   }
   return columns;
-}
-
-// Keeps of [first, last] what is farther than `deviation` from the line without it [Douglas and
-// Peucker 1973].
-void keepCorners(const std::vector<Vec3>& points, std::size_t first, std::size_t last,
-                 double deviation, std::vector<Vec3>* kept) {
-  std::size_t farthest = first;
-  double most = deviation;
-  const mesh::Polyline line{{points[first], points[last]}};
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const double distance = mesh::distanceTo(line, points[i]);
-    if (distance <= most) continue;
-    most = distance;
-    farthest = i;
-  }
-  if (farthest != first) {
-    keepCorners(points, first, farthest, deviation, kept);
-    keepCorners(points, farthest, last, deviation, kept);
-  } else {
-    kept->push_back(points[last]);
-  }
 }
 
 }  // namespace
@@ -99,12 +82,15 @@ mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_
     if (!status.ok()) throw InputError(file, "", "", status.problem);
     tool.linkPoses(q, &X_BL);
     points.push_back(X_OB * X_BL[static_cast<std::size_t>(link)].translation());
+    if (points.back().norm() <= kFarthest) continue;
+    throw InputError(file, "t = " + formatNumber(table.t[row]), "",
+                     "must not lead the tool farther than 100 m from the organ");
   }
-  mesh::Polyline path{{points.front()}};
-  if (points.size() > 1) {
-    keepCorners(points, 0, points.size() - 1, kDeviation * place.finest, &path.points);
-  }
-  return path;
+  mesh::Polyline path{wayCorners(points, kDeviation * place.finest)};
+  if (path.points.size() <= kMostCorners) return path;
+  throw InputError(scene.file, key + ".trajectory", place.trajectory,
+                   "must be a way of at most " + std::to_string(kMostCorners) +
+                       " corners, as seen with a tenth of `finest`");
 }
 
 }  // namespace palpate::scene
