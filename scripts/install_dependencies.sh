@@ -44,7 +44,7 @@ scene=(python3-numpy python3-matplotlib python3-meshio python3-yaml)
 rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 
 # The checks of scripts/test.sh.
-dev=(clang-format-14 clang-tidy-14 catkin-lint)
+dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 
 # scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
 accuracy=(
