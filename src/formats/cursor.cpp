@@ -171,8 +171,7 @@ std::string_view Cursor::bytes(std::size_t size, const char* what) {
   return bytes_.substr(last_, size);
 }
 
-std::string Cursor::where() const {
-  if (binary_) return "byte " + std::to_string(last_);
+std::ptrdiff_t Cursor::line() const {
   if (last_ < counted_to_) {
     counted_to_ = 0;
     line_ = 1;
@@ -181,7 +180,11 @@ std::string Cursor::where() const {
   line_ +=
       std::count(begin + static_cast<long>(counted_to_), begin + static_cast<long>(last_), '\n');
   counted_to_ = last_;
-  return "line " + std::to_string(line_);
+  return line_;
+}
+
+std::string Cursor::where() const {
+  return binary_ ? "byte " + std::to_string(last_) : "line " + std::to_string(line());
 }
 
 void Cursor::fail(std::string_view value, const std::string& allowed) const {

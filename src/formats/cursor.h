@@ -56,6 +56,7 @@ class Cursor {
 
   /// Of the last word or bytes read: "line 12" or "byte 345".
   std::string where() const;
+  std::ptrdiff_t line() const;  ///< From 1 on.
   [[noreturn]] void fail(std::string_view value, const std::string& allowed) const;
 
  private:

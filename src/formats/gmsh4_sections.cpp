@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "gmsh_file.h"
@@ -15,7 +17,8 @@ void readEntity(GmshFile& f, int dimension) {
   int physical = 0;
   for (std::size_t n = f.count("number of physical tags", 2, 4), i = 0; i < n; ++i) {
     const int p = f.integer("physical tag");
-    if (i == 0) physical = std::abs(p);  // negative: the orientation is reversed
+    // Negative: the orientation is reversed. The most negative one has no positive.
+    if (i == 0) physical = std::abs(std::max(p, -std::numeric_limits<int>::max()));
   }
   if (dimension == 3 && physical != 0) f.physical[tag] = physical;
   if (dimension == 0) return;

@@ -19,6 +19,34 @@ constexpr int kOtherVolumes[] = {5, 6, 7, 12, 13, 14, 17, 18, 19, 29, 30, 31, 92
 
 }  // namespace
 
+std::int64_t TagIndex::findRising(std::int64_t tag) const {
+  if (rising_.empty() || tag < rising_.front().first || tag > rising_.back().first) return -1;
+  // Without gaps it is in its place.
+  const auto place =
+      static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(rising_.front().first);
+  if (place < rising_.size() && rising_[place].first == tag) return rising_[place].second;
+  const auto found =
+      std::lower_bound(rising_.begin(), rising_.end(), std::make_pair(tag, std::int64_t{0}));
+  return found->first == tag ? found->second : -1;
+}
+
+std::int64_t TagIndex::find(std::int64_t tag) const {
+  const std::int64_t index = findRising(tag);
+  if (index >= 0 || others_.empty()) return index;
+  const auto found = others_.find(tag);
+  return found == others_.end() ? -1 : found->second;
+}
+
+bool TagIndex::add(std::int64_t tag, std::int64_t index) {
+  if (find(tag) >= 0) return false;
+  if (rising_.empty() || tag > rising_.back().first) {
+    rising_.emplace_back(tag, index);
+  } else {
+    others_.emplace(tag, index);
+  }
+  return true;
+}
+
 int GmshFile::integer(const char* what) {
   if (!binary) return in.smallInteger(what);
   return load<std::int32_t>(in.bytes(4, what).data(), swap);
@@ -44,7 +72,7 @@ std::size_t GmshFile::count(const char* what, std::size_t bytes_in_text,
 
 void GmshFile::addNode(std::int64_t tag, const Vec3& point) {
   const auto next = static_cast<std::int64_t>(builder.numPoints());
-  if (!index_.emplace(tag, next).second) {
+  if (!index_.add(tag, next)) {
     in.fail("node " + std::to_string(tag), "must not come twice");
   }
   builder.addPoint(point);
@@ -66,11 +94,9 @@ void GmshFile::addElement(int type, const NodeTags& tags, int region) {
   TetNodes nodes{};
   const int num_nodes = numNodes(type);
   for (int i = 0; i < num_nodes; ++i) {
-    const auto found = index_.find(tags[i]);
-    if (found == index_.end()) {
-      in.fail("node " + std::to_string(tags[i]), "an element has a node that is not in the file");
-    }
-    nodes[i] = found->second;
+    nodes[i] = index_.find(tags[i]);
+    if (nodes[i] >= 0) continue;
+    in.fail("node " + std::to_string(tags[i]), "an element has a node that is not in the file");
   }
   // Gmsh's edges are 01 12 20 03 23 13; VTK's last two are the other way round.
   if (type == kTet10) std::swap(nodes[8], nodes[9]);

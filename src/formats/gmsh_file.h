@@ -6,12 +6,29 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "cursor.h"
 #include "tet_builder.h"
 
 namespace palpate::formats {
+
+/// Which node has a tag. Takes the logarithm of their number for any tags, which a table of hashes
+/// would not: a file chooses them.
+class TagIndex {
+ public:
+  /// False if there is one of that tag.
+  bool add(std::int64_t tag, std::int64_t index);
+  /// -1: none.
+  std::int64_t find(std::int64_t tag) const;
+
+ private:
+  std::int64_t findRising(std::int64_t tag) const;
+
+  std::vector<std::pair<std::int64_t, std::int64_t>> rising_;  // most files have no others
+  std::map<std::int64_t, std::int64_t> others_;
+};
 
 /// What the sections of a .msh file share while it is read.
 class GmshFile {
@@ -43,7 +60,7 @@ class GmshFile {
   int numNodes(int type) const;
 
  private:
-  std::unordered_map<std::int64_t, std::int64_t> index_;
+  TagIndex index_;
 };
 
 // The sections, from behind their name up to their end mark.

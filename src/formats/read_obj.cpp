@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "cursor.h"
@@ -9,6 +10,12 @@
 
 namespace palpate::formats {
 namespace {
+
+/// A face, until all points are known.
+struct Face {
+  std::ptrdiff_t line;
+  std::size_t end;  // of its corners among those of all
+};
 
 /// The next word of a line that "\" at its end continues.
 std::string_view wordOnLongLine(Cursor& in) {
@@ -27,7 +34,8 @@ mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes) {
   syntax.comment = '#';
   Cursor in(file, bytes, syntax);
   SurfaceBuilder builder(file);
-  std::vector<std::pair<std::string, std::vector<std::int64_t>>> faces;
+  std::vector<Face> faces;
+  std::vector<std::int64_t> corners;
   while (!in.atEnd()) {
     const std::string_view key = in.word();
     if (key == "v") {
@@ -36,7 +44,7 @@ mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes) {
       const double z = in.toNumber(wordOnLongLine(in), "z of a vertex");
       builder.addPoint(Vec3(x, y, z));
     } else if (key == "f") {
-      faces.emplace_back(in.where(), std::vector<std::int64_t>());
+      const std::ptrdiff_t line = in.line();
       std::string_view word;
       while (!(word = wordOnLongLine(in)).empty()) {
         // v, v/vt, v//vn, v/vt/vn: the vertex comes first.
@@ -44,14 +52,20 @@ mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes) {
             in.toInteger(word.substr(0, word.find('/')), "vertex index of a face");
         if (index == 0) in.fail(word, "a vertex index must not be 0: they count from 1");
         const auto count = static_cast<std::int64_t>(builder.numPoints());
-        faces.back().second.push_back(index > 0 ? index - 1 : count + index);
+        corners.push_back(index > 0 ? index - 1 : count + index);
       }
+      faces.push_back({line, corners.size()});
     }
     in.skipLine();
   }
   const auto end = static_cast<std::int64_t>(builder.numPoints());
-  for (const auto& [where, corners] : faces) {
-    builder.addPolygon(corners, 0, end, [&where = where] { return where; });
+  std::size_t begin = 0;
+  for (const Face& face : faces) {
+    const auto at = corners.begin();
+    builder.addPolygon(
+        {at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(face.end)}, 0,
+        end, [&face] { return "line " + std::to_string(face.line); });
+    begin = face.end;
   }
   return builder.finish();
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <unordered_map>
 #include <vector>
 
 #include "cursor.h"
@@ -16,31 +13,11 @@ namespace {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;  // [bytes]
 
-struct PointHash {
-  std::size_t operator()(const std::array<double, 3>& p) const {
-    std::size_t h = 0;
-    for (const double x : p) h = h * 1099511628211U + std::hash<double>()(x);
-    return h;
-  }
-};
-
-/// Gives equal points one index, in the order of their first appearance.
-class PointMerger {
- public:
-  explicit PointMerger(SurfaceBuilder* builder) : builder_(builder) {}
-
-  std::int64_t index(const Vec3& p) {
-    // + 0.0: a negative zero is the same point.
-    const std::array<double, 3> key{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-    const auto [entry, is_new] = known_.try_emplace(key, builder_->numPoints());
-    if (is_new) builder_->addPoint(Vec3(key[0], key[1], key[2]));
-    return static_cast<std::int64_t>(entry->second);
-  }
-
- private:
-  SurfaceBuilder* builder_;
-  std::unordered_map<std::array<double, 3>, std::size_t, PointHash> known_;
-};
+/// Every corner is a point of its own here; the builder makes one of those in the same place.
+std::int64_t addCorner(const Vec3& p, SurfaceBuilder* builder) {
+  builder->addPoint(p + Vec3::Zero());  // a negative zero is the same point
+  return static_cast<std::int64_t>(builder->numPoints()) - 1;
+}
 
 void addFacet(const std::vector<std::int64_t>& corners, const Cursor& in, SurfaceBuilder* builder) {
   builder->addPolygon(corners, 0, static_cast<std::int64_t>(builder->numPoints()),
@@ -58,7 +35,6 @@ std::string lowerCase(std::string_view word) {
 mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
   Cursor in(file, bytes);
   SurfaceBuilder builder(file);
-  PointMerger points(&builder);
   std::vector<std::int64_t> corners;
   bool open = false;  // between solid and endsolid
   while (!in.atEnd()) {
@@ -74,7 +50,7 @@ mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
       const double x = in.number("x of a vertex");
       const double y = in.number("y of a vertex");
       const double z = in.number("z of a vertex");
-      corners.push_back(points.index(Vec3(x, y, z)));
+      corners.push_back(addCorner(Vec3(x, y, z), &builder));
     } else if (key == "endloop") {
       addFacet(corners, in, &builder);
       corners.clear();
@@ -85,6 +61,7 @@ mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
     }
   }
   if (open) in.fail("", "truncated: 'endsolid' must follow");
+  builder.mergePoints();
   return builder.finish();
 }
 
@@ -100,7 +77,6 @@ mesh::SurfaceMesh readBinary(const std::string& file, std::string_view bytes) {
                                                         " bytes follow, a facet has 50");
   }
   SurfaceBuilder builder(file);
-  PointMerger points(&builder);
   std::vector<std::int64_t> corners(3);
   for (std::uint32_t i = 0; i < num_facets; ++i) {
     const char* facet = in.bytes(kFacet, "a facet").data();
@@ -110,10 +86,11 @@ mesh::SurfaceMesh readBinary(const std::string& file, std::string_view bytes) {
         p[k] = static_cast<double>(load<float>(facet + 12 + 12 * c + 4 * k, swap));
       }
       if (!p.allFinite()) in.fail("", "the coordinates of a facet must be finite");
-      corners[c] = points.index(p);
+      corners[c] = addCorner(p, &builder);
     }
     addFacet(corners, in, &builder);
   }
+  builder.mergePoints();
   return builder.finish();
 }
 

@@ -64,7 +64,7 @@ const XMLElement& cellArray(const XMLElement& cells, const char* name, const Vtu
   data.fail(cells, "", std::string("must have a DataArray '") + name + "'");
 }
 
-VtkGrid readPiece(const XMLElement& piece, const VtuData& data) {
+VtkGrid readPiece(const XMLElement& piece, VtuData& data) {
   VtkGrid grid;
   const std::size_t num_points = count(piece, "NumberOfPoints", data);
   const std::size_t num_cells = count(piece, "NumberOfCells", data);
@@ -109,7 +109,7 @@ mesh::TetMesh readVtu(const std::string& file, std::string_view bytes) {
   if (!root || !root->Attribute("type", "UnstructuredGrid")) {
     throw InputError(file, "VTKFile", "", "there must be a VTKFile of type UnstructuredGrid");
   }
-  const VtuData data(file, *root, parts.appended, parts.appended_raw);
+  VtuData data(file, *root, bytes.size(), parts.appended, parts.appended_raw);
   const XMLElement& grid = child(*root, "UnstructuredGrid", data);
   TetBuilder builder(file);
   for (const XMLElement* piece = &child(grid, "Piece", data); piece;

@@ -12,7 +12,10 @@
 namespace palpate::formats {
 namespace {
 
-constexpr int kMostVisits = 1000000;  // USE within USE could multiply without end
+// USE within USE could multiply without end: so many nodes, and so many numbers more than the file
+// can have itself.
+constexpr int kMostVisits = 1000000;
+constexpr std::size_t kMostRepeated = 2000000;
 
 template <std::size_t n>
 bool isOneOf(const std::string& type, const char* const (&list)[n]) {
@@ -25,24 +28,25 @@ constexpr const char* kOtherSolids[] = {"Box",    "Cone",          "Cylinder",
 
 class Walker {
  public:
-  explicit Walker(const std::string& file) : file_(file), builder_(file) {}
+  Walker(const std::string& file, std::size_t bytes)
+      : file_(file), builder_(file), numbers_left_(bytes / 2 + kMostRepeated) {}
 
   void visit(const VrmlNode& node, const Eigen::Affine3d& X_WP) {
     if (++visits_ > kMostVisits) fail(node, "there are too many nodes");
     if (isOneOf(node.type, kGroups)) {
       const Eigen::Affine3d X_WC = node.type == "Transform" ? X_WP * transform(node) : X_WP;
-      for (const auto& child : node.nodes("children")) visit(*child, X_WC);
+      for (const auto& child : node.field("children").nodes) visit(*child, X_WC);
     } else if (node.type == "Switch") {
-      const auto choices = node.nodes("choice");
+      const auto& choices = node.field("choice").nodes;
       const double which = values(node, "whichChoice", {-1.0})[0];
       if (which >= 0.0 && which < static_cast<double>(choices.size())) {
         visit(*choices[static_cast<std::size_t>(which)], X_WP);
       }
     } else if (node.type == "LOD") {  // the finest comes first
-      const auto levels = node.nodes("level");
+      const auto& levels = node.field("level").nodes;
       if (!levels.empty()) visit(*levels[0], X_WP);
     } else if (node.type == "Shape") {
-      for (const auto& geometry : node.nodes("geometry")) addGeometry(*geometry, X_WP);
+      for (const auto& geometry : node.field("geometry").nodes) addGeometry(*geometry, X_WP);
     } else if (node.type == "Inline") {
       fail(node, "Inline files are not read; write one file");
     }
@@ -58,7 +62,8 @@ class Walker {
   /// Field `name`, which must have as many numbers as `fallback`.
   std::vector<double> values(const VrmlNode& node, const char* name,
                              const std::vector<double>& fallback) const {
-    std::vector<double> v = node.numbers(name, fallback);
+    if (!node.has(name)) return fallback;
+    const std::vector<double>& v = node.field(name).numbers;
     if (v.size() != fallback.size()) {
       fail(node, std::string(name) + " must have " + std::to_string(fallback.size()) + " numbers");
     }
@@ -89,16 +94,22 @@ class Walker {
     return X;
   }
 
+  void count(const VrmlNode& node, std::size_t numbers) {
+    if (numbers > numbers_left_) {
+      fail(node, "USE must not repeat more than " + std::to_string(kMostRepeated) + " numbers");
+    }
+    numbers_left_ -= numbers;
+  }
+
   void addGeometry(const VrmlNode& node, const Eigen::Affine3d& X_WP) {
     if (isOneOf(node.type, kOtherSolids)) fail(node, "must be an IndexedFaceSet");
     if (node.type != "IndexedFaceSet") return;  // lines, points, text
-    std::vector<double> xyz;
-    for (const auto& coord : node.nodes("coord")) xyz = coord->numbers("point");
+    const auto& coords = node.field("coord").nodes;
+    const std::vector<double> none;
+    const std::vector<double>& xyz = coords.empty() ? none : coords.back()->field("point").numbers;
+    count(node, xyz.size() + node.field("coordIndex").numbers.size());
     if (xyz.size() % 3 != 0) fail(node, "the numbers in 'point' must be a multiple of 3");
     const auto first = static_cast<std::int64_t>(builder_.numPoints());
-    if (first + static_cast<std::int64_t>(xyz.size()) > kMostNumbers) {
-      fail(node, "there are too many vertices");
-    }
     for (std::size_t i = 0; i < xyz.size(); i += 3) {
       builder_.addPoint(X_WP * Vec3(xyz[i], xyz[i + 1], xyz[i + 2]));
     }
@@ -108,39 +119,39 @@ class Walker {
   }
 
   void addFaces(const VrmlNode& node, std::int64_t first, bool keep_order) {
+    const auto end = static_cast<std::int64_t>(builder_.numPoints());
     std::vector<std::int64_t> corners;
     std::size_t face = 0;
     const auto close = [&] {
       ++face;
       if (!keep_order) std::reverse(corners.begin(), corners.end());
-      builder_.addPolygon(corners, first, static_cast<std::int64_t>(builder_.numPoints()), [&] {
+      builder_.addPolygon(corners, first, end, [&] {
         return node.where + ", IndexedFaceSet: face " + std::to_string(face);
       });
       corners.clear();
     };
-    for (const double index : node.numbers("coordIndex")) {
+    for (const double index : node.field("coordIndex").numbers) {
       if (index != std::floor(index)) fail(node, "coordIndex must have whole numbers");
       if (index == -1.0) {
         close();
       } else {
-        const bool fits = index >= 0.0 && index < static_cast<double>(kMostNumbers);
+        const bool fits = index >= 0.0 && index < static_cast<double>(end);
         corners.push_back(fits ? first + static_cast<std::int64_t>(index) : -1);
       }
     }
     if (!corners.empty()) close();  // the last -1 may be left out
   }
 
-  static constexpr std::int64_t kMostNumbers = 300000000;
-
   const std::string file_;
   SurfaceBuilder builder_;
+  std::size_t numbers_left_;
   int visits_ = 0;
 };
 
 }  // namespace
 
 mesh::SurfaceMesh readWrl(const std::string& file, std::string_view bytes) {
-  Walker walker(file);
+  Walker walker(file, bytes.size());
   for (const auto& node : parseVrml(file, bytes)) walker.visit(*node, Eigen::Affine3d::Identity());
   return walker.finish();
 }

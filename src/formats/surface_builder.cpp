@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_builder.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace palpate::formats {
@@ -48,6 +50,26 @@ void SurfaceBuilder::addPolygon(const std::vector<std::int64_t>& corners, std::i
   for (std::size_t i = 2; i < corners.size(); ++i) {
     triangles_.emplace_back(static_cast<int>(corners[0]), static_cast<int>(corners[i - 1]),
                             static_cast<int>(corners[i]));
+  }
+}
+
+void SurfaceBuilder::mergePoints() {
+  const auto before = [&](int a, int b) {
+    const Vec3 &p = points_[a], &q = points_[b];
+    if (p.x() != q.x()) return p.x() < q.x();
+    if (p.y() != q.y()) return p.y() < q.y();
+    return p.z() != q.z() ? p.z() < q.z() : a < b;
+  };
+  std::vector<int> order(points_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), before);
+  std::vector<int> first(points_.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && points_[order[k]] == points_[order[k - 1]];
+    first[order[k]] = same ? first[order[k - 1]] : order[k];
+  }
+  for (Eigen::Vector3i& triangle : triangles_) {
+    for (int c = 0; c < 3; ++c) triangle[c] = first[triangle[c]];
   }
 }
 

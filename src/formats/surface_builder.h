@@ -25,6 +25,10 @@ class SurfaceBuilder {
   void addPolygon(const std::vector<std::int64_t>& corners, std::int64_t first, std::int64_t end,
                   const std::function<std::string()>& where);
 
+  /// Of points in the same place the corners take the first. Takes n log n for any points, which a
+  /// table of hashes would not: a file chooses them.
+  void mergePoints();
+
   /// @throws InputError with the file's problems (the first ten of them), or if there is no
   /// triangle or a point is not finite.
   mesh::SurfaceMesh finish();

@@ -122,15 +122,10 @@ class Parser {
 
 }  // namespace
 
-std::vector<double> VrmlNode::numbers(std::string_view name,
-                                      const std::vector<double>& fallback) const {
+const VrmlField& VrmlNode::field(std::string_view name) const {
+  static const VrmlField kNone;
   const auto found = fields.find(name);
-  return found == fields.end() ? fallback : found->second.numbers;
-}
-
-std::vector<NodePointer> VrmlNode::nodes(std::string_view name) const {
-  const auto found = fields.find(name);
-  return found == fields.end() ? std::vector<NodePointer>() : found->second.nodes;
+  return found == fields.end() ? kNone : found->second;
 }
 
 std::vector<NodePointer> parseVrml(const std::string& file, std::string_view bytes) {

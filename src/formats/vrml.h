@@ -26,11 +26,9 @@ struct VrmlNode {
   int height = 0;     ///< Longest chain of nodes below, those by USE included; bounded.
   std::map<std::string, VrmlField, std::less<>> fields;
 
-  /// The numbers of field `name`; `fallback` where it is absent.
-  std::vector<double> numbers(std::string_view name,
-                              const std::vector<double>& fallback = {}) const;
-  /// The nodes of field `name`.
-  std::vector<std::shared_ptr<const VrmlNode>> nodes(std::string_view name) const;
+  /// The field of this name; an empty one where it is absent.
+  const VrmlField& field(std::string_view name) const;
+  bool has(std::string_view name) const { return fields.count(name) > 0; }
 };
 
 /// The nodes on the top of a VRML 2.0 file. @throws InputError; PROTO and EXTERNPROTO are refused.

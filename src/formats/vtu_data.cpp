@@ -18,6 +18,10 @@ namespace palpate::formats {
 namespace {
 
 constexpr std::size_t kBestRatio = 1100;  // zlib never compresses more than 1032 : 1
+// Numbers in all arrays together, for each byte of the file and beside. Without compression there
+// is one a byte at most; a whole mesh compresses by less than eight, of small ones anything may be
+// zero.
+constexpr std::size_t kMostEach = 8, kMostMore = std::size_t{1} << 20;
 
 std::string attribute(const tinyxml2::XMLElement& element, const char* name) {
   const char* value = element.Attribute(name);
@@ -35,9 +39,13 @@ bool readHeaderNumber(ByteStream* in, ScalarType type, bool swap, std::size_t* n
 
 }  // namespace
 
-VtuData::VtuData(std::string file, const tinyxml2::XMLElement& root, std::string_view appended,
-                 bool appended_raw)
-    : file_(std::move(file)), appended_(appended), appended_raw_(appended_raw) {
+VtuData::VtuData(std::string file, const tinyxml2::XMLElement& root, std::size_t bytes,
+                 std::string_view appended, bool appended_raw)
+    : file_(std::move(file)),
+      most_(kMostEach * bytes + kMostMore),
+      left_(most_),
+      appended_(appended),
+      appended_raw_(appended_raw) {
   const std::string order = attribute(root, "byte_order");
   if (!order.empty() && order != "LittleEndian" && order != "BigEndian") {
     fail(root, order, "byte_order must be LittleEndian or BigEndian");
@@ -69,6 +77,14 @@ void VtuData::checkRoom(const tinyxml2::XMLElement& array, std::size_t size,
   fail(array, "",
        "truncated: " + std::to_string(size) + " bytes are needed, there are " +
            std::to_string(room) + " at most");
+}
+
+void VtuData::take(const tinyxml2::XMLElement& array, std::size_t count) {
+  if (count > left_) {
+    fail(array, std::to_string(count) + " numbers",
+         "the arrays of this file must not have more than " + std::to_string(most_) + " in all");
+  }
+  left_ -= count;
 }
 
 std::string VtuData::block(const tinyxml2::XMLElement& array, std::size_t size) const {
@@ -110,7 +126,8 @@ std::string VtuData::block(const tinyxml2::XMLElement& array, std::size_t size) 
     return {};
   }
   // A single part may be announced as larger than it is.
-  if (num_parts > 1 && part_size > size) checkSize(part_size);
+  if (num_parts > 1 && (part_size > size / (num_parts - 1) || last_size > size))
+    fail(array, "", "the parts are larger than the whole");
   checkSize((num_parts - 1) * part_size + (last_size == 0 ? part_size : last_size));
   std::vector<std::size_t> compressed_sizes(num_parts);
   for (std::size_t& compressed_size : compressed_sizes) compressed_size = header();
@@ -129,7 +146,7 @@ std::string VtuData::block(const tinyxml2::XMLElement& array, std::size_t size) 
   return data;
 }
 
-std::vector<double> VtuData::numbers(const tinyxml2::XMLElement& array, std::size_t count) const {
+std::vector<double> VtuData::numbers(const tinyxml2::XMLElement& array, std::size_t count) {
   const std::string type_name = attribute(array, "type");
   const auto type = vtuType(type_name);
   if (!type) fail(array, type_name, "the type must be Int8 ... UInt64, Float32 or Float64");
@@ -138,6 +155,7 @@ std::vector<double> VtuData::numbers(const tinyxml2::XMLElement& array, std::siz
   if (format == "ascii") {
     const std::string_view text = array.GetText() ? array.GetText() : "";
     checkRoom(array, 2 * count, text.size() + 1);
+    take(array, count);
     Cursor in(file_, text);
     values.resize(count);
     for (double& value : values) {
@@ -155,6 +173,7 @@ std::vector<double> VtuData::numbers(const tinyxml2::XMLElement& array, std::siz
   if (format != "binary" && format != "appended") {
     fail(array, format, "the format must be ascii, binary or appended");
   }
+  take(array, count);
   const std::string data = block(array, count * type->size);
   values.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

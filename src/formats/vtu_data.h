@@ -24,13 +24,15 @@ namespace palpate::formats {
 /// and the parts; in base64 the latter's header is encoded by itself. All in the file's byte order.
 class VtuData {
  public:
-  /// Of the VTKFile element; `appended` begins behind the "_".
+  /// Of the VTKFile element of a file of so many bytes; `appended` begins behind the "_".
   /// @throws InputError for a byte_order, header_type or compressor that is not known.
-  VtuData(std::string file, const tinyxml2::XMLElement& root, std::string_view appended,
-          bool appended_raw);
+  VtuData(std::string file, const tinyxml2::XMLElement& root, std::size_t bytes,
+          std::string_view appended, bool appended_raw);
 
-  /// The `count` numbers of a DataArray. @throws InputError if it has not so many.
-  std::vector<double> numbers(const tinyxml2::XMLElement& array, std::size_t count) const;
+  /// The `count` numbers of a DataArray. @throws InputError if it has not so many, or more are
+  /// asked for by and by than a file of that size can have: compressed data and arrays that share a
+  /// block could multiply without end.
+  std::vector<double> numbers(const tinyxml2::XMLElement& array, std::size_t count);
 
   [[noreturn]] void fail(const tinyxml2::XMLElement& element, const std::string& value,
                          const std::string& allowed) const;
@@ -39,7 +41,10 @@ class VtuData {
   std::string block(const tinyxml2::XMLElement& array, std::size_t size) const;
   void checkRoom(const tinyxml2::XMLElement& array, std::size_t size, std::size_t room) const;
 
+  void take(const tinyxml2::XMLElement& array, std::size_t count);
+
   std::string file_;
+  std::size_t most_, left_;  // numbers
   std::string_view appended_;
   bool appended_raw_;
   bool swap_ = false;
