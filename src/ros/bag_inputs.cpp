@@ -5,8 +5,12 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <stdexcept>
 
+#include "bag_check.h"
+#include "message_bytes.h"
 #include "palpate/base/error.h"
 #include "topics.h"
 
@@ -20,6 +24,11 @@ std::string absolute(const std::string& topic) {
 bool isTf(const std::string& topic) { return absolute(topic) == "/tf"; }
 bool isStaticTf(const std::string& topic) { return absolute(topic) == "/tf_static"; }
 
+bool areFinite(const sim::LinkPoses& poses) {
+  return std::all_of(poses.begin(), poses.end(),
+                     [](const Pose& X) { return X.matrix().allFinite(); });
+}
+
 std::string cleared(std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   return message;
@@ -28,7 +37,10 @@ std::string cleared(std::string message) {
 }  // namespace
 
 BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
-    : file_(file), simulator_(simulator), reordered_(simulator.scene().rates.stale_after) {
+    : file_(file),
+      simulator_(simulator),
+      reordered_(std::llround(1e9 * simulator.scene().rates.stale_after)) {
+  checkBag(file);
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
@@ -101,18 +113,31 @@ void BagInputs::walk(
   flush();
 }
 
-void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
-  const sensor_msgs::JointState::ConstPtr joints = m.instantiate<sensor_msgs::JointState>();
-  if (!joints) {
-    throw InputError(file_, m.getTopic(), m.getDataType(), "must be sensor_msgs/JointState");
+template <class Message>
+boost::shared_ptr<Message> BagInputs::decoded(const rosbag::MessageInstance& m) const {
+  using ros::message_traits::DataType;
+  if (m.getMD5Sum() != ros::message_traits::MD5Sum<Message>::value()) {
+    throw InputError(file_, m.getTopic(), m.getDataType(),
+                     std::string("must be ") + DataType<Message>::value());
   }
+  std::string bytes(m.size(), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(&bytes[0]), m.size());
+  m.write(stream);
+  if (!areMessage(bytes, static_cast<const Message*>(nullptr))) {
+    throw InputError(file_, m.getTopic(), "", "has a message that is cut off");
+  }
+  return m.instantiate<Message>();
+}
+
+void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
+  const auto joints = decoded<sensor_msgs::JointState>(m);
   Eigen::VectorXd q = cycle_.joints[i];
   const std::string problem = sources_[i].reader->read(*joints, &q);
   const ros::Time stamp = joints->header.stamp.isZero() ? m.getTime() : joints->header.stamp;
   on_message_(m, stamp);
   if (!problem.empty()) return drop(m.getTopic() + ": " + problem);
   const ros::Time before = sources_[i].stamp;
-  if (sources_[i].seen && stamp < before && before - stamp < reordered_) {
+  if (sources_[i].seen && stamp < before && nanoseconds(stamp, before) < reordered_) {
     return drop(m.getTopic() + ": older than the message before");
   }
   if (pending_ && stamp != cycle_.stamp) flush();
@@ -120,9 +145,19 @@ void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
   take(i, stamp, simulator_.linkPoses(static_cast<int>(i), q));
 }
 
+void BagInputs::setTransforms(const rosbag::MessageInstance& m, const tf2_msgs::TFMessage& tf) {
+  try {
+    for (const geometry_msgs::TransformStamped& transform : tf.transforms) {
+      buffer_.setTransform(transform, "bag", isStaticTf(m.getTopic()));
+    }
+  } catch (const std::runtime_error& e) {  // of times that tf2 cannot add
+    throw InputError(file_, m.getTopic(), "",
+                     std::string("has a transform out of time: ") + e.what());
+  }
+}
+
 void BagInputs::readTf(const rosbag::MessageInstance& m) {
-  const tf2_msgs::TFMessage::ConstPtr tf = m.instantiate<tf2_msgs::TFMessage>();
-  if (!tf) throw InputError(file_, m.getTopic(), m.getDataType(), "must be tf2_msgs/TFMessage");
+  const auto tf = decoded<tf2_msgs::TFMessage>(m);
   ros::Time newest = ros::TIME_MIN;
   for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
     newest = std::max(newest, transform.header.stamp);
@@ -130,13 +165,11 @@ void BagInputs::readTf(const rosbag::MessageInstance& m) {
   on_message_(m, isStaticTf(m.getTopic()) ? m.getTime() : newest);
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     if (sources_[i].lookup && sources_[i].seen && !isStaticTf(m.getTopic()) &&
-        newest + reordered_ <= sources_[i].stamp) {
+        nanoseconds(newest, sources_[i].stamp) >= reordered_) {
       buffer_.clear();  // time went back: what is in it would hide the new
     }
   }
-  for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
-    buffer_.setTransform(transform, "bag", isStaticTf(m.getTopic()));
-  }
+  setTransforms(m, *tf);
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     if (!sources_[i].lookup) continue;
     sim::LinkPoses poses;
@@ -144,6 +177,10 @@ void BagInputs::readTf(const rosbag::MessageInstance& m) {
     const std::string problem = sources_[i].lookup->lookup(buffer_, &poses, &stamp);
     if (!problem.empty() && first_problem_.empty() && !sources_[i].seen) first_problem_ = problem;
     if (!problem.empty()) continue;
+    if (!areFinite(poses)) {  // tf refuses NaN, and lets infinity pass
+      drop(m.getTopic() + ": a transform is not finite");
+      continue;
+    }
     if (stamp.isZero()) stamp = m.getTime();
     if (sources_[i].seen && stamp == sources_[i].stamp) continue;
     if (pending_ && stamp != cycle_.stamp) flush();
@@ -156,7 +193,7 @@ void BagInputs::take(std::size_t i, const ros::Time& stamp, const sim::LinkPoses
   sources_[i].stamp = stamp;
   cycle_.poses[i] = poses;
   // A message of another instrument that is a little late joins the present.
-  const bool late = stamp < cycle_.stamp && cycle_.stamp - stamp < reordered_;
+  const bool late = stamp < cycle_.stamp && nanoseconds(stamp, cycle_.stamp) < reordered_;
   if (!late) cycle_.stamp = stamp;
   pending_ = true;
 }

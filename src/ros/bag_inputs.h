@@ -4,8 +4,10 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,10 +19,16 @@
 
 namespace palpate::node {
 
+/// From `first` to `stamp` [ns]. A difference of two times of ROS throws where it is beyond 68
+/// years, and a bag may have any.
+inline std::int64_t nanoseconds(const ros::Time& first, const ros::Time& stamp) {
+  return static_cast<std::int64_t>(stamp.toNSec()) - static_cast<std::int64_t>(first.toNSec());
+}
+
 /// Time of a cycle on the simulation's clock [s]: the double nearest to the exact difference, as a
 /// decimal number of seconds in a file would be read (Duration::toSec() is not always).
 inline double bagTime(const ros::Time& stamp, const ros::Time& first) {
-  return static_cast<double>((stamp - first).toNSec()) / 1e9;
+  return static_cast<double>(nanoseconds(first, stamp)) / 1e9;
 }
 
 /// What the instruments did at one stamp.
@@ -36,12 +44,13 @@ struct BagCycle {
 /// rule for stamps holds: one that is late by less than rates.stale_after does not turn time back.
 class BagInputs {
  public:
-  /// @throws InputError: no such bag, not a bag, unindexed, or an instrument of the scene has no
-  /// messages in it (the topics there are get listed).
+  /// @throws InputError: no such bag, one that checkBag() refuses, or an instrument of the scene
+  /// has no messages in it (the topics there are get listed).
   BagInputs(const std::string& file, const sim::Simulator& simulator);
 
   /// `message` is told each input message with the stamp to record it at, `cycle` each cycle, in
   /// the order of the bag.
+  /// @throws InputError: a message is of another type, or cut off.
   void walk(const std::function<void(const rosbag::MessageInstance&, const ros::Time&)>& message,
             const std::function<void(const BagCycle&)>& cycle);
 
@@ -60,6 +69,9 @@ class BagInputs {
   void checkTopics();
   void readJoints(const rosbag::MessageInstance& message, std::size_t i);
   void readTf(const rosbag::MessageInstance& message);
+  template <class Message>
+  boost::shared_ptr<Message> decoded(const rosbag::MessageInstance& m) const;
+  void setTransforms(const rosbag::MessageInstance& m, const tf2_msgs::TFMessage& tf);
   void take(std::size_t i, const ros::Time& stamp, const sim::LinkPoses& poses);
   void flush();
   void drop(const std::string& problem);
@@ -73,8 +85,8 @@ class BagInputs {
   std::function<void(const rosbag::MessageInstance&, const ros::Time&)> on_message_;
   std::function<void(const BagCycle&)> on_cycle_;
   BagCycle cycle_;
-  bool pending_ = false;  // cycle_ waits for more of the same stamp
-  ros::Duration reordered_;
+  bool pending_ = false;    // cycle_ waits for more of the same stamp
+  std::int64_t reordered_;  // [ns]
   long dropped_ = 0;
   std::string first_problem_;
 };
