@@ -11,6 +11,8 @@
 namespace palpate::haptics {
 namespace {
 
+constexpr double kFastest = 1e6;  // of what was saved [m/s], [rad/s]
+
 // Changes `velocity` towards what brings the tool over `way` in `dt`, not faster than from where it
 // can still stop there. Returns whether it may go all the way at once.
 bool accelerate(const Vec3& way, double dt, double max_speed, double max_acceleration,
@@ -113,11 +115,14 @@ void ToolProxy::save(StateWriter* out) const {
 }
 
 void ToolProxy::restore(StateReader* in) {
-  poses_.resize(static_cast<std::size_t>(in->count(1)));
+  constexpr auto kBytes = static_cast<std::int64_t>(sizeof(Pose));
+  poses_.resize(static_cast<std::size_t>(in->count(kBytes)));
   for (Pose& X : poses_) in->get(&X.matrix());
   in->get(&velocity_);
   in->get(&angular_velocity_);
   in->get(&waiting_);
+  const auto sensible = [](const Vec3& v) { return v.norm() <= kFastest; };
+  if (!sensible(velocity_) || !sensible(angular_velocity_)) StateReader::fail();
 }
 
 }  // namespace palpate::haptics

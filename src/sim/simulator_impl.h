@@ -16,7 +16,11 @@
 
 namespace palpate::sim {
 
-bool allFinite(const std::vector<LinkPoses>& poses);
+/// Whether tools are finite, and where geometry can still be computed: within kFarthest of the
+/// origin.
+bool allNear(const LinkPoses& poses);
+bool allNear(const std::vector<LinkPoses>& poses);
+constexpr double kFarthest = 1e3;  ///< [m]
 
 /// Of the largest force on a tool: what may be unbalanced where that force is still felt.
 constexpr double kToldWithin = 0.5;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -7,6 +8,26 @@
 #include "simulator_impl.h"
 
 namespace palpate::sim {
+namespace {
+
+constexpr double kMostForce = 1e6;  // of what was saved [N] or [N m]
+constexpr double kSkew = 1e-6;      // of a rotation
+
+// Whether what was saved is a place that a tool can have.
+bool arePoses(const LinkPoses& poses) {
+  return allNear(poses) && std::all_of(poses.begin(), poses.end(), [](const Pose& X) {
+           const Mat3 R = X.linear();
+           return (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff() <= kSkew &&
+                  X.matrix().row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+         });
+}
+
+// Whether what was saved is a body of which geometry can be computed.
+bool isSensible(const tissue::Shape& shape) {
+  return (shape.positions.array().abs() <= kFarthest).all() && shape.velocities.allFinite();
+}
+
+}  // namespace
 
 void Simulator::Impl::checkScene(const SimulatorState& state) const {
   const auto require = [](bool holds, const std::string& what) {
@@ -36,6 +57,9 @@ void Simulator::Impl::restore(const SimulatorState& state) {
                                   error.what());
     }
   }
+  for (const scene::OrganPlace& organ : parts.organs) {
+    if (!isSensible(organ.shape())) throw std::invalid_argument("an organ is nowhere");
+  }
   StateReader tools(state.tools);
   restoreTools(&tools);
   time = result.report.time = state.time;
@@ -60,24 +84,33 @@ void Simulator::Impl::saveTools(StateWriter* out) const {
 void Simulator::Impl::restoreTools(StateReader* in) {
   if (in->count(1) != static_cast<std::int64_t>(poses.size())) StateReader::fail();
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    poses[i].resize(static_cast<std::size_t>(in->count(1)));
+    poses[i].resize(static_cast<std::size_t>(in->count(sizeof(Pose))));
     const std::size_t links = parts.instruments[i].linkNames().size();
     if (!poses[i].empty() && poses[i].size() != links) StateReader::fail();
     for (Pose& X : poses[i]) in->get(&X.matrix());
   }
-  if (!allFinite(poses)) StateReader::fail();
+  if (!std::all_of(poses.begin(), poses.end(), arePoses)) StateReader::fail();
   placeControlFrames();
   for (InstrumentResult& tool : result.instruments) {
     in->get(&tool.spatial.force);
     in->get(&tool.spatial.torque);
     in->get(&tool.contacts);
     in->get(&tool.max_penetration);
+    const bool sensible = tool.spatial.force.norm() <= kMostForce &&
+                          tool.spatial.torque.norm() <= kMostForce && tool.contacts >= 0 &&
+                          std::isfinite(tool.max_penetration);
+    if (!sensible) StateReader::fail();
   }
   for (std::size_t i = 0; i < fades.size(); ++i) {
     fades[i].restore(in);
     result.instruments[i].solved = fades[i].held();
   }
-  for (haptics::ToolProxy& proxy : proxies) proxy.restore(in);
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    proxies[i].restore(in);
+    const LinkPoses& links = proxies[i].poses();
+    const bool fits = links.empty() || links.size() == parts.instruments[i].linkNames().size();
+    if (!fits || !arePoses(links)) StateReader::fail();
+  }
   in->finish();
   // A state may be of a scene whose tools had no proxy.
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -122,7 +155,7 @@ void Simulator::restore(const SimulatorState& state) {
   const SimulatorState before = this->state();
   try {
     impl_->restore(state);
-  } catch (const std::invalid_argument&) {
+  } catch (...) {
     impl_->restore(before);
     throw;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the simulator's tools are, and where they go.
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/contact/overlap.h"
@@ -13,13 +14,15 @@ const Pose kNowhere(Eigen::Translation3d(0.0, 0.0, 1.0e4));
 
 }  // namespace
 
-bool allFinite(const std::vector<LinkPoses>& poses) {
-  for (const LinkPoses& links : poses) {
-    for (const Pose& X : links) {
-      if (!X.matrix().allFinite()) return false;
-    }
-  }
-  return true;
+bool allNear(const LinkPoses& poses) {
+  return std::all_of(poses.begin(), poses.end(), [](const Pose& X) {
+    return X.matrix().allFinite() && X.translation().norm() <= kFarthest;
+  });
+}
+
+bool allNear(const std::vector<LinkPoses>& poses) {
+  return std::all_of(poses.begin(), poses.end(),
+                     [](const LinkPoses& links) { return allNear(links); });
 }
 
 bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) const {
@@ -28,7 +31,7 @@ bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) con
     if (next[i].empty()) continue;  // it is not there
     if (next[i].size() != parts.instruments[i].linkNames().size()) return false;
   }
-  return allFinite(next);
+  return allNear(next);
 }
 
 bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {

@@ -80,6 +80,14 @@ TEST(StateBytes, CountsThatCannotBeAllocateLittle) {
   EXPECT_LT(heap.bytes(), 100000U);
 }
 
+TEST(StateBytes, TruthIsZeroOrOne) {
+  bool value = false;
+  StateReader("\1").get(&value);
+  EXPECT_TRUE(value);
+  EXPECT_THROW(StateReader("\2").get(&value), std::invalid_argument);
+  EXPECT_THROW(StateReader("\xFF").get(&value), std::invalid_argument);
+}
+
 TEST(StateBytes, MatricesOfAnotherHeightAreRefused) {
   StateWriter out;
   out.put(Eigen::VectorXd(Eigen::VectorXd::Ones(4)));

@@ -58,7 +58,14 @@ class StateReader {
 
   template <class T>
   std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>> get(T* value) {
-    take(value, sizeof(T));
+    if constexpr (std::is_same_v<T, bool>) {  // of which other bytes are no value
+      unsigned char byte = 0;
+      take(&byte, 1);
+      if (byte > 1) fail();
+      *value = byte == 1;
+    } else {
+      take(value, sizeof(T));
+    }
   }
   template <class T, int Rows, int Cols, int Options, int MaxRows, int MaxCols>
   void get(Eigen::Matrix<T, Rows, Cols, Options, MaxRows, MaxCols>* values) {

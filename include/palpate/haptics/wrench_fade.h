@@ -31,10 +31,13 @@ class WrenchFade {
     out->put(held_.force);
     out->put(held_.torque);
   }
+  /// Refuses what no hand has felt.
   void restore(StateReader* in) {
     in->get(&gain_);
     in->get(&held_.force);
     in->get(&held_.torque);
+    const bool sensible = held_.force.norm() <= kLargest && held_.torque.norm() <= kLargest;
+    if (!(gain_ >= 0.0 && gain_ <= 1.0) || !sensible) StateReader::fail();
   }
 
   double gain() const { return gain_; }
@@ -42,6 +45,8 @@ class WrenchFade {
   const Wrench& held() const { return held_; }
 
  private:
+  static constexpr double kLargest = 1e6;  // [N], [N m]
+
   double ramp_;
   double gain_;
   Wrench held_;
