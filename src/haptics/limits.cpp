@@ -13,11 +13,17 @@ namespace {
                               "; must be finite and " + allowed);
 }
 
+// Where a vector with infinite components points.
+Vec3 infiniteOnes(const Vec3& v) {
+  return v.unaryExpr([](double x) { return std::isinf(x) ? std::copysign(1.0, x) : 0.0; });
+}
+
 }  // namespace
 
 Vec3 clamped(const Vec3& v, double limit) {
   const double norm = v.stableNorm();
   if (!(norm > limit)) return v;
+  if (!v.allFinite()) return clamped(infiniteOnes(v), limit);
   if (!std::isfinite(norm)) return clamped(0.125 * v, limit);
   return v * (limit / norm);
 }

@@ -7,7 +7,8 @@
 
 namespace palpate::haptics {
 
-/// `v` shortened to `limit` where it is longer. Finite components may have an infinite square.
+/// `v` shortened to `limit` where it is longer. Finite components may have an infinite square, and
+/// components may be infinite.
 Vec3 clamped(const Vec3& v, double limit);
 
 /// @throws std::invalid_argument that names `owner` and the setting, unless the value is finite and

@@ -16,11 +16,7 @@
 
 namespace palpate::sim {
 
-/// Whether tools are finite, and where geometry can still be computed: within kFarthest of the
-/// origin.
-bool allNear(const LinkPoses& poses);
-bool allNear(const std::vector<LinkPoses>& poses);
-constexpr double kFarthest = 1e3;  ///< [m]
+bool inReach(const std::vector<LinkPoses>& poses);
 
 /// Of the largest force on a tool: what may be unbalanced where that force is still felt.
 constexpr double kToldWithin = 0.5;

@@ -15,7 +15,7 @@ constexpr double kSkew = 1e-6;      // of a rotation
 
 // Whether what was saved is a place that a tool can have.
 bool arePoses(const LinkPoses& poses) {
-  return allNear(poses) && std::all_of(poses.begin(), poses.end(), [](const Pose& X) {
+  return inReach(poses) && std::all_of(poses.begin(), poses.end(), [](const Pose& X) {
            const Mat3 R = X.linear();
            return (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff() <= kSkew &&
                   X.matrix().row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
@@ -24,7 +24,7 @@ bool arePoses(const LinkPoses& poses) {
 
 // Whether what was saved is a body of which geometry can be computed.
 bool isSensible(const tissue::Shape& shape) {
-  return (shape.positions.array().abs() <= kFarthest).all() && shape.velocities.allFinite();
+  return (shape.positions.array().abs() <= kReach).all() && shape.velocities.allFinite();
 }
 
 }  // namespace

@@ -14,15 +14,15 @@ const Pose kNowhere(Eigen::Translation3d(0.0, 0.0, 1.0e4));
 
 }  // namespace
 
-bool allNear(const LinkPoses& poses) {
+bool inReach(const LinkPoses& poses) {
   return std::all_of(poses.begin(), poses.end(), [](const Pose& X) {
-    return X.matrix().allFinite() && X.translation().norm() <= kFarthest;
+    return X.matrix().allFinite() && X.translation().stableNorm() <= kReach;
   });
 }
 
-bool allNear(const std::vector<LinkPoses>& poses) {
+bool inReach(const std::vector<LinkPoses>& poses) {
   return std::all_of(poses.begin(), poses.end(),
-                     [](const LinkPoses& links) { return allNear(links); });
+                     [](const LinkPoses& links) { return inReach(links); });
 }
 
 bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) const {
@@ -31,7 +31,7 @@ bool Simulator::Impl::accepts(const std::vector<LinkPoses>& next, double dt) con
     if (next[i].empty()) continue;  // it is not there
     if (next[i].size() != parts.instruments[i].linkNames().size()) return false;
   }
-  return allNear(next);
+  return inReach(next);
 }
 
 bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {

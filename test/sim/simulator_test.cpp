@@ -84,8 +84,13 @@ TEST_F(SimulatorOnSlab, BadInputIsAStatusAndChangesNothing) {
   EXPECT_NE(before, after);
   LinkPoses bad = simulator.linkPoses(0, press[61]);
   bad[2].translation().x() = std::numeric_limits<double>::quiet_NaN();
+  LinkPoses far = simulator.linkPoses(0, press[61]), farther = far, farthest = far;
+  far[2].translation().x() = 2.0 * kReach;
+  farther[2].translation().z() = -1.0e200;  // finite, but not its square
+  farthest.back().translation() = Vec3(-1.0e308, 1.0e308, 0.0);
   for (const StepResult& result :
-       {simulator.step({bad}, kStep), simulator.step({}, kStep),
+       {simulator.step({bad}, kStep), simulator.step({}, kStep), simulator.step({far}, kStep),
+        simulator.step({farther}, kStep), simulator.step({farthest}, kStep),
         simulator.step({simulator.linkPoses(0, press[61])}, 0.0),
         simulator.step({simulator.linkPoses(0, press[61])}, std::nan(""))}) {
     EXPECT_FALSE(result.report.ok());

@@ -23,6 +23,11 @@ namespace palpate::sim {
 /// Where all links of one instrument are: `X_WL[i]` maps link i to world. Empty: it is not there.
 using LinkPoses = haptics::ToolProxy::LinkPoses;
 
+/// How far from the origin of world links may be [m]. Farther away, rounding is more than a tool.
+inline constexpr double kReach = 1.0e3;
+/// Whether all poses are finite, and within kReach.
+bool inReach(const LinkPoses& poses);
+
 /// One touching point, for pictures: of a tool or a part of the anatomy with an organ, or of both
 /// with one another.
 struct ContactPoint {
@@ -112,8 +117,8 @@ class Simulator {
   /// an instrument with a proxy, as far towards it as the proxy may. The first cycle after
   /// construction or reset(), or in which an instrument is there again, takes `poses` as where it
   /// already was. Without poses an instrument is not there.
-  /// Bad input (a non-finite pose, dt not > 0) leaves the state and says so in the report; the
-  /// wrench fades as after a failed solve.
+  /// Bad input (a pose that is not inReach(), dt not > 0) leaves the state and says so in the
+  /// report; the wrench fades as after a failed solve.
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
 
   /// Asked now and then within every step, after its first iterations: true ends the step with the
