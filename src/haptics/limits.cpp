@@ -28,6 +28,10 @@ Vec3 clamped(const Vec3& v, double limit) {
   return v * (limit / norm);
 }
 
+Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
+  return from + clamped(to - from, limit);
+}
+
 void requirePositive(const std::string& owner, const std::string& name, double value) {
   if (!std::isfinite(value) || !(value > 0.0)) refuse(owner, name, value, "> 0");
 }

@@ -7,13 +7,6 @@
 #include "limits.h"
 
 namespace palpate::haptics {
-namespace {
-
-Vec3 approached(const Vec3& from, const Vec3& to, double limit) {
-  return from + clamped(to - from, limit);
-}
-
-}  // namespace
 
 WrenchFilter::WrenchFilter(const WrenchFilterSettings& settings)
     : settings_(settings), fade_(settings.ramp, 0.0) {

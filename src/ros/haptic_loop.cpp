@@ -33,7 +33,8 @@ HapticLoop::HapticLoop(ros::NodeHandle handle, const scene::Scene& scene, Channe
     hands_.push_back(
         {haptics::ForceRenderer(scene::filterSettings(scene, instrument), scene.haptics,
                                 instrument.device, 1.0 / scene.rates.haptic),
-         advertise(kSpatialWrench), advertise(kBodyWrench),
+         haptics::WrenchRate(scene::filterSettings(scene, instrument)), advertise(kSpatialWrench),
+         advertise(kBodyWrench),
          handle.advertise<palpate::ContactModel>(instrumentTopic(instrument.name, kContactModel),
                                                  1),
          instrument.tf_prefix + instrument.control_frame});
@@ -53,7 +54,7 @@ void HapticLoop::finish() {
   // Here too where the thread failed.
   for (int k = 0; k < kZeros; ++k) {
     for (std::size_t i = 0; i < hands_.size(); ++i) {
-      send(&hands_[i], Wrench(), channels_.haptic[i].read(), channels_.hands[i].read());
+      send(&hands_[i], Wrench(), Wrench(), channels_.haptic[i].read(), channels_.hands[i].read());
     }
     std::this_thread::sleep_for(period_);
   }
@@ -61,9 +62,11 @@ void HapticLoop::finish() {
 }
 
 bool HapticLoop::atRest() const {
-  return std::all_of(hands_.begin(), hands_.end(), [](const Hand& hand) {
-    const Wrench& wrench = hand.force.output();
+  const auto none = [](const Wrench& wrench) {
     return wrench.force == Vec3::Zero() && wrench.torque == Vec3::Zero();
+  };
+  return std::all_of(hands_.begin(), hands_.end(), [&](const Hand& hand) {
+    return none(hand.force.output()) && none(hand.in_body.output());
   });
 }
 
@@ -114,20 +117,21 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
       pose.valid ? hand.force.update(render, pose.p_WC, dt) : hand.force.fade(dt);
   hand.tissue = render.live ? render.contact.tissue_stiffness : 0.0;
   hand.rendered = render.live ? render.contact.stiffness : 0.0;
-  send(&hand, spatial, target, pose);
+  const Wrench& body = hand.in_body.follow(haptics::bodyWrench(spatial, pose.R_WC), dt);
+  send(&hand, spatial, body, target, pose);
   const double force = spatial.force.norm();
   if (force > statistics_.peak_force) statistics_.peak_force = force;
 }
 
 // The stamp is that of the pose for which it is.
-void HapticLoop::send(Hand* hand, const Wrench& spatial, const HapticTarget& target,
-                      const HandPose& pose) {
+void HapticLoop::send(Hand* hand, const Wrench& spatial, const Wrench& body,
+                      const HapticTarget& target, const HandPose& pose) {
   const ros::Time stamp = target.valid && pose.valid ? pose.stamp : ros::Time::now();
   if (hand->spatial.getNumSubscribers() > 0) {
     hand->spatial.publish(toMsg(spatial, stamp, kWorldFrame));
   }
   if (hand->body.getNumSubscribers() > 0) {
-    hand->body.publish(toMsg(haptics::bodyWrench(spatial, pose.R_WC), stamp, hand->body_frame));
+    hand->body.publish(toMsg(body, stamp, hand->body_frame));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "channels.h"
 #include "interval_log.h"
 #include "palpate/haptics/force_renderer.h"
+#include "palpate/haptics/wrench_rate.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::node {
@@ -53,6 +54,7 @@ class HapticLoop {
  private:
   struct Hand {
     haptics::ForceRenderer force;
+    haptics::WrenchRate in_body;  // the force, in axes that may leap
     ros::Publisher spatial, body, model;
     std::string body_frame;
     double tissue = 0.0, rendered = 0.0;  // stiffness of the last tick [N/m]
@@ -60,7 +62,8 @@ class HapticLoop {
 
   void loop();
   void update(std::size_t i, Steady::time_point now, double dt);
-  void send(Hand* hand, const Wrench& spatial, const HapticTarget& target, const HandPose& pose);
+  void send(Hand* hand, const Wrench& spatial, const Wrench& body, const HapticTarget& target,
+            const HandPose& pose);
   bool atRest() const;
 
   Channels& channels_;
