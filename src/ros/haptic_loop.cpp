@@ -8,6 +8,7 @@
 #include "palpate/haptics/body_wrench.h"
 #include "palpate/scene/hand_settings.h"
 #include "realtime.h"
+#include "stamps.h"
 #include "topics.h"
 
 namespace palpate::node {
@@ -112,7 +113,9 @@ void HapticLoop::update(std::size_t i, Steady::time_point now, double dt) {
   render.live &= !finishing_ && now - target.made < silence_;
   const bool heard = channels_.hands[i].hasNew();
   const HandPose& pose = channels_.hands[i].read();
-  if (heard && !ros::Time::isSimTime()) latencies_.add((ros::Time::now() - pose.stamp).toSec());
+  if (heard && !ros::Time::isSimTime()) {
+    latencies_.add(secondsBetween(pose.stamp, ros::Time::now()));
+  }
   const Wrench& spatial =
       pose.valid ? hand.force.update(render, pose.p_WC, dt) : hand.force.fade(dt);
   hand.tissue = render.live ? render.contact.tissue_stiffness : 0.0;

@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "stamps.h"
+
 namespace palpate::node {
 namespace {
 
@@ -86,12 +88,13 @@ void LiveCycle::checkClock() {
 }
 
 void LiveCycle::pollInputs() {
-  const ros::Duration reordered(simulator_.scene().rates.stale_after);
+  const double reordered = simulator_.scene().rates.stale_after;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     if (!inputs_[i]->poll(&polled_)) continue;
     InputSample& sample = samples_[i];
     if (sample.valid && polled_.stamp < sample.stamp) {
-      if (sample.stamp - polled_.stamp < reordered) continue;  // a late one: the newer counts
+      if (secondsBetween(polled_.stamp, sample.stamp) < reordered)
+        continue;  // a late one: the newer counts
       if (stamp_warning_.due()) {
         ROS_WARN("stamps of %s went back from %.3f to %.3f s; the scene goes on as it is",
                  inputs_[i]->source().c_str(), sample.stamp.toSec(), polled_.stamp.toSec());
