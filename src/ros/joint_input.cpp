@@ -26,7 +26,8 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
   std::string problem;
   {
     std::lock_guard<std::mutex> lock(problem_mutex_);
-    if (!publisher_.takes(event.getPublisherName(), Steady::now())) return;
+    const OnePublisher::Connection connection = event.getConnectionHeaderPtr();
+    if (!publisher_.takes(connection, event.getPublisherName(), Steady::now())) return;
     problem = problem_ = reader_.read(*message, &scratch_.q);
   }
   if (!problem.empty()) {
