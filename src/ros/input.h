@@ -10,6 +10,9 @@
 
 namespace palpate::node {
 
+/// What is wrong with an input that simulation refuses, see sim::inReach().
+inline constexpr char kOutOfReach[] = "puts a link more than 1 km away from the origin of world";
+
 /// Where one instrument is, as last heard.
 struct InputSample {
   bool valid = false;  ///< False: nothing heard since the start or forget().

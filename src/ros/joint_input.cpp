@@ -28,7 +28,7 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
     std::lock_guard<std::mutex> lock(problem_mutex_);
     const OnePublisher::Connection connection = event.getConnectionHeaderPtr();
     if (!publisher_.takes(connection, event.getPublisherName(), Steady::now())) return;
-    problem = problem_ = reader_.read(*message, &scratch_.q);
+    problem = problem_ = read(*message);
   }
   if (!problem.empty()) {
     if (warning_.due()) ROS_WARN_STREAM(name_ << ": JointState dropped: " << problem);
@@ -37,9 +37,16 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
   scratch_.stamp = message->header.stamp.isZero() ? ros::Time::now() : message->header.stamp;
   scratch_.received = Steady::now();
   latest_.write(scratch_);
-  const Pose X_WC = simulator_.linkPoses(index_, scratch_.q)[simulator_.controlLink(index_)];
+  const Pose& X_WC = poses_[simulator_.controlLink(index_)];
   hand_.write({true, scratch_.stamp, X_WC.translation(), X_WC.linear()});
   arrivals_.tell();
+}
+
+std::string JointInput::read(const sensor_msgs::JointState& message) {
+  const std::string problem = reader_.read(message, &scratch_.q);
+  if (!problem.empty()) return problem;
+  poses_ = simulator_.linkPoses(index_, scratch_.q);
+  return sim::inReach(poses_) ? "" : kOutOfReach;
 }
 
 bool JointInput::poll(InputSample* sample) {

@@ -40,6 +40,7 @@ class JointInput : public Input {
     Steady::time_point received;
   };
 
+  std::string read(const sensor_msgs::JointState& message);
   void receive(const ros::MessageEvent<const sensor_msgs::JointState>& event);
 
   std::string name_;
@@ -48,7 +49,8 @@ class JointInput : public Input {
   JointStateReader reader_;
   LatestValue<HandPose>& hand_;
   Arrivals& arrivals_;
-  Joints scratch_;  // the callback's
+  Joints scratch_;  // the callback's, as the next
+  sim::LinkPoses poses_;
   LatestValue<Joints> latest_;
   Throttle warning_{5.0};
   mutable std::mutex problem_mutex_;  // of these two

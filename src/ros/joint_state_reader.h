@@ -17,7 +17,8 @@ class JointStateReader {
   explicit JointStateReader(const instrument::Instrument& instrument);
 
   /// Any order and extra joints are fine. Returns "" and fills `q` [m or rad], or says what is
-  /// wrong, naming the joint: one is missing or not finite, names and positions differ in number.
+  /// wrong, naming the joint: one is missing or not finite, names and positions differ in number,
+  /// or there are more or longer names than any robot has.
   std::string read(const sensor_msgs::JointState& message, Eigen::VectorXd* q);
 
   Eigen::Index numJoints() const { return num_joints_; }

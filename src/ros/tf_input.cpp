@@ -15,7 +15,8 @@ TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simul
 
 bool TfInput::poll(InputSample* sample) {
   ros::Time stamp;
-  const std::string problem = lookup_.lookup(*buffer_, &poses_, &stamp);
+  std::string problem = lookup_.lookup(*buffer_, &poses_, &stamp);
+  if (problem.empty() && !sim::inReach(poses_)) problem = kOutOfReach;
   {
     std::lock_guard<std::mutex> lock(problem_mutex_);
     problem_ = problem;

@@ -137,6 +137,12 @@ class Programs:
             p.wait(10)
 
 
+def memory(pid):
+    """What is resident of a process [bytes]."""
+    with open("/proc/%d/statm" % pid) as f:
+        return int(f.read().split()[1]) * 4096
+
+
 def status(diagnostics, name):
     """The status `name` of a DiagnosticArray of the node under test, or None."""
     for s in diagnostics.status:
