@@ -2,7 +2,6 @@
 #include "input_factory.h"
 
 #include <tf2_ros/static_transform_broadcaster.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <vector>
 
@@ -13,10 +12,30 @@
 
 namespace palpate::node {
 
+namespace {
+
+// The frames of all links that come by tf.
+std::vector<std::string> tfFrames(const sim::Simulator& simulator) {
+  std::vector<std::string> frames;
+  for (int i = 0; i < simulator.numInstruments(); ++i) {
+    const scene::InstrumentConfig& config =
+        simulator.scene().instruments[static_cast<std::size_t>(i)];
+    if (config.input != "tf") continue;
+    for (const std::string& frame : TfLookup(simulator.instrument(i), config).frames()) {
+      frames.push_back(frame);
+    }
+  }
+  return frames;
+}
+
+}  // namespace
+
 struct InputFactory::Tf {
-  std::shared_ptr<tf2_ros::Buffer> buffer = std::make_shared<tf2_ros::Buffer>();
-  // Its own thread fills the buffer.
-  tf2_ros::TransformListener listener{*buffer, true, ros::TransportHints().tcpNoDelay()};
+  Tf(const ros::NodeHandle& handle, const sim::Simulator& simulator)
+      : listener(handle, tfFrames(simulator), simulator.scene().rates.stale_after, &buffer) {}
+
+  tf2::BufferCore buffer;
+  TfListener listener;
 };
 
 InputFactory::InputFactory() = default;
@@ -30,8 +49,8 @@ Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulato
         simulator.scene().instruments[static_cast<std::size_t>(i)];
     LatestValue<HandPose>* const hand = &channels->hands[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
-      if (!tf_) tf_ = std::make_unique<Tf>();
-      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, simulator, i, hand));
+      if (!tf_) tf_ = std::make_unique<Tf>(handle, simulator);
+      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, tf_->listener, simulator, i, hand));
     } else {
       inputs.push_back(std::make_unique<JointInput>(handle, jointTopic(config), config.name,
                                                     simulator, i, hand, &channels->arrivals));

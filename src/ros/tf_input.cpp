@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tf_input.h"
 
-#include <utility>
+#include "palpate/base/error.h"
+#include "topics.h"
 
 namespace palpate::node {
 
-TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simulator& simulator,
-                 int index, LatestValue<HandPose>* hand)
-    : buffer_(std::move(buffer)),
+TfInput::TfInput(const tf2::BufferCore& buffer, const TfListener& listener,
+                 const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand)
+    : buffer_(buffer),
+      listener_(listener),
       lookup_(simulator.instrument(index),
               simulator.scene().instruments[static_cast<std::size_t>(index)]),
       control_(static_cast<std::size_t>(simulator.controlLink(index))),
@@ -15,7 +17,7 @@ TfInput::TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simul
 
 bool TfInput::poll(InputSample* sample) {
   ros::Time stamp;
-  std::string problem = lookup_.lookup(*buffer_, &poses_, &stamp);
+  std::string problem = lookup_.lookup(buffer_, &poses_, &stamp);
   if (problem.empty() && !sim::inReach(poses_)) problem = kOutOfReach;
   {
     std::lock_guard<std::mutex> lock(problem_mutex_);
@@ -37,7 +39,9 @@ bool TfInput::poll(InputSample* sample) {
 // The listener empties its buffer by itself when time goes back.
 void TfInput::forget() { last_ = ros::Time(); }
 
-std::string TfInput::source() const { return "tf frames " + lookup_.frames(); }
+std::string TfInput::source() const {
+  return std::string("tf frames ") + kWorldFrame + " -> " + joinNames(lookup_.frames());
+}
 
 std::string TfInput::problem() const {
   std::lock_guard<std::mutex> lock(problem_mutex_);

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <tf2_ros/buffer.h>
+#include <tf2/buffer_core.h>
 
-#include <memory>
 #include <mutex>
 #include <string>
 
 #include "channels.h"
 #include "input.h"
+#include "tf_listener.h"
 #include "tf_lookup.h"
 
 namespace palpate::node {
 
-/// Link poses from tf. The buffer is filled by its own listener; poll() never waits for it.
+/// Link poses from tf. The buffer is filled by a listener; poll() never waits for it.
 class TfInput : public Input {
  public:
-  /// Where the hand is goes to `hand` with each poll().
-  TfInput(std::shared_ptr<const tf2_ros::Buffer> buffer, const sim::Simulator& simulator, int index,
-          LatestValue<HandPose>* hand);
+  /// Where the hand is goes to `hand` with each poll(). The references outlive this.
+  TfInput(const tf2::BufferCore& buffer, const TfListener& listener,
+          const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand);
 
   bool poll(InputSample* sample) override;
   void forget() override;
   std::string source() const override;
   std::string problem() const override;
+  std::string conflict() const override { return listener_.conflict(); }
 
  private:
-  std::shared_ptr<const tf2_ros::Buffer> buffer_;
+  const tf2::BufferCore& buffer_;
+  const TfListener& listener_;
   TfLookup lookup_;
   std::size_t control_;
   LatestValue<HandPose>& hand_;

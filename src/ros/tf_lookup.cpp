@@ -49,10 +49,10 @@ std::string TfLookup::lookup(const tf2::BufferCore& buffer, sim::LinkPoses* pose
   return "";
 }
 
-std::string TfLookup::frames() const {
-  std::string names;
-  for (const Link& link : links_) names += (names.empty() ? "" : ", ") + link.frame;
-  return std::string(kWorldFrame) + " -> " + names;
+std::vector<std::string> TfLookup::frames() const {
+  std::vector<std::string> names;
+  for (const Link& link : links_) names.push_back(link.frame);
+  return names;
 }
 
 }  // namespace palpate::node

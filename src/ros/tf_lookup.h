@@ -23,8 +23,8 @@ class TfLookup {
   /// what is missing; then the arguments are untouched.
   std::string lookup(const tf2::BufferCore& buffer, sim::LinkPoses* poses, ros::Time* stamp) const;
 
-  /// "world -> tip, base".
-  std::string frames() const;
+  /// Of the links that are needed, in tf.
+  std::vector<std::string> frames() const;
 
  private:
   struct Link {
