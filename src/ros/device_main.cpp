@@ -25,8 +25,8 @@
 
 #include "conversions.h"
 #include "ending.h"
-#include "palpate/base/error.h"
 #include "palpate/haptics/simulated_hand.h"
+#include "param_fields.h"
 #include "program.h"
 #include "realtime.h"
 #include "throttle.h"
@@ -39,46 +39,6 @@ constexpr double kTremorRate = 4.0;  // [Hz]
 constexpr double kBefore = 0.5;      // [s] at the start, so that the node has heard of it
 
 struct DeviceParams {
-  explicit DeviceParams(const ros::NodeHandle& handle) {
-    handle.getParam("joints", joints);
-    handle.getParam("wrench", wrench);
-    handle.getParam("after", after);
-    handle.getParam("names", names);
-    handle.getParam("start", start);
-    handle.getParam("way", way);
-    handle.getParam("speed", speed);
-    handle.getParam("hold", hold);
-    handle.getParam("tremor", tremor);
-    handle.getParam("mass", hand.mass);
-    handle.getParam("damping", hand.device_damping);
-    handle.getParam("grip_stiffness", hand.grip_stiffness);
-    handle.getParam("grip_damping", hand.grip_damping);
-    handle.getParam("resolution", hand.resolution);
-    check(handle.getNamespace());
-  }
-  void check(const std::string& space) const {
-    std::vector<Problem> problems;
-    if (start.size() != names.size() || names.size() < 3) {
-      problems.push_back({"start", std::to_string(start.size()) + " numbers",
-                          "must have one for each of ~names, three at least"});
-    }
-    const auto positive = [&](const char* key, double value, bool zero_allowed) {
-      if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return;
-      problems.push_back({key, std::to_string(value),
-                          std::string("must be finite and ") + (zero_allowed ? ">= 0" : "> 0")});
-    };
-    positive("way", way, true);
-    positive("speed", speed, false);
-    positive("hold", hold, true);
-    positive("tremor", tremor, true);
-    positive("mass", hand.mass, false);
-    positive("damping", hand.device_damping, true);
-    positive("grip_stiffness", hand.grip_stiffness, true);
-    positive("grip_damping", hand.grip_damping, true);
-    positive("resolution", hand.resolution, true);
-    if (!problems.empty()) throw InputError("parameters of " + space, problems);
-  }
-
   std::string joints = "/probe/measured_js", wrench = "/probe/spatial/measured_cf";
   std::string after = "/palpate/reset";
   std::vector<std::string> names = {"x", "y", "z", "roll", "pitch", "yaw"};
@@ -86,6 +46,35 @@ struct DeviceParams {
   double way = 0.02, speed = 0.03, hold = 3.0, tremor = 0.0;
   haptics::HandSettings hand;
 };
+
+void describe(keys::FieldVisitor& v, DeviceParams& p) {
+  const keys::Range positive = keys::Range::above(0.0), not_negative = keys::Range::closed(0.0);
+  v.text({"joints", "", "Topic of the joint positions."}, p.joints);
+  v.text({"wrench", "", "Topic of the wrench."}, p.wrench);
+  v.text({"after", "", "Service to wait for."}, p.after);
+  v.number({"way", "m", "How far down."}, p.way, not_negative);
+  v.number({"speed", "m/s", "On the way."}, p.speed, positive);
+  v.number({"hold", "s", "How long it stays."}, p.hold, not_negative);
+  v.number({"tremor", "m", "How far it trembles."}, p.tremor, not_negative);
+  v.number({"mass", "kg", "Of device and hand."}, p.hand.mass, positive);
+  v.number({"damping", "N s/m", "Of the device."}, p.hand.device_damping, not_negative);
+  v.number({"grip_stiffness", "N/m", "Of the grip."}, p.hand.grip_stiffness, not_negative);
+  v.number({"grip_damping", "N s/m", "Of the grip."}, p.hand.grip_damping, not_negative);
+  v.number({"resolution", "m", "Of the encoders."}, p.hand.resolution, not_negative);
+}
+
+DeviceParams readDeviceParams(const ros::NodeHandle& handle) {
+  DeviceParams p;
+  ParamFields fields(handle);
+  fields.applyHere(p);
+  fields.texts({"names", "", "Joints."}, p.names);
+  fields.numbers({"start", "m, rad", "Their positions at the start."}, p.start);
+  fields.rule(p.start.size() == p.names.size() && p.names.size() >= 3, "start",
+              "must have one for each of ~names, three at least");
+  fields.refuseOthers();
+  fields.check();
+  return p;
+}
 
 /// Where the hand means to be at a time, and how fast it goes there, along z.
 struct Intent {
@@ -160,7 +149,7 @@ class Device {
 int main(int argc, char** argv) {
   return palpate::node::runProgram(argc, argv, "palpate_device", [](bool) {
     palpate::node::Device device(ros::NodeHandle(),
-                                 palpate::node::DeviceParams(ros::NodeHandle("~")));
+                                 palpate::node::readDeviceParams(ros::NodeHandle("~")));
     palpate::node::becomeRealtime();
     device.wait();
     device.run();

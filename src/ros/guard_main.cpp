@@ -11,14 +11,13 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include <cmath>
 #include <string>
 #include <thread>
 
 #include "conversions.h"
 #include "ending.h"
-#include "palpate/base/error.h"
 #include "palpate/haptics/silence_guard.h"
+#include "param_fields.h"
 #include "program.h"
 #include "throttle.h"
 
@@ -27,31 +26,37 @@ namespace {
 
 constexpr double kTick = 0.002;  // [s]
 
-std::string topicParam(const ros::NodeHandle& handle, const char* name) {
-  std::string topic;
-  if (!handle.getParam(name, topic) || topic.empty()) {
-    throw InputError("parameters of " + handle.getNamespace(), name, topic, "must be a topic");
-  }
-  return topic;
+struct GuardParams {
+  std::string input, output;
+  double patience = 0.05, ramp = 0.02;  // [s]
+};
+
+void describe(keys::FieldVisitor& v, GuardParams& p) {
+  v.text({"input", "", "Topic of the node's wrench."}, p.input);
+  v.rule(!p.input.empty(), "input", "must be a topic");
+  v.text({"output", "", "Topic of the device's wrench."}, p.output);
+  v.rule(!p.output.empty(), "output", "must be a topic");
+  v.number({"patience", "s", "So long a silence is none yet."}, p.patience,
+           keys::Range::closed(0.0));
+  v.number({"ramp", "s", "From there to zero."}, p.ramp, keys::Range::closed(0.0));
 }
 
-double timeParam(const ros::NodeHandle& handle, const char* name, double value) {
-  handle.getParam(name, value);
-  if (!std::isfinite(value) || value < 0.0) {
-    throw InputError("parameters of " + handle.getNamespace(), name, std::to_string(value),
-                     "must be finite and >= 0 [s]");
-  }
-  return value;
+GuardParams readGuardParams(const ros::NodeHandle& handle) {
+  GuardParams p;
+  ParamFields fields(handle);
+  fields.applyHere(p);
+  fields.refuseOthers();
+  fields.check();
+  return p;
 }
 
 /// One input, one output, one thread.
 class Guard {
  public:
-  Guard(ros::NodeHandle handle, const ros::NodeHandle& parameters)
-      : guard_(timeParam(parameters, "patience", 0.05), timeParam(parameters, "ramp", 0.02)),
-        output_(
-            handle.advertise<geometry_msgs::WrenchStamped>(topicParam(parameters, "output"), 1)),
-        input_(handle.subscribe(topicParam(parameters, "input"), 1, &Guard::receive, this,
+  Guard(ros::NodeHandle handle, const GuardParams& params)
+      : guard_(params.patience, params.ramp),
+        output_(handle.advertise<geometry_msgs::WrenchStamped>(params.output, 1)),
+        input_(handle.subscribe(params.input, 1, &Guard::receive, this,
                                 ros::TransportHints().tcpNoDelay())) {}
 
   /// Until the end of the program is asked for, and the output is zero.
@@ -105,7 +110,8 @@ class Guard {
 
 int main(int argc, char** argv) {
   return palpate::node::runProgram(argc, argv, "palpate_guard", [](bool) {
-    palpate::node::Guard(ros::NodeHandle(), ros::NodeHandle("~")).run();
+    palpate::node::Guard(ros::NodeHandle(), palpate::node::readGuardParams(ros::NodeHandle("~")))
+        .run();
     return 0;
   });
 }

@@ -2,6 +2,7 @@
 #include "param_fields.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "palpate/base/vector_text.h"
@@ -14,10 +15,17 @@ using XmlRpc::XmlRpcValue;
 
 namespace {
 
+// Of problems, and of the letters of what is wrong: a parameter may be a list of a million numbers.
+constexpr std::size_t kMostProblems = 50, kMostLetters = 200;
+
+std::string shortened(const std::string& text) {
+  return text.size() <= kMostLetters ? text : text.substr(0, kMostLetters) + " ...";
+}
+
 std::string shown(const XmlRpcValue& value) {
   std::ostringstream s;
   value.write(s);
-  return s.str();
+  return shortened(s.str());
 }
 
 }  // namespace
@@ -25,7 +33,10 @@ std::string shown(const XmlRpcValue& value) {
 ParamFields::ParamFields(const ros::NodeHandle& handle) : handle_(handle) {}
 
 void ParamFields::check() const {
-  if (!problems_.empty()) throw InputError("parameters of " + handle_.getNamespace(), problems_);
+  if (problems_.empty()) return;
+  std::vector<Problem> problems = problems_;
+  if (more_problems_ > 0) problems.push_back({"", "", std::to_string(more_problems_) + " more"});
+  throw InputError("parameters of " + handle_.getNamespace(), problems);
 }
 
 void ParamFields::refuseOthers(const std::vector<std::string>& known) {
@@ -34,7 +45,7 @@ void ParamFields::refuseOthers(const std::vector<std::string>& known) {
   handle_.getParamNames(all);
   for (const std::string& name : all) {
     if (name.rfind(prefix, 0) != 0) continue;
-    const std::string key = name.substr(prefix.size());
+    const std::string key = shortened(name.substr(prefix.size()));
     const bool is_known = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
       return key == k || key.rfind(k + "/", 0) == 0;
     });
@@ -50,6 +61,10 @@ void ParamFields::refuseOthers(const std::vector<std::string>& known) {
 }
 
 void ParamFields::begin(const std::string& path) {
+  XmlRpcValue section;
+  if (handle_.getParam(path, section) && section.getType() != XmlRpcValue::TypeStruct) {
+    refuse(path, shown(section), "must have keys below it");
+  }
   open_ = {path};
   known_.clear();
 }
@@ -62,7 +77,7 @@ void ParamFields::end() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const std::string& name : all) {
     if (name.rfind(prefix, 0) != 0) continue;
-    const std::string key = open_.front() + "/" + name.substr(prefix.size());
+    const std::string key = shortened(open_.front() + "/" + name.substr(prefix.size()));
     const bool visited = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
       return key == k || key.rfind(k + "/", 0) == 0;
     });
@@ -88,7 +103,11 @@ bool ParamFields::given(const std::string& key, XmlRpcValue* value) {
 
 void ParamFields::refuse(const std::string& key, const std::string& value,
                          const std::string& allowed) {
-  problems_.push_back({key, value, allowed});
+  if (problems_.size() >= kMostProblems) {
+    ++more_problems_;
+    return;
+  }
+  problems_.push_back({key, shortened(value), allowed});
 }
 
 bool ParamFields::toNumber(const std::string& key, XmlRpcValue& value, const Range& range,
@@ -144,6 +163,29 @@ bool ParamFields::text(const Field& field, std::string& value) {
     value = static_cast<std::string>(v);
   } else {
     refuse(path(field.key), shown(v), "must be a text");
+  }
+  return true;
+}
+
+bool ParamFields::texts(const Field& field, std::vector<std::string>& values) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  if (!handle_.getParam(path(field.key), values)) {
+    refuse(path(field.key), shown(v), "must be a list of texts");
+  }
+  return true;
+}
+
+bool ParamFields::numbers(const Field& field, std::vector<double>& values) {
+  XmlRpcValue v;
+  if (!given(field.key, &v)) return false;
+  std::vector<double> read;
+  if (!handle_.getParam(path(field.key), read)) {
+    refuse(path(field.key), shown(v), "must be a list of numbers");
+  } else if (std::any_of(read.begin(), read.end(), [](double x) { return !std::isfinite(x); })) {
+    refuse(path(field.key), shown(v), "must be finite");
+  } else {
+    values = read;
   }
   return true;
 }

@@ -26,10 +26,23 @@ class ParamFields : public keys::FieldVisitor {
     end();
   }
 
-  /// @throws InputError with everything that was wrong.
+  /// The parameters directly below the node's name go to `config`.
+  template <class Config>
+  void applyHere(Config& config) {
+    open_.clear();
+    known_.clear();
+    describe(*this, config);
+  }
+  /// Lists of texts and of numbers, which no file has.
+  bool texts(const keys::Field& field, std::vector<std::string>& values);
+  bool numbers(const keys::Field& field, std::vector<double>& values);
+
   /// Refuses all parameters below the node's name that are none of `known`, names or sections of
   /// which each has been applied.
   void refuseOthers(const std::vector<std::string>& known);
+  /// The same where known is what was visited since applyHere().
+  void refuseOthers() { refuseOthers({known_.begin(), known_.end()}); }
+  /// @throws InputError with everything that was wrong.
   void check() const;
 
   bool number(const keys::Field& field, double& value, const keys::Range& range) override;
@@ -74,6 +87,7 @@ class ParamFields : public keys::FieldVisitor {
   std::vector<std::string> open_;  // sections that we are in
   std::set<std::string> known_;
   std::vector<Problem> problems_;
+  std::size_t more_problems_ = 0;  // than anybody reads
 };
 
 }  // namespace palpate::node

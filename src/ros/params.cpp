@@ -3,7 +3,7 @@
 
 #include <ros/package.h>
 
-#include <cmath>
+#include <climits>
 #include <cstdlib>
 #include <iterator>
 
@@ -18,21 +18,26 @@ std::string rosHome() {
   return std::string(home ? home : ".") + "/.ros";
 }
 
+void describe(keys::FieldVisitor& v, NodeParams& p) {
+  const auto path = [&](const char* key, const char* doc, std::string& value) {
+    v.text({key, "", doc}, value);
+    v.rule(value.size() < PATH_MAX, key, "is longer than a path may be");
+    if (value.size() >= PATH_MAX) value.clear();
+  };
+  path(kSceneParam, "A scene file, or the name of a shipped scene.", p.scene);
+  path(kInitialStateParam, "A file of ~save_state to start from.", p.initial_state);
+  path(kStateDirectoryParam, "Where ~save_state writes.", p.state_directory);
+  v.number({kArrowScaleParam, "m/N", "Length of the wrench arrow."}, p.arrow_scale,
+           keys::Range::above(0.0));
+  v.rule(!p.scene.empty(), kSceneParam,
+         "must be a scene file or the name of a shipped scene (liver_palpation)");
+  v.rule(!p.state_directory.empty(), kStateDirectoryParam, "must be a folder");
+}
+
 NodeParams readParams(const ros::NodeHandle& handle) {
   NodeParams p;
-  const std::string where = "parameters of " + handle.getNamespace();
-  if (!handle.getParam(kSceneParam, p.scene) || p.scene.empty()) {
-    throw InputError(where, kSceneParam, p.scene,
-                     "must be a scene file or the name of a shipped scene (liver_palpation)");
-  }
-  p.state_directory = handle.param(kStateDirectoryParam, p.state_directory);
-  p.initial_state = handle.param(kInitialStateParam, p.initial_state);
-  p.arrow_scale = handle.param(kArrowScaleParam, p.arrow_scale);
-  if (!std::isfinite(p.arrow_scale) || p.arrow_scale <= 0.0) {
-    throw InputError(where, kArrowScaleParam, std::to_string(p.arrow_scale),
-                     "must be finite and > 0 [m/N]");
-  }
   ParamFields fields(handle);
+  fields.applyHere(p);
   fields.apply(kCutawaySection, p.cutaway);
   fields.check();
   return p;

@@ -37,7 +37,9 @@ struct NodeParams {
   CutawayConfig cutaway;       ///< ~cutaway/...
 };
 
-/// @throws InputError naming the parameter.
+void describe(keys::FieldVisitor& v, NodeParams& params);
+
+/// @throws InputError naming the parameters.
 NodeParams readParams(const ros::NodeHandle& handle);
 
 /// "liver_palpation" becomes the file of the shipped scene of that name, "package://name/rest" a

@@ -69,6 +69,70 @@ class Parameters(unittest.TestCase):
         self.refused(["proxy/max_sped", "max_speed"], scene, "_instruments/probe/proxy/max_sped:=0.1")
         self.refused(["wind", "known: scene"], scene, "_wind:=strong")
 
+    def test_garbage_of_any_kind_is_refused(self):
+        """Each parameter of the node itself, then one of each kind of a scene's keys, with values of other types."""
+        scene = os.path.join(SCENES, "block.yaml")
+        nan, inf, text = float("nan"), float("inf"), "t" * 1000000
+        numbers = list(range(200000))
+        own = {
+            "scene": [5, 2.5, True, [scene], {"a": scene}, "", text],
+            "initial_state": [5, [1, 2], text],
+            "state_directory": [5, True, {"a": 1}, "", numbers],
+            "arrow_scale": ["big", nan, inf, -1.0, 0, [1.0], numbers, text],
+            "cutaway/corner": ["all", numbers, [nan, 0, 1], [1, "a", 0], {"x": 1}],
+        }
+        of_scene = {
+            "rates/simulation": ["100 Hz", nan, -inf, 0, 1e308, True, numbers, text, {"a": 1}],
+            "solver/max_newton_iterations": [2.5, "ten", nan],
+            "solver/method": [5, "none", text, numbers],
+            "instruments/probe/proxy/active": ["yes", 1, nan],
+        }
+        sections = {"solver": [numbers, "fast"], "instruments/probe": [5], "haptics": [nan], "contact": [text]}
+        for group in own, of_scene, sections:
+            for k in range(max(len(values) for values in group.values())):
+                name = "/node_%d" % run.count
+                rospy.set_param(name, {"scene": scene})
+                wrong = {key: values[k] for key, values in group.items() if k < len(values)}
+                for key, value in wrong.items():
+                    rospy.set_param(name + "/" + key, value)
+                code, said = run()
+                self.assertEqual(code, 2, said[:2000])
+                for key in wrong:
+                    self.assertRegex(said, r"parameters of %s: %s\b" % (name, key))
+                self.assertLess(len(said), 20000)
+                rospy.delete_param(name)
+
+    def test_names_nobody_knows_are_refused_whatever_they_are(self):
+        scene = os.path.join(SCENES, "block.yaml")
+        name = "/node_%d" % run.count
+        rospy.set_param(name, {"scene": scene, "n" * 1000000: 1, "rates": {"s" * 100000: 2}})
+        code, said = run()
+        self.assertEqual(code, 2, said[:2000])
+        self.assertIn("is unknown", said)
+        self.assertLess(len(said), 20000)
+        rospy.delete_param(name)
+        name = "/node_%d" % run.count
+        rospy.set_param(name, {"scene": scene, "solver": {"key%d" % k: k for k in range(20000)}})
+        code, said = run()
+        self.assertEqual(code, 2, said[:2000])
+        self.assertIn("19950 more", said)
+        rospy.delete_param(name)
+
+    def test_guard_and_device_refuse_garbage(self):
+        for program, key, value in (("palpate_guard", "patience", "long"), ("palpate_guard", "input", 5),
+                                    ("palpate_guard", "ramp", float("nan")), ("palpate_guard", "rampe", 1.0),
+                                    ("palpate_guard", "max_force", -1.0), ("palpate_device", "names", 5),
+                                    ("palpate_device", "start", ["a"]), ("palpate_device", "start", [float("nan")] * 6),
+                                    ("palpate_device", "speed", "fast"), ("palpate_device", "mas", 1.0)):
+            name = "node_%d" % run.count
+            run.count += 1
+            rospy.set_param("/" + name, {"input": "a", "output": "b"} if program == "palpate_guard" else {"after": ""})
+            rospy.set_param("/%s/%s" % (name, key), value)
+            done = subprocess.run([roslib.packages.find_node("palpate", program)[0], "__name:=" + name],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20, universal_newlines=True)
+            self.assertEqual(done.returncode, 2, (program, key, value, done.stdout))
+            self.assertIn(key, done.stdout)
+
     def test_bad_state_file(self):
         with tempfile.NamedTemporaryFile("w", suffix=".state") as f:
             f.write("nonsense\n")
