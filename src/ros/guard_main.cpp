@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_guard: stands between the node and a haptic device, in a process of its own. It passes
-// wrenches on as they come, and takes the last one back when none comes any more: a device holds
-// what it heard last, also of a node that has died.
+// wrenches on as they come, within limits, and takes the last one back when none comes any more: a
+// device holds what it heard last, also of a node that has died.
 //
 //   ~input    geometry_msgs/WrenchStamped, of the node
 //   ~output   geometry_msgs/WrenchStamped, to the device
 //   ~patience [s] so long a silence is none yet, 0.05
-//   ~ramp     [s] from there to zero, 0.02
+//   ~ramp     [s] from there to zero, and back when it is heard again, 0.02
+//   ~max_force, ~max_torque, ~max_force_rate: nothing beyond is passed on, 20 N, 2 N m, 2000 N/s
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -16,6 +17,7 @@
 
 #include "conversions.h"
 #include "ending.h"
+#include "one_publisher.h"
 #include "palpate/haptics/silence_guard.h"
 #include "param_fields.h"
 #include "program.h"
@@ -28,7 +30,8 @@ constexpr double kTick = 0.002;  // [s]
 
 struct GuardParams {
   std::string input, output;
-  double patience = 0.05, ramp = 0.02;  // [s]
+  double patience = 0.05;  // [s]
+  haptics::WrenchFilterSettings limits;
 };
 
 void describe(keys::FieldVisitor& v, GuardParams& p) {
@@ -38,69 +41,91 @@ void describe(keys::FieldVisitor& v, GuardParams& p) {
   v.rule(!p.output.empty(), "output", "must be a topic");
   v.number({"patience", "s", "So long a silence is none yet."}, p.patience,
            keys::Range::closed(0.0));
-  v.number({"ramp", "s", "From there to zero."}, p.ramp, keys::Range::closed(0.0));
+  v.number({"ramp", "s", "From there to zero, and back."}, p.limits.ramp, keys::Range::closed(0.0));
+  v.number({"max_force", "N", "A longer force is shortened to this."}, p.limits.max_force,
+           keys::Range::above(0.0, 1000.0));
+  v.number({"max_torque", "N m", "A longer torque is shortened to this."}, p.limits.max_torque,
+           keys::Range::above(0.0, 1000.0));
+  v.number({"max_force_rate", "N/s", "The force to the device changes no faster."},
+           p.limits.max_force_rate, keys::Range::above(0.0, 1.0e6));
 }
 
 GuardParams readGuardParams(const ros::NodeHandle& handle) {
   GuardParams p;
+  p.limits.ramp = 0.02;
   ParamFields fields(handle);
   fields.applyHere(p);
   fields.refuseOthers();
   fields.check();
+  p.limits.max_torque_rate = p.limits.max_force_rate * p.limits.max_torque / p.limits.max_force;
   return p;
 }
 
-/// One input, one output, one thread.
+/// One input, of one publisher, one output, one thread.
 class Guard {
  public:
   Guard(ros::NodeHandle handle, const GuardParams& params)
-      : guard_(params.patience, params.ramp),
+      : guard_(params.patience, params.limits),
+        publisher_(params.patience),
         output_(handle.advertise<geometry_msgs::WrenchStamped>(params.output, 1)),
         input_(handle.subscribe(params.input, 1, &Guard::receive, this,
                                 ros::TransportHints().tcpNoDelay())) {}
 
   /// Until the end of the program is asked for, and the output is zero.
   void run() {
-    Steady::time_point last = Steady::now();
     while (!Ending::asked()) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kTick));
-      const Steady::time_point now = Steady::now();
-      if (now - last < seconds(kTick)) continue;
-      pass(inSeconds(now - last));
-      last = now;
+      if (Steady::now() - last_ >= seconds(kTick)) pass();
     }
     input_.shutdown();
     do {
       std::this_thread::sleep_for(seconds(kTick));
-      pass(kTick);
-    } while (!guard_.silent() || guard_.output().force != Vec3::Zero());
+      pass();
+    } while (!guard_.silent() || guard_.output().force != Vec3::Zero() ||
+             guard_.output().torque != Vec3::Zero());
     for (int k = 0; k < 20; ++k) {
-      pass(kTick);
+      pass();
       std::this_thread::sleep_for(seconds(kTick));
     }
   }
 
  private:
-  void receive(const geometry_msgs::WrenchStamped& message) {
-    last_ = message;
-    if (!guard_.hear(fromMsg(message.wrench))) return;
+  double sinceLast() {
+    const Steady::time_point before = last_;
+    last_ = Steady::now();
+    return inSeconds(last_ - before);
+  }
+  void receive(const ros::MessageEvent<const geometry_msgs::WrenchStamped>& event) {
+    const bool counts =
+        publisher_.takes(event.getConnectionHeaderPtr(), event.getPublisherName(), Steady::now());
+    if (!counts && warning_.due()) {
+      ROS_ERROR_STREAM(input_.getTopic() << ": " << publisher_.conflict(Steady::now()));
+    }
+    if (!counts) return;
+    const geometry_msgs::WrenchStamped& message = *event.getConstMessage();
+    header_ = message.header;
+    if (!guard_.hear(fromMsg(message.wrench), sinceLast())) return;
     if (spoken_for_) ROS_INFO("the wrench is back");
     spoken_for_ = false;
-    output_.publish(message);
+    send();
   }
-  void pass(double dt) {
-    if (!guard_.pass(dt)) return;
-    if (!spoken_for_ && !last_.header.frame_id.empty() && !Ending::asked()) {
+  void pass() {
+    if (!guard_.pass(sinceLast())) return;
+    if (!spoken_for_ && !header_.frame_id.empty() && !Ending::asked()) {
       ROS_WARN("nothing is heard on %s: the wrench goes to zero", input_.getTopic().c_str());
     }
     spoken_for_ = true;
-    last_.header.stamp = ros::Time::now();
-    output_.publish(toMsg(guard_.output(), last_.header.stamp, last_.header.frame_id));
+    header_.stamp = ros::Time::now();
+    send();
   }
+  void send() { output_.publish(toMsg(guard_.output(), header_.stamp, header_.frame_id)); }
 
   haptics::SilenceGuard guard_;
-  geometry_msgs::WrenchStamped last_;
+  OnePublisher publisher_;
+  std_msgs::Header header_;  // of what was heard last
+  Steady::time_point last_ = Steady::now();
   bool spoken_for_ = false;
+  Throttle warning_{5.0};
   ros::Publisher output_;
   ros::Subscriber input_;
 };
@@ -110,8 +135,9 @@ class Guard {
 
 int main(int argc, char** argv) {
   return palpate::node::runProgram(argc, argv, "palpate_guard", [](bool) {
-    palpate::node::Guard(ros::NodeHandle(), palpate::node::readGuardParams(ros::NodeHandle("~")))
-        .run();
+    palpate::node::Guard guard(ros::NodeHandle(),
+                               palpate::node::readGuardParams(ros::NodeHandle("~")));
+    guard.run();
     return 0;
   });
 }

@@ -13,9 +13,11 @@ class Limits:
     def __init__(self, force, torque, force_rate):
         self.largest, self.rates = (force, torque), (force_rate, force_rate * torque / force)
 
-    def parameters(self):
+    def parameters(self, section="haptics/"):
+        """Of the node; with section "" of a guard."""
         values = self.largest + self.rates[:1]
-        return ["_haptics/%s:=%g" % p for p in zip(["max_force", "max_torque", "max_force_rate"], values)]
+        return ["_%s%s:=%g" % ((section,) + p)
+                for p in zip(["max_force", "max_torque", "max_force_rate"], values)]
 
     def check(self, test, messages):
         """All within; from one to the next no more than the ticks between them allow, which their numbers tell."""

@@ -2,43 +2,51 @@
 #pragma once
 
 #include "palpate/base/types.h"
-#include "palpate/haptics/wrench_fade.h"
+#include "palpate/haptics/wrench_filter.h"
 
 namespace palpate::haptics {
 
-/// Stands between who computes a wrench and the device: what is heard goes on as it is, and where
-/// nothing is heard any more the last wrench goes to zero and stays there. No clock: the caller
-/// says how much time passes.
+/// Stands between who computes a wrench and the device: what is heard goes on within limits, and
+/// where nothing is heard any more the last wrench goes to zero and stays there; who is heard again
+/// comes back by the same ramp. No clock: the caller says how much time passed since the last call.
 class SilenceGuard {
  public:
-  /// `patience`: so long a silence is none yet; `ramp`: from there to zero. Both >= 0 [s].
-  SilenceGuard(double patience, double ramp) : patience_(patience), fade_(ramp, 1.0), ramp_(ramp) {}
+  /// `patience`: so long a silence is none yet [s]; `limits.ramp`: from there to zero, and back.
+  SilenceGuard(double patience, const WrenchFilterSettings& limits)
+      : patience_(patience), filter_(limits) {}
 
   /// A wrench was heard; false: it is not finite, and counts as silence.
-  bool hear(const Wrench& wrench) {
-    if (!wrench.allFinite()) return false;
+  bool hear(const Wrench& wrench, double dt) {
+    if (!wrench.allFinite()) {
+      silence_ += dt;
+      return false;
+    }
     silence_ = 0.0;
-    fade_ = WrenchFade(ramp_, 1.0);
-    fade_.update(wrench, true, 1.0);
+    update(wrench, true, held_ + dt);
     return true;
   }
-  /// Nothing was heard for another `dt` > 0 [s]. Whether it is time to speak for who fell silent.
+  /// Nothing was heard. Whether it is time to speak for who fell silent.
   bool pass(double dt) {
     silence_ += dt;
+    held_ += dt;
     if (!silent()) return false;
-    output_ = fade_.update(Wrench(), false, dt);
+    update(Wrench(), false, dt);
     return true;
   }
   bool silent() const { return silence_ > patience_; }
-  /// Of the last pass() that was true.
-  const Wrench& output() const { return output_; }
+  /// What the device is to have now.
+  const Wrench& output() const { return filter_.output(); }
 
  private:
+  void update(const Wrench& wrench, bool live, double dt) {
+    filter_.update(wrench, live, dt);
+    held_ = 0.0;
+  }
+
   double patience_;
-  WrenchFade fade_;
-  double ramp_;
-  double silence_ = 0.0;
-  Wrench output_;
+  WrenchFilter filter_;
+  double silence_ = 0.0;  // since something was heard [s]
+  double held_ = 0.0;     // since the output was another one [s]
 };
 
 }  // namespace palpate::haptics
