@@ -17,6 +17,7 @@
 
 #include "conversions.h"
 #include "ending.h"
+#include "master_watch.h"
 #include "one_publisher.h"
 #include "palpate/haptics/silence_guard.h"
 #include "param_fields.h"
@@ -137,6 +138,8 @@ int main(int argc, char** argv) {
   return palpate::node::runProgram(argc, argv, "palpate_guard", [](bool) {
     palpate::node::Guard guard(ros::NodeHandle(),
                                palpate::node::readGuardParams(ros::NodeHandle("~")));
+    palpate::node::MasterWatch master({});
+    master.start();
     guard.run();
     return 0;
   });

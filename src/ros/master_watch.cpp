@@ -52,6 +52,20 @@ bool askSelf(const std::string& method, const std::vector<XmlRpcValue>& argument
   return answered && manager->validateXmlrpcResponse(method, response, *answer);
 }
 
+// Adds to `publishers` those of the topic that this node hears already: the master may not know
+// them yet, and whoever is not in the list is hung up on.
+void addConnected(const XmlRpcValue& topic, XmlRpcValue* publishers) {
+  XmlRpcValue connections;
+  if (!askSelf("getBusInfo", {}, &connections)) return;
+  for (int i = 0; i < connections.size(); ++i) {
+    XmlRpcValue& connection = connections[i];  // [id, who, direction, transport, topic, ...]
+    if (!(connection[2] == XmlRpcValue("i")) || !(connection[4] == topic)) continue;
+    bool there = false;
+    for (int k = 0; k < publishers->size(); ++k) there |= (*publishers)[k] == connection[1];
+    if (!there) (*publishers)[publishers->size()] = connection[1];
+  }
+}
+
 }  // namespace
 
 MasterWatch::MasterWatch(std::vector<std::string> services) : services_(std::move(services)) {}
@@ -84,7 +98,7 @@ void MasterWatch::look() {
     return;
   }
   const int pid = answer;
-  if (pid == pid_) return;
+  if (pid == pid_ && ask("lookupNode", {ros::this_node::getName()}, &answer)) return;
   registerAgain();
   pid_ = pid;
   ROS_INFO("registered again with the ROS master");
@@ -103,6 +117,7 @@ void MasterWatch::registerAgain() const {
     const XmlRpcValue topic = subscriptions[i][0], type = subscriptions[i][1];
     XmlRpcValue publishers;
     if (!ask("registerSubscriber", {topic, type, uri}, &publishers)) continue;
+    addConnected(topic, &publishers);
     askSelf("publisherUpdate", {topic, publishers}, &answer);
   }
   const std::string service_uri = "rosrpc://" + ros::network::getHost() + ":" +

@@ -9,7 +9,8 @@
 namespace palpate::node {
 
 /// Sees when the ROS master is gone, and registers this node again with the next one, which knows
-/// nobody: topics both ways and services. Connections that there are live on without a master.
+/// nobody, or with one that was told to forget it, as `rosnode cleanup` does with nodes that do not
+/// answer: topics both ways and services. Connections that there are live on without a master.
 class MasterWatch {
  public:
   /// `services`: resolved names of those that this node offers.

@@ -1,21 +1,47 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ROS master goes and comes back: the node goes on, and is found again."""
+"""The ROS master goes and comes back, or forgets: node and guard go on, and are found again."""
 import os
 import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
 import rospkg
 import rostest
+from geometry_msgs.msg import WrenchStamped
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import tcpros  # noqa: E402
 from helpers import Programs  # noqa: E402
 
 SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scenes")
+
+
+DEVICE = "/master/body/servo_cf"
+
+
+class Listener:
+    """Hears a topic of a node by a connection of its own, whatever the master does; the longest gap [s]."""
+
+    def __init__(self, node, topic, uri):
+        self.connection = tcpros.listen(node, topic, WrenchStamped, uri)
+        self.gap, self.heard, self.failed = 0.0, 0, None
+        self.thread = threading.Thread(target=self._hear, daemon=True)
+        self.thread.start()
+
+    def _hear(self):
+        last = time.monotonic()
+        try:
+            while True:
+                tcpros.frame(self.connection)
+                now = time.monotonic()
+                self.gap, last, self.heard = max(self.gap, now - last), now, self.heard + 1
+        except (OSError, EOFError) as e:
+            self.failed = e
 
 
 class Master(unittest.TestCase):
@@ -47,8 +73,33 @@ class Master(unittest.TestCase):
             self.assertLess(time.monotonic(), end)
             time.sleep(0.1)
 
-    def hears(self, timeout):
-        return self.answers("rostopic", "echo", "-n", "1", "/probe/spatial/measured_cf", timeout=timeout)
+    def hears(self, timeout, topic="/probe/spatial/measured_cf"):
+        return self.answers("rostopic", "echo", "-n", "1", topic, timeout=timeout)
+
+    @staticmethod
+    def said_so_far(program):
+        os.set_blocking(program.stdout.fileno(), False)
+        return program.stdout.read() or ""
+
+    def uri(self):
+        return self.env["ROS_MASTER_URI"]
+
+    def known(self, node):
+        """Publications, subscriptions and services of a node that the master knows."""
+        state = tcpros.call(tcpros.master(self.uri()), "getSystemState")
+        return [sorted(name for name, nodes in part if node in nodes) for part in state]
+
+    def forget(self, node):
+        """What `rosnode cleanup` does to a node that does not answer."""
+        master = tcpros.master(self.uri())
+        api = tcpros.call(master, "lookupNode", node)
+        publications, subscriptions, services = self.known(node)
+        for topic in publications:
+            master.unregisterPublisher(node, topic, api)
+        for topic in subscriptions:
+            master.unregisterSubscriber(node, topic, api)
+        for service in services:
+            master.unregisterService(node, service, tcpros.call(master, "lookupService", service))
 
     def test_the_node_registers_again(self):
         master = self.master()
@@ -56,16 +107,30 @@ class Master(unittest.TestCase):
                           "_scene:=" + os.path.join(SCENES, "block.yaml"), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, universal_newlines=True)
         self.wait_for(lambda: self.answers("rosservice", "info", "/palpate/reset"), 20.0)
-        self.assertTrue(self.hears(5.0))
+        guard = self.programs.node("palpate_guard", "__name:=guard", "_input:=probe/body/measured_cf",
+                                   "_output:=" + DEVICE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   universal_newlines=True)
+        self.wait_for(lambda: self.hears(5.0, DEVICE), 20.0)
+        before = {name: self.known(name) for name in ("/palpate", "/guard")}
+        listeners = [Listener("/palpate", "/probe/spatial/measured_cf", self.uri()),
+                     Listener("/guard", DEVICE, self.uri())]
 
         master.kill()
         master.wait(10)
         time.sleep(1.5)
         self.assertIsNone(node.poll())
+        self.assertIsNone(guard.poll())
 
         # A new one, that knows nobody: a new subscriber hears the wrench, an input and a service work.
         self.master()
         self.assertTrue(self.hears(5.0))
+        self.assertTrue(self.hears(5.0, DEVICE))
+        for listener in listeners:
+            print("%d messages, the longest gap %.3f s" % (listener.heard, listener.gap))
+            self.assertIsNone(listener.failed)
+            self.assertGreater(listener.heard, 1000)
+            self.assertLess(listener.gap, 0.5)
+        self.assertNotIn("nothing is heard", self.said_so_far(guard))
         hand = self.programs.start("rostopic", "pub", "-r", "100", "/probe/measured_js", "sensor_msgs/JointState",
                           "{header: {stamp: now}, name: [x, y, z, roll, pitch, yaw],"
                           " position: [0.0, 0.0, -0.05, 0.0, 0.0, 0.0]}", stdout=subprocess.DEVNULL)
@@ -75,11 +140,20 @@ class Master(unittest.TestCase):
         self.assertTrue(self.answers("rosservice", "call", "/palpate/reset"))
         hand.kill()
 
+        # One that is told to forget both, such as while they are stopped.
+        for name, own in before.items():
+            self.forget(name)
+            own[2] = [s for s in own[2] if s in ("/palpate/reset", "/palpate/save_state")]
+            self.wait_for(lambda: all(set(a) <= set(b) for a, b in zip(own, self.known(name))), 5.0)
+        self.assertTrue(self.hears(5.0, DEVICE))
+
         node.send_signal(signal.SIGINT)
         said = node.communicate(timeout=10)[0]
         self.assertEqual(node.returncode, 0)
         self.assertEqual(said.count("the ROS master is gone"), 1, said)
-        self.assertEqual(said.count("registered again"), 1, said)
+        self.assertEqual(said.count("registered again"), 2, said)
+        guard.send_signal(signal.SIGINT)
+        guard.wait(10)
 
 
 if __name__ == "__main__":
