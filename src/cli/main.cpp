@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
   palpate::start::keepFreedMemory();
+  palpate::start::letLargeWritesFail();
   try {
     return run(argc, argv);
   } catch (const palpate::InputError& e) {

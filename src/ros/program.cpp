@@ -9,12 +9,14 @@
 #include <optional>
 
 #include "ending.h"
+#include "environment.h"
 #include "palpate/base/error.h"
 #include "realtime.h"
 
 namespace palpate::node {
 
 int runProgram(int argc, char** argv, const char* name, const std::function<int(bool)>& run) {
+  start::letLargeWritesFail();
   Ending::catchSignals();
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   std::optional<ros::NodeHandle> alive;  // so that the last words get out

@@ -95,6 +95,7 @@ void replay(const Options& options) {
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
   palpate::start::keepFreedMemory();
+  palpate::start::letLargeWritesFail();
   palpate::node::Options options;
   CLI::App app{"Replays a bag of instrument motion through a scene, in lockstep and repeatably"};
   app.add_option("bag", options.in, "bag with the motion (JointState topics or tf)")->required();

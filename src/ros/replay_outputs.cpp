@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay_outputs.h"
 
+#include <algorithm>
+#include <exception>
+
 #include "conversions.h"
 #include "palpate/base/error.h"
 #include "palpate/io/replay_table.h"
@@ -8,37 +11,55 @@
 
 namespace palpate::node {
 
-ReplayBag::ReplayBag(const std::string& file, const scene::Scene& scene)
-    : file_(file), scene_(scene) {
+template <class Action>
+void ReplayBag::writing(const Action& action) {
   try {
-    bag_.open(file_.part(), rosbag::bagmode::Write);
+    action();
   } catch (const rosbag::BagException& e) {
-    throw InputError(file, "", "", std::string("cannot be written: ") + e.what());
+    throw InputError(name_, "", "", std::string("cannot be written: ") + e.what());
   }
+}
+
+ReplayBag::ReplayBag(const std::string& file, const scene::Scene& scene)
+    : name_(file), file_(file), scene_(scene), bag_(new rosbag::Bag) {
+  writing([&] { bag_->open(file_.part(), rosbag::bagmode::Write); });
+}
+
+void ReplayBag::Close::operator()(rosbag::Bag* bag) const {
+  try {
+    bag->close();
+  } catch (const std::exception&) {
+    return;
+  }
+  delete bag;
 }
 
 void ReplayBag::copy(const rosbag::MessageInstance& message, const ros::Time& stamp) {
-  bag_.write(message.getTopic(), std::max(stamp, ros::TIME_MIN), message,
-             message.getConnectionHeader());
+  writing([&] {
+    bag_->write(message.getTopic(), std::max(stamp, ros::TIME_MIN), message,
+                message.getConnectionHeader());
+  });
 }
 
 void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
-  for (std::size_t i = 0; i < scene_.instruments.size(); ++i) {
-    const scene::InstrumentConfig& config = scene_.instruments[i];
-    const sim::InstrumentResult& r = result.instruments[i];
-    bag_.write("/" + instrumentTopic(config.name, kSpatialWrench), stamp,
-               toMsg(r.spatial, stamp, kWorldFrame));
-    bag_.write("/" + instrumentTopic(config.name, kBodyWrench), stamp,
-               toMsg(r.body(), stamp, config.tf_prefix + config.control_frame));
-  }
-  const NodeState state = result.report.usable() ? NodeState::kRunning : NodeState::kFault;
-  sim::StepReport report = result.report;
-  report.phases = PhaseTimes();
-  bag_.write(std::string("/") + kStepReportTopic, stamp, toMsg(report, state, stamp, 0.0));
+  writing([&] {
+    for (std::size_t i = 0; i < scene_.instruments.size(); ++i) {
+      const scene::InstrumentConfig& config = scene_.instruments[i];
+      const sim::InstrumentResult& r = result.instruments[i];
+      bag_->write("/" + instrumentTopic(config.name, kSpatialWrench), stamp,
+                  toMsg(r.spatial, stamp, kWorldFrame));
+      bag_->write("/" + instrumentTopic(config.name, kBodyWrench), stamp,
+                  toMsg(r.body(), stamp, config.tf_prefix + config.control_frame));
+    }
+    const NodeState state = result.report.usable() ? NodeState::kRunning : NodeState::kFault;
+    sim::StepReport report = result.report;
+    report.phases = PhaseTimes();
+    bag_->write(std::string("/") + kStepReportTopic, stamp, toMsg(report, state, stamp, 0.0));
+  });
 }
 
 void ReplayBag::finish() {
-  bag_.close();
+  writing([&] { bag_->close(); });
   file_.commit();
 }
 

@@ -21,14 +21,23 @@ class ReplayBag {
  public:
   /// @throws InputError if the file cannot be written.
   ReplayBag(const std::string& file, const scene::Scene& scene);
+  /// These, too.
   void copy(const rosbag::MessageInstance& message, const ros::Time& stamp);
   void write(const ros::Time& stamp, const sim::StepResult& result);
   void finish();
 
  private:
+  /// A bag that cannot be closed, on a full disk, throws in its own destructor, too: it is left.
+  struct Close {
+    void operator()(rosbag::Bag* bag) const;
+  };
+  template <class Action>
+  void writing(const Action& action);
+
+  std::string name_;
   AtomicFile file_;
   const scene::Scene& scene_;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag, Close> bag_;
 };
 
 /// The joints of the cycles as `palpate replay` reads them: t [s] and one column a joint.

@@ -5,6 +5,8 @@
 #include <stdlib.h>  // setenv: POSIX
 #include <unistd.h>
 
+#include <csignal>
+
 namespace palpate::start {
 namespace {
 
@@ -41,5 +43,7 @@ void keepFreedMemory() {
   setIfAbsent("MALLOC_TRIM_THRESHOLD_", M_TRIM_THRESHOLD, 256 * kMiB);
   setIfAbsent("MALLOC_TOP_PAD_", M_TOP_PAD, 4 * kMiB);
 }
+
+void letLargeWritesFail() { std::signal(SIGXFSZ, SIG_IGN); }
 
 }  // namespace palpate::start

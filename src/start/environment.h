@@ -17,4 +17,8 @@ void restartWithSolverEnvironment(char** argv);
 /// set by MALLOC_TRIM_THRESHOLD_ and its like stays.
 void keepFreedMemory();
 
+/// Has a write beyond the largest file that the system allows (ulimit -f) fail as one to a full
+/// disk does. The signal that comes with it would end the program.
+void letLargeWritesFail();
+
 }  // namespace palpate::start

@@ -5,6 +5,7 @@ import csv
 import glob
 import math
 import os
+import resource
 import shutil
 import struct
 import subprocess
@@ -65,11 +66,11 @@ class ReplayBag(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def replay(self, bag, *arguments, scene="block.yaml", out="out.bag"):
+    def replay(self, bag, *arguments, scene="block.yaml", out="out.bag", **options):
         done = subprocess.run(
             [program("palpate_replay_bag"), self.path(bag), "--scene", os.path.join(SCENES, scene),
              "--out", self.path(out)] + list(arguments),
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, timeout=60, **options)
         return done.returncode, done.stdout, done.stderr
 
     def test_twice_is_the_same_bit_for_bit(self):
@@ -96,6 +97,15 @@ class ReplayBag(unittest.TestCase):
         self.assertEqual({m.cycle_ms for m in reports}, {0.0})
         self.assertEqual({m.linear_solve_ms for m in reports}, {0.0})
         self.assertEqual(len(messages(self.path("a.bag"), "/probe/measured_js")), 100)
+
+    def test_files_that_may_not_grow_are_none(self):
+        write_joints(self.path("in.bag"), count=20)
+        for most in 0, 5000, 20000:
+            code, _, errors = self.replay(
+                "in.bag", preexec_fn=lambda m=most: resource.setrlimit(resource.RLIMIT_FSIZE, (m, m)))
+            self.assertEqual(code, 2, errors)
+            self.assertIn(self.path("out.bag"), errors)
+            self.assertEqual(os.listdir(self.folder), ["in.bag"], most)
 
     def test_the_same_as_palpate_replay(self):
         # 33.3 Hz: a cycle is cut into several steps.

@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 namespace palpate::start {
@@ -30,6 +35,21 @@ TEST(Environment, FreedMemoryIsKept) {
   const long before = pageFaults();
   for (int k = 0; k < 10; ++k) takeAndFree();
   EXPECT_LT(pageFaults() - before, 100);  // each time anew it would be 3800 pages
+}
+
+TEST(Environment, ALargeWriteFailsAndEndsNothing) {
+  const auto write = [](bool lets_fail) {
+    if (lets_fail) letLargeWritesFail();
+    const rlimit limit{1, 1};  // [bytes]
+    std::FILE* file = std::tmpfile();
+    if (!file || setrlimit(RLIMIT_FSIZE, &limit) != 0) std::exit(3);
+    std::exit(::write(fileno(file), "ab", 2) == 1 && ::write(fileno(file), "c", 1) == -1 &&
+                      errno == EFBIG
+                  ? 0
+                  : 2);
+  };
+  EXPECT_EXIT(write(false), ::testing::KilledBySignal(SIGXFSZ), "");
+  EXPECT_EXIT(write(true), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
