@@ -11,8 +11,8 @@
 
 namespace palpate::node {
 
-/// One thread that serves a callback queue until stop(). An exception in a callback ends the
-/// program by Ending, and nothing in between.
+/// One thread that serves a callback queue until stop(), which ends the queue, too. An exception in
+/// a callback ends the program by Ending, and nothing in between.
 class CallbackThread {
  public:
   /// `realtime`: at that priority, if the system lets us.
@@ -30,6 +30,7 @@ class CallbackThread {
   }
   void stop() {
     stopping_ = true;
+    queue_.disable();  // wakes it
     if (thread_.joinable()) thread_.join();
   }
 

@@ -27,6 +27,9 @@ class Ending {
   static void wait();
   /// 0, or 1 after fail().
   static int status();
+  /// From now on the program ends within `seconds`, with `status` if something still hangs then: a
+  /// disk, a master that does not answer, who reads what it says. What is left undone is left.
+  static void limit(double seconds, int status);
 
   /// Runs the body of a thread; an exception in it is a fail() that names the thread.
   static void guard(const char* thread, const std::function<void()>& body);

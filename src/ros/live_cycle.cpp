@@ -65,14 +65,22 @@ void LiveCycle::reset() {
     stepper_.wait();
   }
   simulator_.reset();
+  stepper_.forget();
   for (haptics::ToolRenderer& tool : tools_) tool.lose();
   solved_any_ = false;
   ++resets_;
 }
 
-sim::SimulatorState LiveCycle::state() {
-  if (stepper_.underWay()) takeResult(*stepper_.wait());
-  return simulator_.state();
+std::optional<sim::SimulatorState> LiveCycle::state(Steady::time_point until) {
+  if (stepper_.underWay()) {
+    const sim::StepResult* result = stepper_.wait(until);
+    if (!result) {
+      stepper_.abandon();
+      result = stepper_.wait();
+    }
+    takeResult(*result);
+  }
+  return stepper_.cutShort() ? stepper_.before() : simulator_.state();
 }
 
 void LiveCycle::checkClock() {

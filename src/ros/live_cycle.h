@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "channels.h"
@@ -29,8 +30,15 @@ class LiveCycle {
 
   /// Rest state; the tools come where they are next commanded to a free pose.
   void reset();
-  /// Waits until no step is under way, and then has the simulator for itself.
-  sim::SimulatorState state();
+  /// That after the last step that came to its end; one under way is waited for. None if it was
+  /// abandoned and left nothing to go back to.
+  std::optional<sim::SimulatorState> state() { return state(Steady::time_point::max()); }
+  /// The same, but a step under way is abandoned where it has not ended by `until`.
+  std::optional<sim::SimulatorState> state(Steady::time_point until);
+  /// Whether there was a step since the start or a reset.
+  bool stepped() const { return solved_any_; }
+  /// From now on state() has something to go back to, see StepThread.
+  void keepStates() { stepper_.keepStates(); }
   /// Has a step that is under way end soon, for a reset or the end. From any thread.
   void abandonStep() { stepper_.abandon(); }
 

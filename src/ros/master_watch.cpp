@@ -75,17 +75,16 @@ void MasterWatch::start() {
 }
 
 void MasterWatch::stop() {
-  stopping_ = true;
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return;
+  stopping_.set_value();
+  thread_.join();
 }
 
 void MasterWatch::loop() {
   XmlRpcValue pid;
   if (ask("getPid", {}, &pid)) pid_ = static_cast<int>(pid);
-  while (!stopping_) {
-    std::this_thread::sleep_for(kPeriod);
-    if (!stopping_) look();
-  }
+  const std::future<void> stopping = stopping_.get_future();
+  while (stopping.wait_for(kPeriod) != std::future_status::ready) look();
 }
 
 void MasterWatch::look() {

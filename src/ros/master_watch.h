@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
+#include <future>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,7 +27,7 @@ class MasterWatch {
 
   std::vector<std::string> services_;
   int pid_ = 0;  // of the master that knows us; 0: there is none
-  std::atomic<bool> stopping_{false};
+  std::promise<void> stopping_;
   std::thread thread_;
 };
 

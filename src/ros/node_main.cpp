@@ -24,10 +24,15 @@
 #include "realtime.h"
 #include "services.h"
 #include "simulation_loop.h"
+#include "state_folder.h"
 #include "topics.h"
 
 namespace palpate::node {
 namespace {
+
+// After the last zero: a step that is under way may come to its end, then its state is written.
+// With a ramp of 0.1 s the program is gone in a second.
+constexpr double kToEnd = 0.7, kToStep = 0.3;  // [s]
 
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted while loading") {}
@@ -74,6 +79,22 @@ std::string checkBlas(const sim::Simulator& simulator) {
   return warning;
 }
 
+/// The state after the last step that ended, to the one file for it; what cannot be saved is said,
+/// and a failure of the program.
+void saveAtEnd(LiveCycle* cycle, const StateFolder& states, Steady::time_point until) {
+  try {
+    const std::optional<sim::SimulatorState> state = cycle->state(until);
+    if (!cycle->stepped()) return;
+    if (state) {
+      ROS_INFO_STREAM("the state at the end is in " << states.keepLast(*state));
+    } else {
+      Ending::fail("the state at the end is lost: the last step had to be abandoned");
+    }
+  } catch (const std::exception& error) {
+    Ending::fail(std::string("the state at the end is lost: ") + error.what());
+  }
+}
+
 /// `sends_realtime`: ROS's own threads do.
 int run(bool sends_realtime) {
   ros::NodeHandle handle, private_handle("~");
@@ -109,11 +130,13 @@ int run(bool sends_realtime) {
   // Requests wait for the simulation; joint positions must not wait for requests.
   ros::CallbackQueue requests;
   private_handle.setCallbackQueue(&requests);
-  Services services(private_handle, &cycle, &simulation, params.state_directory);
+  const StateFolder states(params.state_directory, ros::this_node::getName());
+  Services services(private_handle, &cycle, &simulation, &states);
   CallbackThread request_thread("requests", &requests, false);
   CallbackThread input_thread("input", ros::getGlobalCallbackQueue(), true);
   diagnostics.setRealtime({sends_realtime, lockMemory()});
 
+  if (params.save_state_at_end) cycle.keepStates();
   publishing.start();
   simulation.start();
   request_thread.start();
@@ -124,9 +147,13 @@ int run(bool sends_realtime) {
   Ending::wait();
 
   haptic.finish();  // before all else: a hand holds it
+  Ending::limit(kToEnd, 1);
+  const Steady::time_point until =
+      Steady::now() + seconds(params.save_state_at_end ? kToStep : 0.0);
+  simulation.stop(until);
+  if (params.save_state_at_end) saveAtEnd(&cycle, states, until);
   input_thread.stop();
   request_thread.stop();
-  simulation.stop();
   publishing.stop();
   return Ending::status();
 }

@@ -27,6 +27,7 @@ void describe(keys::FieldVisitor& v, NodeParams& p) {
   path(kSceneParam, "A scene file, or the name of a shipped scene.", p.scene);
   path(kInitialStateParam, "A file of ~save_state to start from.", p.initial_state);
   path(kStateDirectoryParam, "Where ~save_state writes.", p.state_directory);
+  v.flag({kSaveAtEndParam, "", "The state at the end is written there, too."}, p.save_state_at_end);
   v.number({kArrowScaleParam, "m/N", "Length of the wrench arrow."}, p.arrow_scale,
            keys::Range::above(0.0));
   v.rule(!p.scene.empty(), kSceneParam,

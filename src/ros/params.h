@@ -13,9 +13,10 @@ namespace palpate::node {
 inline constexpr char kSceneParam[] = "scene";
 inline constexpr char kInitialStateParam[] = "initial_state";
 inline constexpr char kStateDirectoryParam[] = "state_directory";
+inline constexpr char kSaveAtEndParam[] = "save_state_at_end";
 inline constexpr char kArrowScaleParam[] = "arrow_scale";
 inline constexpr const char* kNodeParams[] = {kSceneParam, kInitialStateParam, kStateDirectoryParam,
-                                              kArrowScaleParam};
+                                              kSaveAtEndParam, kArrowScaleParam};
 
 /// What libraries read below the node's name: diagnostic_updater.
 inline constexpr const char* kLibraryParams[] = {"diagnostic_period", "diagnostic_updater_use_fqn"};
@@ -31,10 +32,11 @@ std::string rosHome();
 struct NodeParams {
   std::string scene;  ///< ~scene: a file, or the name of a shipped scene.
   std::string state_directory =
-      rosHome() + "/palpate";  ///< ~state_directory: where ~save_state writes.
-  std::string initial_state;   ///< ~initial_state: a file of ~save_state to start from; "": rest.
-  double arrow_scale = 0.04;   ///< ~arrow_scale: length of the wrench arrow [m/N].
-  CutawayConfig cutaway;       ///< ~cutaway/...
+      rosHome() + "/palpate";     ///< ~state_directory: where ~save_state writes.
+  bool save_state_at_end = true;  ///< ~save_state_at_end: there, too, over that of the last time.
+  std::string initial_state;  ///< ~initial_state: a file of ~save_state to start from; "": rest.
+  double arrow_scale = 0.04;  ///< ~arrow_scale: length of the wrench arrow [m/N].
+  CutawayConfig cutaway;      ///< ~cutaway/...
 };
 
 void describe(keys::FieldVisitor& v, NodeParams& params);

@@ -14,6 +14,12 @@
 #include "realtime.h"
 
 namespace palpate::node {
+namespace {
+
+// [s] to leave the ROS graph, whose master may not answer.
+constexpr double kToLeave = 1.0;
+
+}  // namespace
 
 int runProgram(int argc, char** argv, const char* name, const std::function<int(bool)>& run) {
   start::letLargeWritesFail();
@@ -28,15 +34,17 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
     sends_realtime = starting.isRealtime();
   }
   Ending::catchShutdownRequests();
+  int status = 1;
   try {
-    return run(sends_realtime);
+    status = run(sends_realtime);
   } catch (const InputError& error) {
     ROS_FATAL_STREAM(error.what());
-    return kBadInput;
+    status = kBadInput;
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM(error.what());
-    return 1;
   }
+  Ending::limit(kToLeave, status);
+  return status;
 }
 
 }  // namespace palpate::node

@@ -4,10 +4,8 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
-#include <string>
-#include <vector>
-
 #include "simulation_loop.h"
+#include "state_folder.h"
 
 namespace palpate::node {
 
@@ -15,9 +13,9 @@ namespace palpate::node {
 /// of the inputs: a request waits for its turn in the simulation thread.
 class Services {
  public:
-  /// `state_directory`: where ~save_state writes; made when needed.
+  /// The references outlive this.
   Services(ros::NodeHandle handle, LiveCycle* cycle, SimulationLoop* loop,
-           const std::string& state_directory);
+           const StateFolder* states);
 
  private:
   using Trigger = std_srvs::Trigger;
@@ -27,7 +25,7 @@ class Services {
 
   LiveCycle& cycle_;
   SimulationLoop& loop_;
-  std::string state_directory_;
+  const StateFolder& states_;
   ros::ServiceServer reset_, save_state_;
 };
 

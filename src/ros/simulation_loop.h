@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -21,11 +22,12 @@ class SimulationLoop {
   ~SimulationLoop();
 
   void start();
-  /// Ends after the running cycle, whose step is abandoned.
-  void stop();
+  /// Ends after the running cycle. Its step is abandoned, at once or where it has not ended by
+  /// `until`. Who waits for a turn gets none.
+  void stop(Steady::time_point until = Steady::time_point());
 
   /// Has `task` run in the simulation thread between two cycles, and waits for it at most
-  /// `patience` [s]. False: it did not get its turn in that time, and will not.
+  /// `patience` [s]. False: it did not get its turn, and will not.
   bool runBetweenCycles(const std::function<void()>& task, double patience);
 
  private:
@@ -33,13 +35,16 @@ class SimulationLoop {
 
   void loop();
   void runTasks();
+  void close();
 
   LiveCycle& cycle_;
   Arrivals& arrivals_;
   Steady::duration period_;
   std::atomic<bool> stopping_{false};
-  std::mutex tasks_mutex_;
+  std::mutex tasks_mutex_;  // of the next two
   std::vector<std::shared_ptr<Task>> tasks_;
+  bool closed_ = false;  // nobody runs tasks any more
+  std::promise<void> ended_;
   std::thread thread_;
 };
 

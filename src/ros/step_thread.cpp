@@ -4,6 +4,11 @@
 #include "ending.h"
 
 namespace palpate::node {
+namespace {
+
+constexpr double kLong = 0.2;  // [s] of a step
+
+}  // namespace
 
 StepThread::StepThread(sim::Simulator* simulator) : simulator_(*simulator) {
   simulator_.setInterrupt([this] { return abandoned_.load(std::memory_order_relaxed); });
@@ -57,9 +62,13 @@ void StepThread::loop() {
     changed_.wait(lock, [this] { return asked_ || stopping_; });
     if (stopping_) return;
     asked_ = false;
+    const bool keep = keeps_ && took_ > kLong;
     lock.unlock();
     const Steady::time_point start = Steady::now();
+    before_.reset();
+    if (keep) before_ = simulator_.state();
     const sim::StepResult& result = simulator_.step(*poses_, dt_);
+    cut_short_ = abandoned_ && !result.report.ok();
     const double took = inSeconds(Steady::now() - start);
     lock.lock();
     took_ = took;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -34,6 +35,20 @@ class StepThread {
   /// From any thread.
   void abandon() { abandoned_ = true; }
 
+  /// Whether the last step that ended was abandoned before it had come to its end.
+  bool cutShort() const { return cut_short_; }
+  /// What the steps so far left is not asked for any more.
+  void forget() {
+    cut_short_ = false;
+    before_.reset();
+  }
+  /// From now on the state before a step is kept where the step before it took long, for then a
+  /// step may have to be abandoned and nobody shall lose what was before; to keep it takes about
+  /// as long as a short step.
+  void keepStates() { keeps_ = true; }
+  /// That before the last step, if it was kept.
+  const std::optional<sim::SimulatorState>& before() const { return before_; }
+
   /// What the last step that ended took [s].
   double duration() const { return duration_; }
 
@@ -43,6 +58,10 @@ class StepThread {
 
   sim::Simulator& simulator_;
   bool under_way_ = false;  // for who asks; until its result was taken
+  bool keeps_ = false;
+  // The step's, and after it who's asks.
+  std::optional<sim::SimulatorState> before_;
+  bool cut_short_ = false;
   std::atomic<bool> abandoned_{false};
   double duration_ = 0.0;
 

@@ -135,7 +135,7 @@ TEST_F(LiveCycleTest, SavesTheStateAfterTheStepUnderWay) {
   }
   waits.step(press_[60]);
   hurries.run();
-  EXPECT_EQ(hurries.cycle().state().bytes(), waits.cycle().state().bytes());
+  EXPECT_EQ(hurries.cycle().state()->bytes(), waits.cycle().state()->bytes());
 }
 
 }  // namespace
