@@ -8,30 +8,56 @@
 #include <semaphore.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <thread>
+
+#include "crash.h"
 
 namespace palpate::node {
 namespace {
 
+constexpr std::int64_t kSecond = 1000000000;
+
 // What a signal handler may touch.
-sem_t asked_once;
+sem_t asked_once, limited;
 std::atomic<bool> is_asked{false};
 std::atomic<int> exit_status{0};
+std::atomic<std::int64_t> latest_end{std::numeric_limits<std::int64_t>::max()};  // [ns]
+std::atomic<int> hanging_status{1};
 
-static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers must not wait");
+static_assert(std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<std::int64_t>::is_always_lock_free,
+              "signal handlers must not wait");
 
-struct Semaphore {
-  Semaphore() { sem_init(&asked_once, 0, 0); }
+struct Semaphores {
+  Semaphores() {
+    sem_init(&asked_once, 0, 0);
+    sem_init(&limited, 0, 0);
+  }
 } const made;
 
-void note() {
-  is_asked = true;
-  sem_post(&asked_once);
+// By the steady clock.
+std::int64_t nanoseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return kSecond * now.tv_sec + now.tv_nsec;
+}
+
+// The end of a program in which something hangs: nothing here may hang as well.
+[[noreturn]] void leave() {
+  constexpr char kSaid[] = "ending: something hangs, what is left is left\n";
+  pollfd out{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&out, 1, 0) == 1 && ::write(STDERR_FILENO, kSaid, sizeof(kSaid) - 1) < 0) {
+    // Then nobody hears it.
+  }
+  if (Crash::signal() != 0) Crash::end();
+  ::_exit(hanging_status);
 }
 
 void shutdownRequested(XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
@@ -45,6 +71,11 @@ void shutdownRequested(XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& res
 }
 
 }  // namespace
+
+void Ending::note() {
+  is_asked = true;
+  sem_post(&asked_once);
+}
 
 void Ending::catchSignals() {
   struct sigaction action {};
@@ -83,17 +114,25 @@ void Ending::wait() {
 
 int Ending::status() { return exit_status; }
 
-void Ending::limit(double seconds, int status) {
-  std::thread([seconds, status] {
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    // Nothing that may hang as well.
-    constexpr char kSaid[] = "ending: something hangs, what is left is left\n";
-    pollfd out{STDERR_FILENO, POLLOUT, 0};
-    if (::poll(&out, 1, 0) == 1 && ::write(STDERR_FILENO, kSaid, sizeof(kSaid) - 1) < 0) {
-      // Then nobody hears it.
+void Ending::watch() {
+  std::thread([] {
+    while (nanoseconds() < latest_end) {
+      timespec until{};
+      until.tv_sec = std::min<long>(latest_end / kSecond, nanoseconds() / kSecond + 3600);
+      until.tv_nsec = latest_end % kSecond;
+      sem_clockwait(&limited, CLOCK_MONOTONIC, &until);
     }
-    ::_exit(status);
+    leave();
   }).detach();
+}
+
+void Ending::limit(double seconds, int status) {
+  const std::int64_t end = nanoseconds() + static_cast<std::int64_t>(seconds * 1e9);
+  std::int64_t before = latest_end;
+  while (end < before && !latest_end.compare_exchange_weak(before, end)) {
+  }
+  if (end < before) hanging_status = status;
+  sem_post(&limited);
 }
 
 void Ending::guard(const char* thread, const std::function<void()>& body) {

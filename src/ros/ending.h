@@ -6,7 +6,8 @@
 
 namespace palpate::node {
 
-/// Why a program of the node ends: a signal, `rosnode kill`, or an exception in one of its threads.
+/// Why a program of the node ends: a signal, `rosnode kill`, an exception in one of its threads, or
+/// the crash of one (Crash).
 /// They only ask; what must still be done, such as taking a force back, the program does before it
 /// shuts ROS down. One a process: signals know no objects.
 class Ending {
@@ -14,10 +15,14 @@ class Ending {
   /// SIGINT, SIGTERM and SIGHUP ask. Each has its own way again once it came: a second Ctrl-C ends
   /// the program at once. Call before ros::init(), with ros::init_options::NoSigintHandler.
   static void catchSignals();
+  /// Starts the thread that limit() needs. Before a crash: nothing can be started after one.
+  static void watch();
   /// The shutdown that `rosnode kill` and a second node of this name request asks as well. Call
   /// after the first NodeHandle.
   static void catchShutdownRequests();
 
+  /// Safe in any thread and in a signal's handler; says nothing.
+  static void note();
   /// Safe in any thread.
   static void ask(const std::string& why);
   /// The program ends with status 1, and says so.
@@ -28,7 +33,8 @@ class Ending {
   /// 0, or 1 after fail().
   static int status();
   /// From now on the program ends within `seconds`, with `status` if something still hangs then: a
-  /// disk, a master that does not answer, who reads what it says. What is left undone is left.
+  /// disk, a master that does not answer, who reads what it says. What is left undone is left. Of
+  /// several limits the first counts. Safe in a signal's handler.
   static void limit(double seconds, int status);
 
   /// Runs the body of a thread; an exception in it is a fail() that names the thread.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "conversions.h"
+#include "crash.h"
 #include "ending.h"
 #include "palpate/haptics/body_wrench.h"
 #include "palpate/scene/hand_settings.h"
@@ -72,6 +73,7 @@ bool HapticLoop::atRest() const {
 }
 
 void HapticLoop::loop() {
+  Crash::isFatalHere();
   statistics_.realtime = becomeRealtime();
   const Steady::time_point begin = Steady::now();
   Steady::time_point last = begin, next = begin + period_;

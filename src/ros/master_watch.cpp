@@ -3,7 +3,6 @@
 
 #include <ros/connection_manager.h>
 #include <ros/console.h>
-#include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "ending.h"
+#include "slave_api.h"
 
 namespace palpate::node {
 namespace {
@@ -19,38 +19,6 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod(500);
 
 using XmlRpc::XmlRpcValue;
-
-XmlRpcValue list(const std::vector<XmlRpcValue>& values) {
-  XmlRpcValue array;
-  array.setSize(static_cast<int>(values.size()));
-  for (int i = 0; i < array.size(); ++i) array[i] = values[static_cast<std::size_t>(i)];
-  return array;
-}
-
-// Asks the master; false: there is none, or it refuses.
-bool ask(const std::string& method, const std::vector<XmlRpcValue>& arguments,
-         XmlRpcValue* answer) {
-  std::vector<XmlRpcValue> all{ros::this_node::getName()};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  XmlRpcValue response;
-  return ros::master::execute(method, list(all), response, *answer, false);
-}
-
-// Calls a function that this node offers to the master and to others [ROS slave API].
-bool askSelf(const std::string& method, const std::vector<XmlRpcValue>& arguments,
-             XmlRpcValue* answer) {
-  const auto& manager = ros::XMLRPCManager::instance();
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(manager->getServerURI(), host, port)) return false;
-  std::vector<XmlRpcValue> all{XmlRpcValue("/master")};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  XmlRpc::XmlRpcClient* client = manager->getXMLRPCClient(host, static_cast<int>(port), "/");
-  XmlRpcValue response;
-  const bool answered = client->execute(method.c_str(), list(all), response);
-  manager->releaseXMLRPCClient(client);
-  return answered && manager->validateXmlrpcResponse(method, response, *answer);
-}
 
 // Adds to `publishers` those of the topic that this node hears already: the master may not know
 // them yet, and whoever is not in the list is hung up on.
@@ -82,14 +50,14 @@ void MasterWatch::stop() {
 
 void MasterWatch::loop() {
   XmlRpcValue pid;
-  if (ask("getPid", {}, &pid)) pid_ = static_cast<int>(pid);
+  if (askMaster("getPid", {}, &pid)) pid_ = static_cast<int>(pid);
   const std::future<void> stopping = stopping_.get_future();
   while (stopping.wait_for(kPeriod) != std::future_status::ready) look();
 }
 
 void MasterWatch::look() {
   XmlRpcValue answer;
-  if (!ask("getPid", {}, &answer)) {
+  if (!askMaster("getPid", {}, &answer)) {
     if (pid_ != 0) {
       ROS_WARN("the ROS master is gone; who is connected stays so, and the wrench goes on");
     }
@@ -97,7 +65,7 @@ void MasterWatch::look() {
     return;
   }
   const int pid = answer;
-  if (pid == pid_ && ask("lookupNode", {ros::this_node::getName()}, &answer)) return;
+  if (pid == pid_ && askMaster("lookupNode", {ros::this_node::getName()}, &answer)) return;
   registerAgain();
   pid_ = pid;
   ROS_INFO("registered again with the ROS master");
@@ -108,21 +76,21 @@ void MasterWatch::registerAgain() const {
   XmlRpcValue topics, answer;
   if (!askSelf("getPublications", {}, &topics)) return;
   for (int i = 0; i < topics.size(); ++i) {
-    ask("registerPublisher", {topics[i][0], topics[i][1], uri}, &answer);
+    askMaster("registerPublisher", {topics[i][0], topics[i][1], uri}, &answer);
   }
   XmlRpcValue subscriptions;
   if (!askSelf("getSubscriptions", {}, &subscriptions)) return;
   for (int i = 0; i < subscriptions.size(); ++i) {
     const XmlRpcValue topic = subscriptions[i][0], type = subscriptions[i][1];
     XmlRpcValue publishers;
-    if (!ask("registerSubscriber", {topic, type, uri}, &publishers)) continue;
+    if (!askMaster("registerSubscriber", {topic, type, uri}, &publishers)) continue;
     addConnected(topic, &publishers);
     askSelf("publisherUpdate", {topic, publishers}, &answer);
   }
   const std::string service_uri = "rosrpc://" + ros::network::getHost() + ":" +
                                   std::to_string(ros::ConnectionManager::instance()->getTCPPort());
   for (const std::string& service : services_) {
-    ask("registerService", {XmlRpcValue(service), XmlRpcValue(service_uri), uri}, &answer);
+    askMaster("registerService", {XmlRpcValue(service), XmlRpcValue(service_uri), uri}, &answer);
   }
 }
 

@@ -4,12 +4,14 @@
 #include <ros/ros.h>
 
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "blas_check.h"
 #include "callback_thread.h"
+#include "crash.h"
 #include "diagnostics.h"
 #include "ending.h"
 #include "environment.h"
@@ -145,6 +147,7 @@ int run(bool sends_realtime) {
       {private_handle.resolveName(kResetService), private_handle.resolveName(kSaveStateService)});
   master.start();
   Ending::wait();
+  if (Crash::signal() != 0) ROS_FATAL("a thread crashed: %s", strsignal(Crash::signal()));
 
   haptic.finish();  // before all else: a hand holds it
   Ending::limit(kToEnd, 1);

@@ -8,10 +8,12 @@
 #include <exception>
 #include <optional>
 
+#include "crash.h"
 #include "ending.h"
 #include "environment.h"
 #include "palpate/base/error.h"
 #include "realtime.h"
+#include "slave_api.h"
 
 namespace palpate::node {
 namespace {
@@ -24,6 +26,8 @@ constexpr double kToLeave = 1.0;
 int runProgram(int argc, char** argv, const char* name, const std::function<int(bool)>& run) {
   start::letLargeWritesFail();
   Ending::catchSignals();
+  Ending::watch();
+  Crash::catchAll();
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   std::optional<ros::NodeHandle> alive;  // so that the last words get out
   bool sends_realtime = false;
@@ -34,6 +38,12 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
     sends_realtime = starting.isRealtime();
   }
   Ending::catchShutdownRequests();
+  // Who answers the ROS graph's questions takes what anybody sends it: endless nesting is an
+  // endless recursion, and less than that may take long.
+  runInSlaveThread([&] {
+    if (sends_realtime) becomeRealtimeInTurns();
+    Crash::catchHere();
+  });
   int status = 1;
   try {
     status = run(sends_realtime);
@@ -43,6 +53,7 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM(error.what());
   }
+  if (Crash::signal() != 0) Crash::end();
   Ending::limit(kToLeave, status);
   return status;
 }

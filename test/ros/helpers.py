@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the node's tests share: a hand that moves the probe, ears for what the node says."""
+import io
 import math
 import subprocess
 import threading
@@ -135,6 +136,13 @@ class Programs:
             if p.poll() is None:
                 p.kill()
             p.wait(10)
+
+
+def bytes_of(message):
+    """A message as it is sent."""
+    out = io.BytesIO()
+    message.serialize(out)
+    return out.getvalue()
 
 
 def memory(pid):

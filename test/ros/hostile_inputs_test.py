@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whatever comes as joint positions: the node lives, the wrench keeps its limits, and what is right counts again."""
-import io
 import os
 import random
 import sys
@@ -17,7 +16,7 @@ from std_srvs.srv import Trigger
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from helpers import (  # noqa: E402
-    ABOVE, JOINTS, TOUCHING, Programs, diagnostics_ear, force, joint_state, memory, report_ear, status, wrench_ear)
+    ABOVE, JOINTS, TOUCHING, Programs, bytes_of, diagnostics_ear, force, joint_state, memory, report_ear, status, wrench_ear)
 from limits import Limits  # noqa: E402
 from tcpros import Speaker  # noqa: E402
 
@@ -28,12 +27,6 @@ LARGE = 20e6  # [bytes] about the largest message that is sent here
 # Such a message may be there three times as it came, read into, queued and looked at, and twice as what is
 # made of it, in which a name of 7 letters takes 32 bytes.
 LARGEST_GROWTH = 3 * LARGE + 2 * 3 * LARGE
-
-
-def bytes_of(message):
-    out = io.BytesIO()
-    message.serialize(out)
-    return out.getvalue()
 
 
 def at(*positions):

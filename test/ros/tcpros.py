@@ -74,10 +74,9 @@ class Speaker:
     To the master it is `callerid`, to who subscribes `says`: the master ends an older node of the same name.
     """
 
-    def __init__(self, topic, kind, callerid=NAME, says=None, uri=None):
+    def __init__(self, topic, kind, callerid=NAME, says=None, uri=None, announced=True):
         self.topic, self.callerid, self.uri = topic, callerid, uri
         self.header = header(callerid=says or callerid, topic=topic, type=kind._type, md5sum=kind._md5sum, latching="0")
-        self.type = kind._type
         self.door = socket.socket()
         self.door.bind(("localhost", 0))
         self.door.listen(5)
@@ -87,21 +86,24 @@ class Speaker:
         self.api.register_function(lambda *_: (1, "", ["TCPROS", "localhost", port]), "requestTopic")
         threading.Thread(target=self.api.serve_forever, daemon=True).start()
         self.address = "http://localhost:%d/" % self.api.server_address[1]
-        master(uri).registerPublisher(callerid, topic, self.type, self.address)
-        self.connection = self.accept()
+        self.announced = announced
+        if announced:
+            master(uri).registerPublisher(callerid, topic, kind._type, self.address)
+            self.accept()
 
     def accept(self):
-        connection, _ = self.door.accept()
-        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        frame(connection)
-        connection.sendall(self.header)
-        return connection
+        """The connection of who subscribes; one that is not announced to the master waits for none."""
+        self.connection, _ = self.door.accept()
+        self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        frame(self.connection)
+        self.connection.sendall(self.header)
 
     def send(self, body):
         self.connection.sendall(struct.pack("<I", len(body)) + body)
 
     def close(self):
-        master(self.uri).unregisterPublisher(self.callerid, self.topic, self.address)
+        if self.announced:
+            master(self.uri).unregisterPublisher(self.callerid, self.topic, self.address)
         self.api.shutdown()
         self.api.server_close()
         self.connection.close()
