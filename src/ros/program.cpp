@@ -44,6 +44,9 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
     if (sends_realtime) becomeRealtimeInTurns();
     Crash::catchHere();
   });
+  if (!keepQuestionsLocal()) {
+    ROS_WARN("other machines can ask this node, though it is known on this one only");
+  }
   int status = 1;
   try {
     status = run(sends_realtime);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slave_api.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
+#include <sys/socket.h>
 
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 
 namespace palpate::node {
 namespace {
@@ -21,6 +26,27 @@ XmlRpcValue call(const std::string& caller, const std::vector<XmlRpcValue>& argu
   array[0] = caller;
   for (int i = 1; i < array.size(); ++i) array[i] = arguments[static_cast<std::size_t>(i - 1)];
   return array;
+}
+
+bool isLoopback(const std::string& host) {
+  return host == "localhost" || host == "::1" || host.rfind("127.", 0) == 0;
+}
+
+// The listening socket at a port, among the files of this process; -1: there is none.
+int listenerAt(std::uint32_t port) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int fd = std::atoi(entry.path().filename().c_str());
+    int listens = 0;
+    socklen_t size = sizeof(listens);
+    if (getsockopt(fd, SOL_SOCKET, SO_ACCEPTCONN, &listens, &size) != 0 || listens == 0) continue;
+    sockaddr_storage address{};
+    size = sizeof(address);
+    if (getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) != 0) continue;
+    // The port stands at the same place in the addresses of both families.
+    if (address.ss_family != AF_INET && address.ss_family != AF_INET6) continue;
+    if (ntohs(reinterpret_cast<sockaddr_in*>(&address)->sin_port) == port) return fd;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -59,6 +85,18 @@ bool runInSlaveThread(const std::function<void()>& task) {
   const bool answered = askSelf(kMethod, {}, &answer);
   manager->unbind(kMethod);
   return answered && ran;
+}
+
+bool keepQuestionsLocal() {
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(ros::XMLRPCManager::instance()->getServerURI(), host, port)) {
+    return false;
+  }
+  if (!isLoopback(host)) return true;
+  constexpr char kLoopback[] = "lo";
+  const int fd = listenerAt(port);
+  return fd >= 0 && setsockopt(fd, SOL_SOCKET, SO_BINDTODEVICE, kLoopback, sizeof(kLoopback)) == 0;
 }
 
 }  // namespace palpate::node

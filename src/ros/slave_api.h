@@ -23,4 +23,9 @@ bool askSelf(const std::string& method, const std::vector<XmlRpc::XmlRpcValue>& 
 /// cannot be asked.
 bool runInSlaveThread(const std::function<void()>& task);
 
+/// Where this node is known by a name of this machine only, such as localhost (ROS_HOSTNAME,
+/// ROS_IP): lets nobody else ask it such questions. ROS keeps topics and services to the machine
+/// then, but not these. False: the system does not let us.
+bool keepQuestionsLocal();
+
 }  // namespace palpate::node

@@ -48,7 +48,8 @@ class HostileGraph(unittest.TestCase):
         LIMITS.check(self, self.spatial.all())
         shutil.rmtree(self.folder)
 
-    def start(self, **options):
+    def start(self, env=None, **options):
+        self.programs.env = env
         self.node = self.programs.node("palpate_node", "__name:=palpate", "_scene:=" + SCENE,
                                        "_state_directory:=" + self.folder, *LIMITS.parameters(), **options)
         rospy.wait_for_service("/palpate/reset", 30)
@@ -215,6 +216,43 @@ class HostileGraph(unittest.TestCase):
             self.ends_in_zeros(ear, began, 0.4)
         self.assertIn("last-palpate.state", os.listdir(self.folder))
         device.subscriber.unregister()
+
+    def test_another_machine_cannot_reach_a_node_of_this_one(self):
+        """By its topics, which ROS sees to where the node's host is localhost, nor by questions."""
+        space, here, there = ("plp%d%s" % (os.getpid() % 100000, end) for end in ("n", "a", "b"))
+
+        def network(*commands):
+            return all(subprocess.call(["ip"] + c.split(), stderr=subprocess.DEVNULL) == 0 for c in commands)
+
+        try:
+            made = network("netns add " + space, "link add %s type veth peer name %s" % (here, there),
+                           "link set %s netns %s" % (there, space), "addr add 10.213.77.1/24 dev " + here,
+                           "link set %s up" % here, "-n %s addr add 10.213.77.2/24 dev %s" % (space, there),
+                           "-n %s link set %s up" % (space, there))
+        except FileNotFoundError:
+            made = False
+        if not made:
+            network("netns del " + space)
+            self.skipTest("network namespaces are not permitted here")
+        try:
+            self.start(env=dict(os.environ, ROS_HOSTNAME="localhost"))
+            ports = [tcpros.slave("/palpate").address[1], tcpros.data_port("/palpate", WRENCH)[1]]
+            with socket.socket() as reachable:  # the way there is open
+                reachable.bind(("0.0.0.0", 0))
+                reachable.listen(1)
+                tried = subprocess.run(
+                    ["ip", "netns", "exec", space, sys.executable, "-c",
+                     "import socket, sys\nfor p in sys.argv[1:]:\n"
+                     " s = socket.socket(); s.settimeout(2); print(s.connect_ex(('10.213.77.1', int(p))))"] +
+                    [str(p) for p in ports + [reachable.getsockname()[1]]],
+                    stdout=subprocess.PIPE, universal_newlines=True, timeout=20).stdout.split()
+            self.assertEqual(len(tried), 3, tried)
+            self.assertNotEqual(tried[0], "0")
+            self.assertNotEqual(tried[1], "0")
+            self.assertEqual(tried[2], "0")
+        finally:
+            network("link del " + here, "netns del " + space)
+        self.is_felt()
 
     def test_nobody_reads_what_the_node_says(self):
         reader, writer = os.pipe()
