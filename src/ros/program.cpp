@@ -4,8 +4,13 @@
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>
+#include <ros/poll_manager.h>
 
+#include <chrono>
 #include <exception>
+#include <future>
+#include <memory>
+#include <mutex>
 #include <optional>
 
 #include "crash.h"
@@ -20,6 +25,25 @@ namespace {
 
 // [s] to leave the ROS graph, whose master may not answer.
 constexpr double kToLeave = 1.0;
+
+// Without the thread of ROS that sends no zero comes to the hand: where it crashes, a program that
+// stayed would only keep the force there for longer.
+void markSendingThread() {
+  struct Marked {
+    std::once_flag once;
+    std::promise<void> done;
+  };
+  const auto marked = std::make_shared<Marked>();  // the listener's, too, however long it takes
+  const auto& manager = ros::PollManager::instance();
+  const auto listener = manager->addPollThreadListener([marked] {
+    std::call_once(marked->once, [&] {
+      Crash::isFatalHere();
+      marked->done.set_value();
+    });
+  });
+  marked->done.get_future().wait_for(std::chrono::seconds(1));  // it looks ten times a second
+  manager->removePollThreadListener(listener);
+}
 
 }  // namespace
 
@@ -44,6 +68,7 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
     if (sends_realtime) becomeRealtimeInTurns();
     Crash::catchHere();
   });
+  markSendingThread();
   if (!keepQuestionsLocal()) {
     ROS_WARN("other machines can ask this node, though it is known on this one only");
   }
