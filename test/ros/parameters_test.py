@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Starts the node with parameters: bad ones end it with a message, good ones replace keys."""
+import concurrent.futures
 import os
 import subprocess
 import sys
@@ -19,16 +20,26 @@ SCENES = os.path.join(rospkg.RosPack().get_path("palpate"), "test", "ros", "scen
 NODE = roslib.packages.find_node("palpate", "palpate_node")[0]
 
 
-def run(*arguments):
-    """Exit status and all that was said, of a node that should end by itself."""
-    name = "__name:=node_%d" % run.count
+def next_name():
     run.count += 1
-    done = subprocess.run([NODE, name] + list(arguments), stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=30, universal_newlines=True)
+    return "node_%d" % (run.count - 1)
+
+
+def run(*arguments, program="palpate_node", name=None):
+    """Exit status and all that was said, of a program that should end by itself."""
+    done = subprocess.run([roslib.packages.find_node("palpate", program)[0], "__name:=" + (name or next_name())] +
+                          list(arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=30,
+                          universal_newlines=True)
     return done.returncode, done.stdout
 
 
 run.count = 0
+
+
+def run_all(programs):
+    """Likewise of each (program, name), several at a time: most of their time they wait for who may listen."""
+    with concurrent.futures.ThreadPoolExecutor(6) as pool:
+        return list(pool.map(lambda p: run(program=p[0], name=p[1]), programs))
 
 
 class Parameters(unittest.TestCase):
@@ -88,19 +99,20 @@ class Parameters(unittest.TestCase):
             "instruments/probe/proxy/active": ["yes", 1, nan],
         }
         sections = {"solver": [numbers, "fast"], "instruments/probe": [5], "haptics": [nan], "contact": [text]}
+        cases = {}
         for group in own, of_scene, sections:
             for k in range(max(len(values) for values in group.values())):
-                name = "/node_%d" % run.count
-                rospy.set_param(name, {"scene": scene})
-                wrong = {key: values[k] for key, values in group.items() if k < len(values)}
+                name, wrong = next_name(), {key: values[k] for key, values in group.items() if k < len(values)}
+                rospy.set_param("/" + name, {"scene": scene})
                 for key, value in wrong.items():
-                    rospy.set_param(name + "/" + key, value)
-                code, said = run()
-                self.assertEqual(code, 2, said[:2000])
-                for key in wrong:
-                    self.assertRegex(said, r"parameters of %s: %s\b" % (name, key))
-                self.assertLess(len(said), 20000)
-                rospy.delete_param(name)
+                    rospy.set_param("/%s/%s" % (name, key), value)
+                cases[name] = wrong
+        for (name, wrong), (code, said) in zip(cases.items(), run_all([("palpate_node", name) for name in cases])):
+            self.assertEqual(code, 2, said[:2000])
+            for key in wrong:
+                self.assertRegex(said, r"parameters of /%s: %s\b" % (name, key))
+            self.assertLess(len(said), 20000)
+            rospy.delete_param("/" + name)
 
     def test_names_nobody_knows_are_refused_whatever_they_are(self):
         scene = os.path.join(SCENES, "block.yaml")
@@ -119,19 +131,17 @@ class Parameters(unittest.TestCase):
         rospy.delete_param(name)
 
     def test_guard_and_device_refuse_garbage(self):
-        for program, key, value in (("palpate_guard", "patience", "long"), ("palpate_guard", "input", 5),
-                                    ("palpate_guard", "ramp", float("nan")), ("palpate_guard", "rampe", 1.0),
-                                    ("palpate_guard", "max_force", -1.0), ("palpate_device", "names", 5),
-                                    ("palpate_device", "start", ["a"]), ("palpate_device", "start", [float("nan")] * 6),
-                                    ("palpate_device", "speed", "fast"), ("palpate_device", "mas", 1.0)):
-            name = "node_%d" % run.count
-            run.count += 1
-            rospy.set_param("/" + name, {"input": "a", "output": "b"} if program == "palpate_guard" else {"after": ""})
-            rospy.set_param("/%s/%s" % (name, key), value)
-            done = subprocess.run([roslib.packages.find_node("palpate", program)[0], "__name:=" + name],
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20, universal_newlines=True)
-            self.assertEqual(done.returncode, 2, (program, key, value, done.stdout))
-            self.assertIn(key, done.stdout)
+        garbage = {"palpate_guard": (("patience", "long"), ("input", 5), ("ramp", float("nan")), ("rampe", 1.0),
+                                     ("max_force", -1.0)),
+                   "palpate_device": (("names", 5), ("start", ["a"]), ("start", [float("nan")] * 6), ("speed", "fast"),
+                                      ("mas", 1.0))}
+        right = {"palpate_guard": {"input": "a", "output": "b"}, "palpate_device": {"after": ""}}
+        cases = [(program, next_name(), key, value) for program, values in garbage.items() for key, value in values]
+        for program, name, key, value in cases:
+            rospy.set_param("/" + name, dict(right[program], **{key: value}))
+        for case, (code, said) in zip(cases, run_all([case[:2] for case in cases])):
+            self.assertEqual(code, 2, (case, said))
+            self.assertIn(case[2], said)
 
     def test_bad_state_file(self):
         with tempfile.NamedTemporaryFile("w", suffix=".state") as f:
