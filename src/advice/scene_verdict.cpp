@@ -40,7 +40,7 @@ std::string milliseconds(double seconds) {
 
 std::string whatCosts(const SceneVerdict& verdict) {
   std::ostringstream text;
-  text << std::setprecision(2) << 100.0 * verdict.share << " % of the slowest cycles is "
+  text << std::fixed << std::setprecision(0) << 100.0 * verdict.share << " % of the slowest cycles is "
        << toString(verdict.costliest);
   return text.str();
 }
