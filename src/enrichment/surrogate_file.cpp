@@ -45,7 +45,8 @@ constexpr double kLargest = 1e12;
 
 template <class Values>
 bool moderate(const Values& values) {
-  return (values.array().abs() <= kLargest).all();  // NaN is not
+  return (values.array().abs() <= static_cast<typename Values::Scalar>(kLargest))
+      .all();  // NaN is not
 }
 bool moderateScale(double scale) { return scale >= 1.0 / kLargest && scale <= kLargest; }
 bool moderateScale(const Vec6& scale) {
