@@ -40,8 +40,8 @@ std::string milliseconds(double seconds) {
 
 std::string whatCosts(const SceneVerdict& verdict) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << 100.0 * verdict.share << " % of the slowest cycles is "
-       << toString(verdict.costliest);
+  text << std::fixed << std::setprecision(0) << 100.0 * verdict.share
+       << " % of the slowest cycles is " << toString(verdict.costliest);
   return text.str();
 }
 
