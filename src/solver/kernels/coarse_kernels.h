@@ -13,24 +13,24 @@ namespace {
 // r and arm x r of the slices of a window, in two sweeps: what was stored in halves is not at once
 // loaded as a whole.
 inline void takeForces(const PcgCoarse& coarse, int begin, int end, const double* r,
-                       float (*forces)[6][kSlice]) {
+                       float (*forces)[6 * kSlice]) {
   for (long s = begin; s < end; ++s) {
     for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
       const long at = 3 * kSlice * s + lane;
-      storeAsFloats(forces[s - begin][0] + lane, load(r + at) * loadAsDoubles(coarse.mask + at));
+      storeAsFloats(forces[s - begin] + lane, load(r + at) * loadAsDoubles(coarse.mask + at));
     }
   }
   for (long s = begin; s < end; ++s) {
-    float(*of)[kSlice] = forces[s - begin];
+    float* of = forces[s - begin];
     for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
       FloatLanes v[3], arm[3];
       for (int c = 0; c < 3; ++c) {
-        v[c] = load(of[c] + lane);
+        v[c] = load(of + kSlice * c + lane);
         arm[c] = load(coarse.arm + kSlice * (3 * s + c) + lane);
       }
       for (int c = 0; c < 3; ++c) {
         const int d = (c + 1) % 3, e = (c + 2) % 3;
-        store(of[3 + c] + lane, arm[d] * v[e] - arm[e] * v[d]);
+        store(of + kSlice * (3 + c) + lane, arm[d] * v[e] - arm[e] * v[d]);
       }
     }
   }
@@ -45,7 +45,7 @@ inline float sumOfLanes(float* lanes) {
 }
 
 void restrictTo(const PcgCoarse& coarse, int begin, int end, const double* r, double* sums) {
-  alignas(64) float forces[kWindow / kSlice][6][kSlice];
+  alignas(64) float forces[kWindow / kSlice][6 * kSlice];
   takeForces(coarse, begin, end, r, forces);
   const int window = begin * kSlice / kWindow;
   for (int k = coarse.parts[window]; k < coarse.parts[window + 1]; ++k, sums += 6) {
@@ -54,8 +54,8 @@ void restrictTo(const PcgCoarse& coarse, int begin, int end, const double* r, do
       FloatLanes sum[6] = {};
       for (long piece = coarse.pieces[k]; piece < coarse.pieces[k + 1]; ++piece) {
         const FloatLanes weight = load(coarse.weights + kSlice * piece + lane);
-        const float(*of)[kSlice] = forces[coarse.slice[piece]];
-        for (int c = 0; c < 6; ++c) sum[c] += weight * load(of[c] + lane);
+        const float* of = forces[coarse.slice[piece]];
+        for (int c = 0; c < 6; ++c) sum[c] += weight * load(of + kSlice * c + lane);
       }
       for (int c = 0; c < 6; ++c) store(all[c] + lane, sum[c]);
     }
