@@ -3,6 +3,7 @@
 // that comes back, the same bits for any number of threads and from a saved state.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -87,6 +88,28 @@ TEST_P(EveryModel, KeepsItsMomentum) {
     EXPECT_LT(step.inertia_force.norm(), 1e-6) << k;
   }
   EXPECT_GT((tissue->positions() - begin).norm(), 1e-3);
+}
+
+// Late, a step ends with what it has, and the next ones find their way.
+TEST_P(EveryModel, EndsAStepWhenItIsAskedTo) {
+  const auto tissue = make(), never = make();
+  int asked = 0;
+  const solver::Interrupt at_once = [&asked] { return ++asked > 0; };
+  for (Visit visit, other; visit.time() < 1.0;) {
+    const bool late = visit.time() < 0.3;
+    tissue->setInterrupt(late ? &at_once : nullptr);
+    const TissueStep& step = tissue->step({visit.next()}, kStep);
+    const TissueStep& usual = never->step({other.next()}, kStep);
+    EXPECT_TRUE(tissue->positions().allFinite());
+    if (late) {
+      EXPECT_LE(step.newton_iterations, std::max(10, usual.newton_iterations)) << visit.time();
+    }
+    if (visit.time() > 0.9) {
+      EXPECT_TRUE(step.ok()) << visit.time() << " " << solver::toString(step.status);
+    }
+  }
+  const double size = 0.06;
+  EXPECT_LT((tissue->positions() - never->positions()).cwiseAbs().maxCoeff(), 0.01 * size);
 }
 
 TEST_P(EveryModel, GivesTheSameBitsForAnyNumberOfThreads) {

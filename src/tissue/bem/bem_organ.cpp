@@ -119,7 +119,9 @@ const TissueStep& BemOrgan::step(const std::vector<contact::Obstacle>& obstacles
   force_begin_ = force_;
   out_.tolerance = tolerance();
   solveStages();
-  if (!x_.allFinite() || !solver::usable(out_.status)) {
+  // Without inertia a body that was left half-way is thrown: late, it stays.
+  const bool late = out_.status == solver::SolveStatus::kDeadline;
+  if (late || !x_.allFinite() || !solver::usable(out_.status)) {
     fail();
     return out_;
   }
@@ -140,6 +142,7 @@ void BemOrgan::fail() {
   v_.setZero();
   touch_.contact.forget();
   touch_.sides.doubt();
+  if (out_.status == solver::SolveStatus::kDeadline) return;
   if (solver::usable(out_.status)) out_.status = solver::SolveStatus::kNonFinite;
 }
 
@@ -153,7 +156,7 @@ void BemOrgan::solveStages() {
     ++out_.sweep_stages;
     touch_.place(s);
     out_.status = solveStage((s < 1.0 ? kStageTolerance : 1.0) * 0.5 * out_.tolerance).status;
-    if (!solver::usable(out_.status)) return;
+    if (!solver::usable(out_.status) || out_.status == solver::SolveStatus::kDeadline) return;
   }
   const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
   for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
@@ -166,7 +169,8 @@ solver::NewtonReport BemOrgan::solveStage(double tolerance) {
   const PhaseTimer timer(&out_.phases, Phase::kLinearSolve);
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
-    solved = contact_.solve(u_loads_, tolerance, settings_.max_newton_iterations, &force_, &x_);
+    solved = contact_.solve(u_loads_, tolerance, settings_.max_newton_iterations, &force_, &x_,
+                            interrupt_);
     out_.newton_iterations += solved.iterations;
     displace();
     if (touch_.sweep.candidatesHold(x_)) break;

@@ -41,8 +41,7 @@ class BemOrgan final : public TissueModel {
   mesh::CellMesh cells(int organ) const override;
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> notes() const override;
-  // A cycle is short.
-  void setInterrupt(const solver::Interrupt*) override {}
+  void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
   void reset() override;
   void place(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
@@ -68,6 +67,7 @@ class BemOrgan final : public TissueModel {
   Touch touch_;
   Rest rest_;
   CompliantContact contact_;
+  const solver::Interrupt* interrupt_ = nullptr;
   double least_force_;                                // that counts [N]
   double contact_scale_ = 0.0, support_scale_ = 0.0;  // norms of nodal forces [N]
   Points force_;                                      // of contact on the nodes [N]

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "interrupted.h"
 #include "palpate/solver/line_search.h"
+#include "tissue/interrupted.h"
 
 namespace palpate::tissue {
 namespace {

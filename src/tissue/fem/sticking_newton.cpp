@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "interrupted.h"
 #include "sparse_assembly.h"
+#include "tissue/interrupted.h"
 
 namespace palpate::tissue {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "interrupted.h"
+#include "tissue/interrupted.h"
 
 namespace palpate::tissue {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "palpate/base/state_bytes.h"
 #include "sampled_body.h"
+#include "tissue/interrupted.h"
 #include "tissue/touch/rest.h"
 
 namespace palpate::tissue {
@@ -22,6 +23,7 @@ constexpr double kContactWay = 0.5;
 constexpr int kMostSubSteps = 20000;
 constexpr int kMostAdaptations = 12;
 constexpr int kMostSettlingSteps = 200000;
+constexpr double kSameRest = 0.01;  // of its size: so far the parting of particles may move a rest
 
 // The least distance of particles [m].
 double finestOf(const SamplingSettings& sampling) {
@@ -75,7 +77,7 @@ class SampledTissue final : public TissueModel {
          << body_.umbrella().publishedStep(body_.tree().particles().front().size) << " s";
     return {text.str()};
   }
-  void setInterrupt(const solver::Interrupt*) override {}
+  void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
 
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
 
@@ -155,6 +157,7 @@ class SampledTissue final : public TissueModel {
   }
   void settle();
   bool comeToRest();
+  void endAtRest();
   int planSteps(double dt);
   bool subStep(double h, double s);
   void report();
@@ -173,6 +176,7 @@ class SampledTissue final : public TissueModel {
   double tolerance_;
   StateWriter settled_, before_;  // the cycle
   Points x_, surface_v_, on_surface_, forces_, contact_;
+  const solver::Interrupt* interrupt_ = nullptr;
   TissueStep out_;
 };
 
@@ -271,9 +275,13 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   out_.tolerance = tolerance_;
   const int steps = planSteps(dt);
   int done = 0;
-  while (done < steps && subStep(dt / steps, (done + 1) / static_cast<double>(steps))) ++done;
+  bool late = false;
+  while (done < steps && !late && subStep(dt / steps, (done + 1) / static_cast<double>(steps))) {
+    ++done;
+    late = done < steps && isInterrupted(interrupt_);
+  }
   out_.sweep_stages = done;
-  if (steps == 0 || done < steps || !body_.d.allFinite() || !body_.v.allFinite()) {
+  if (steps == 0 || (done < steps && !late) || !body_.d.allFinite() || !body_.v.allFinite()) {
     StateReader back(before_.bytes());
     body_.restore(&back);
     body_.v.setZero();
@@ -286,10 +294,35 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     return out_;
   }
   body_.surface().interpolate(body_.v, &surface_v_);
-  touch_.contact.learn(x_, dt);
+  if (late) {  // where the tools are now the tissue has not followed them
+    touch_.sides.doubt();
+    out_.status = solver::SolveStatus::kDeadline;
+  } else {
+    touch_.contact.learn(x_, dt);
+  }
   report();
-  if (!rest_.sleeps(touch_) && body_.adapt()) follow();
+  if (rest_.sleeps(touch_)) {
+    endAtRest();
+  } else if (body_.adapt()) {
+    follow();
+  }
   return out_;
+}
+
+// What it parted it joins only where that makes a difference of less than `coarsen_below`. But a
+// linear body has one rest: untouched, it ends there.
+void SampledTissue::endAtRest() {
+  const Points x = x_;
+  StateWriter parted;
+  body_.save(&parted);
+  StateReader settled(settled_.bytes());
+  body_.restore(&settled);
+  body_.v.setZero();
+  follow();
+  if ((x_ - x).cwiseAbs().maxCoeff() <= kSameRest * size_) return;
+  StateReader back(parted.bytes());
+  body_.restore(&back);
+  follow();
 }
 
 void SampledTissue::report() {
