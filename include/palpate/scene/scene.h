@@ -140,7 +140,7 @@ struct SkipConfig : tissue::SkipSwitches {
 
 struct SolverConfig : solver::StepSettings {
   int threads = 1;
-  double deadline = 0.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
+  double deadline = 2.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
   SkipConfig skip;
 };
 
