@@ -70,6 +70,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.max_penetration = finite(report.max_penetration);
   m.sweep_stages = report.sweep_stages;
   m.time_steps = report.time_steps;
+  m.recovery = report.recovery;
   m.newton_iterations = report.newton_iterations;
   m.cg_iterations = report.linear_iterations;
   m.walk_steps = report.walk_steps;

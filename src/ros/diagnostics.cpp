@@ -75,6 +75,11 @@ void Diagnostics::simulation(Status& status) {
                         "a tool is inside an organ and feels nothing until it is clear of it: draw "
                         "it out, or ~reset with the tool outside");
   }
+  if (report.recovery == static_cast<int>(tissue::Recovery::kFrozen)) {
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        "an organ failed in cycle after cycle and is left as it is: draw the tools "
+                        "out of it, or ~reset");
+  }
   if (report.status == solver::SolveStatus::kInverted) {
     status.mergeSummary(DiagnosticStatus::WARN,
                         "elements are turned inside out: press less deep, or with a finer mesh");
@@ -102,6 +107,7 @@ void Diagnostics::simulation(Status& status) {
   }
   status.add("skipped unwatched_pictures", s.unwatched_pictures);
   status.add("solver status", std::string(solver::toString(report.status)));
+  status.add("recovery", report.recovery);
   status.add("contacts", report.contacts);
   status.add("imbalance [N]", report.imbalance);
   status.add("min jacobian", report.min_jacobian);

@@ -12,12 +12,23 @@
 
 namespace palpate::tissue {
 
+/// What it took to get through a cycle, each worse than the one before. StepFigures::recovery.
+enum class Recovery {
+  kNone,
+  kSolvedAgain,   ///< With a guard against elements that are turned inside out.
+  kShorterSteps,  ///< A step failed; shorter ones, or implicit ones in the place of explicit ones.
+  kPutBack,       ///< Folded so that no force would mend it: at rest again.
+  kRolledBack,    ///< All failed; where it was before the cycle.
+  kFrozen         ///< It failed in many cycles, and was not tried.
+};
+
 /// What a cycle did and how well: of a part of an organ, an organ, a scene, or of several cycles
 /// between two inputs. What each means stands in stepFigures().
 struct StepFigures {
   solver::SolveStatus status = solver::SolveStatus::kConverged;
   int sweep_stages = 1;
   int time_steps = 1;
+  int recovery = 0;  ///< A Recovery.
   int newton_iterations = 0;
   int linear_iterations = 0;
   int factor_waits = 0;
@@ -33,6 +44,7 @@ struct StepFigures {
   int tools_inside = 0;
   PhaseTimes phases;  ///< Wall time; the one part that differs between equal runs.
 
+  void recover(Recovery by) { recovery = std::max(recovery, static_cast<int>(by)); }
   bool ok() const { return status == solver::SolveStatus::kConverged; }
 };
 

@@ -137,6 +137,7 @@ const TissueStep& BemOrgan::step(const std::vector<contact::Obstacle>& obstacles
 }
 
 void BemOrgan::fail() {
+  out_.recover(Recovery::kRolledBack);
   x_ = x_begin_;
   force_ = force_begin_;
   v_.setZero();

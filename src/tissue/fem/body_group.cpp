@@ -57,6 +57,11 @@ void BodyGroup::step(double dt) {
     for (FemOrgan* member : members_) member->sleepOn();
     return;
   }
+  // Each is asked: all count their cycles.
+  if (std::count_if(members_.begin(), members_.end(), [](FemOrgan* m) { return m->isFrozen(); })) {
+    for (FemOrgan* member : members_) member->stayFrozen();
+    return;
+  }
   for (FemOrgan* member : members_) member->beginTogether();
   out_.clear();
   if (!steps_.advance(dt, &out_)) {

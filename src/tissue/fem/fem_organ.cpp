@@ -83,6 +83,7 @@ void FemOrgan::place(int, const Points& positions, const Points& velocities) {
   body_.elastic_energy.reset();
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
+  freeze_ = Freeze();
   rest_.wake();
   out_.clear();
 }
@@ -92,6 +93,7 @@ State FemOrgan::state() const {
   body_.save(&out);
   method_->save(&out);
   rest_.save(&out);
+  freeze_.save(&out);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
 }
 
@@ -101,6 +103,7 @@ void FemOrgan::restore(const State& state) {
   body_.restore(&in);
   method_->restore(&in);
   rest_.restore(&in);
+  freeze_.restore(&in);
   in.finish();
   out_.clear();
 }
@@ -114,6 +117,7 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
 
 void FemOrgan::goAlone(double dt) {
   if (sleeps()) return sleepOn();
+  if (isFrozen()) return stayFrozen();
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
     if (cameToRest()) {
@@ -154,6 +158,7 @@ void FemOrgan::failTogether(const TissueStep& together) {
 void FemOrgan::takeFigures(const TissueStep& together) {
   out_.status = together.status;
   out_.sweep_stages = together.sweep_stages;
+  out_.recovery = together.recovery;
   out_.time_steps = together.time_steps;
   out_.residual = together.residual;
   out_.tolerance = together.tolerance;
@@ -168,6 +173,7 @@ void FemOrgan::addWork(const TissueStep& together) {
 }
 
 void FemOrgan::reportSolved() {
+  freeze_.solved();
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
   body_.touch.countInactive(&out_);
@@ -192,6 +198,7 @@ void FemOrgan::beginAnew() {
   const StepFigures figures = out_;
   place(0, settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
+  out_.recover(Recovery::kPutBack);
   Points g;
   body_.elasticity->gradient(body_.x, &g);
   body_.addLoads(body_.x, &g);
@@ -208,6 +215,7 @@ void FemOrgan::unfold() {
   const StepFigures figures = out_;
   place(0, settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
+  out_.recover(Recovery::kPutBack);
   method_->reportForces(&out_);
   reportSolved();
   body_.surroundings.endCycle();
@@ -220,10 +228,19 @@ void FemOrgan::fallAsleep() {
   stop();
 }
 
-// The tools went on; where they are now may be inside.
+// The tools went on; where they are now may be inside. A cycle that only was late is no failure.
 void FemOrgan::fail() {
+  out_.recover(Recovery::kRolledBack);
+  if (out_.status != solver::SolveStatus::kDeadline) freeze_.failed(out_.status);
   stop();
   body_.touch.sides.doubt();
+}
+
+void FemOrgan::stayFrozen() {
+  out_.status = freeze_.status();
+  out_.recover(Recovery::kFrozen);
+  body_.surroundings.endCycle();
+  reportState();
 }
 
 void FemOrgan::stop() {
@@ -233,6 +250,7 @@ void FemOrgan::stop() {
 
 void FemOrgan::reportState() {
   const PhaseTimer timer(&out_.phases, Phase::kForces);
+  if (out_.time_steps > 1) out_.recover(Recovery::kShorterSteps);
   out_.min_jacobian =
       body_.min_jacobian ? *body_.min_jacobian : body_.elasticity->minJacobian(body_.x);
   out_.status = solver::judged(out_.status, out_.min_jacobian);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem_body.h"
+#include "freeze.h"
 #include "organ_bodies.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/fem_tissue.h"
@@ -86,6 +87,10 @@ class FemOrgan final : public OrganBodies {
   bool sleeps() const { return rest_.sleeps(body_.touch); }
   /// It does.
   void sleepOn() { rest_.report(&out_); }
+  /// Whether it failed so often that the cycle is left out; asked once a cycle.
+  bool isFrozen() { return freeze_.holds(body_.touch.possibleByTools()); }
+  /// It is.
+  void stayFrozen();
   /// It is solved.
   void beginTogether() { rest_.begin(body_.x); }
   /// Whether it came to rest for its part in a cycle of the group that did `together`.
@@ -118,6 +123,7 @@ class FemOrgan final : public OrganBodies {
   FemBody body_;
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
+  Freeze freeze_;
   Points settled_;
   bool own_method_, own_start_;
   std::vector<std::string> own_notes_;

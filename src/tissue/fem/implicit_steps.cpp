@@ -192,7 +192,9 @@ bool ImplicitSteps::settled() {
 
 bool ImplicitSteps::startGuarding() {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
-  return bodies_.startGuarding();
+  if (!bodies_.startGuarding()) return false;
+  out_->recover(Recovery::kSolvedAgain);
+  return true;
 }
 
 solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {

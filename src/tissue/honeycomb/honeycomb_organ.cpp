@@ -112,6 +112,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
   if (isPierced()) out_.status = solver::SolveStatus::kLineSearchFailed;
   out_.min_jacobian = balance_.leastRatio(state_);
   if (!solver::usable(out_.status) || !x_.allFinite() || !(out_.min_jacobian > 0.0)) {
+    out_.recover(Recovery::kRolledBack);
     state_ = begin_state_;
     x_ = x_begin_;
     v_.setZero();

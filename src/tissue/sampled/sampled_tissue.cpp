@@ -288,6 +288,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     touch_.sides.doubt();
     touch_.contact.forget();
     follow();
+    out_.recover(Recovery::kRolledBack);
     out_.status = steps == 0     ? solver::SolveStatus::kIterationLimit
                   : done < steps ? solver::SolveStatus::kLineSearchFailed
                                  : solver::SolveStatus::kNonFinite;

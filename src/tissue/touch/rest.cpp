@@ -24,6 +24,7 @@ void Rest::report(TissueStep* out) const {
   out->satisfied = false;
   out->newton_iterations = out->linear_iterations = out->factor_waits = 0;
   out->walk_steps = out->tree_queries = 0;
+  out->recovery = 0;
   out->inertia_force.setZero();
   out->sweep_stages = 1;
 }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/solver/status.h"
+
+namespace palpate::tissue {
+
+/// An organ that failed in cycle after cycle is left where it is, rather than have each cycle of
+/// the scene take as long as all its attempts do. It is tried again when the tools have left it,
+/// when it was placed anew, and now and then.
+class Freeze {
+ public:
+  static constexpr int kFailures = 10;  ///< One after the other.
+  static constexpr int kTryAgain = 50;  ///< Cycles.
+
+  /// Whether the cycle that begins is left out; `touched`: a tool may touch the organ.
+  bool holds(bool touched) {
+    const bool left = touched_ && !touched;
+    touched_ = touched;
+    if (failures_ < kFailures || left || waited_ >= kTryAgain) {
+      waited_ = 0;
+      return false;
+    }
+    ++waited_;
+    return true;
+  }
+  void solved() { failures_ = waited_ = 0; }
+  void failed(solver::SolveStatus status) {
+    ++failures_;
+    status_ = status;
+  }
+  /// Of the last failure.
+  solver::SolveStatus status() const { return status_; }
+
+  void save(StateWriter* out) const {
+    out->put(failures_);
+    out->put(waited_);
+    out->put(touched_);
+    out->put(status_);
+  }
+  void restore(StateReader* in) {
+    in->get(&failures_);
+    in->get(&waited_);
+    in->get(&touched_);
+    in->get(&status_);
+    if (failures_ < 0 || waited_ < 0 || !(status_ <= solver::SolveStatus::kNonFinite)) {
+      StateReader::fail();
+    }
+  }
+
+ private:
+  int failures_ = 0, waited_ = 0;
+  bool touched_ = false;
+  solver::SolveStatus status_ = solver::SolveStatus::kConverged;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each rung of what an organ does where a step fails, as the report tells it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "liver_slab.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::Press;
+using test::Slab;
+constexpr double kStep = 0.01;
+
+int told(Recovery recovery) { return static_cast<int>(recovery); }
+
+Slab smallSlab() {
+  Slab slab("implicit_pcg", Eigen::Vector3i(5, 5, 3), "tet4");
+  slab.settings.mass_damping = 60.0;
+  return slab;
+}
+
+// One that fails wherever a tool goes on.
+Slab failingSlab() {
+  Slab slab = smallSlab();
+  slab.settings.only_converged = true;
+  slab.settings.max_newton_iterations = 1;
+  slab.settings.max_time_steps = 1;
+  slab.settings.tolerance = 1e-9;
+  return slab;
+}
+
+TEST(Recovery, IsNoneWhereAStepIsSolved) {
+  const auto tissue = smallSlab().make();
+  for (Press press(0.006, 0.05); press.time() < 0.3;) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    EXPECT_TRUE(step.ok());
+    EXPECT_EQ(step.recovery, told(Recovery::kNone)) << press.time();
+  }
+}
+
+// A tool that presses the slab to a fifth: elements come near to being turned inside out.
+TEST(Recovery, SolvesAgainOrInShorterStepsWhereElementsGetFlat) {
+  const auto tissue = smallSlab().make();
+  int worst = 0;
+  for (Press press(0.032, 0.1); press.time() < 0.6;) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    EXPECT_TRUE(solver::usable(step.status));
+    EXPECT_GT(step.min_jacobian, 0.0);
+    EXPECT_EQ(step.time_steps > 1, step.recovery >= told(Recovery::kShorterSteps));
+    worst = std::max(worst, step.recovery);
+  }
+  EXPECT_GE(worst, told(Recovery::kSolvedAgain));
+  EXPECT_LE(worst, told(Recovery::kShorterSteps));
+}
+
+TEST(Recovery, TakesShorterStepsWhereOneFails) {
+  Slab slab = smallSlab();
+  slab.settings.only_converged = true;
+  slab.settings.max_newton_iterations = 2;
+  const auto tissue = slab.make();
+  int worst = 0;
+  for (Press press(0.01, 0.3); press.time() < 0.1;) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    if (!step.ok()) continue;
+    EXPECT_EQ(step.time_steps > 1, step.recovery == told(Recovery::kShorterSteps));
+    worst = std::max(worst, step.recovery);
+  }
+  EXPECT_EQ(worst, told(Recovery::kShorterSteps));
+}
+
+// Folded through itself and at rest: no force leads out of it.
+TEST(Recovery, PutsBackWhatRestsTurnedInsideOut) {
+  Slab slab = smallSlab();
+  slab.law = Slab::liver("st_venant_kirchhoff", 0.3);
+  const auto tissue = slab.make();
+  Points x = slab.mesh.points;
+  x.row(2) *= -1.0;  // through the plane that holds it
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  int worst = 0;
+  bool slept = false;
+  for (int k = 0; k < 2000 && !slept; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_FALSE(step.ok() && step.min_jacobian <= 0.0) << k;
+    worst = std::max(worst, step.recovery);
+    slept = step.slept;
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_EQ(worst, told(Recovery::kPutBack));
+  EXPECT_LT((tissue->positions() - slab.mesh.points).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
+  EXPECT_EQ(tissue->step({}, kStep).recovery, told(Recovery::kNone));
+}
+
+TEST(Recovery, RollsBackWhatAllFailIn) {
+  const Slab slab = smallSlab();
+  const auto tissue = slab.make();
+  Points v = tissue->velocities();
+  v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
+  tissue->place(0, slab.mesh.points, v);
+  const TissueStep& step = tissue->step({}, kStep);
+  EXPECT_EQ(step.recovery, told(Recovery::kRolledBack));
+  EXPECT_EQ(tissue->positions(), slab.mesh.points);
+  EXPECT_EQ(tissue->step({}, kStep).recovery, told(Recovery::kNone));
+}
+
+TEST(Recovery, FreezesWhatFailsAgainAndAgainUntilTheToolsLeave) {
+  const auto tissue = failingSlab().make();
+  Press press(0.02, 0.05);
+  TissueStep step;
+  int failed = 0, frozen = 0;
+  Points kept;
+  for (int k = 0; k < 40; ++k) {
+    step = tissue->step({press.next()}, kStep);
+    EXPECT_TRUE(tissue->positions().allFinite());
+    failed += step.recovery == told(Recovery::kRolledBack);
+    if (step.recovery != told(Recovery::kFrozen)) continue;
+    if (frozen++ == 0) kept = tissue->positions();
+    EXPECT_FALSE(step.ok());
+    EXPECT_EQ(step.newton_iterations, 0);
+    EXPECT_EQ(tissue->positions(), kept);
+  }
+  EXPECT_GE(failed, 10);
+  EXPECT_GE(frozen, 10);
+  EXPECT_TRUE(tissue->step({}, kStep).ok());  // without the tool
+  EXPECT_EQ(tissue->step({}, kStep).recovery, told(Recovery::kNone));
+}
+
+TEST(Recovery, TriesAFrozenOrganNowAndThen) {
+  const auto tissue = failingSlab().make();
+  const instrument::Geometry ball = instrument::Sphere{0.01};
+  const auto at = [](int k) {  // up and down
+    return poseFromXyzRpy(Vec3(0.05, 0.05, k % 2 == 0 ? 0.05 : 0.045), Vec3::Zero());
+  };
+  int tried = 0;
+  for (int k = 0; k < 300; ++k) {
+    const TissueStep& step = tissue->step({{&ball, 0, at(k), at(k + 1)}}, kStep);
+    tried += step.recovery < told(Recovery::kFrozen);
+  }
+  EXPECT_GT(tried, 12);
+  EXPECT_LT(tried, 60);
+}
+
+TEST(Recovery, StaysFrozenInASavedState) {
+  const Slab slab = failingSlab();
+  const auto one = slab.make(), other = slab.make();
+  Press press(0.02, 0.05);
+  int k = 0;
+  while (one->step({press.next()}, kStep).recovery != told(Recovery::kFrozen)) {
+    ASSERT_LT(++k, 40);
+  }
+  other->restore(one->state());
+  const contact::Obstacle next = press.next();
+  EXPECT_EQ(one->step({next}, kStep).recovery, told(Recovery::kFrozen));
+  EXPECT_EQ(other->step({next}, kStep).recovery, told(Recovery::kFrozen));
+  EXPECT_EQ(one->positions(), other->positions());
+  other->reset();
+  EXPECT_EQ(other->step({}, kStep).recovery, told(Recovery::kNone));
+}
+
+}  // namespace
+}  // namespace palpate::tissue
