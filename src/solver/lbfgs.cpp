@@ -16,7 +16,6 @@ namespace {
 constexpr int kFewIterations = 8;
 // In one minimisation, before the factor is renewed whatever it costs.
 constexpr int kPatience = 30;
-constexpr int kIterationsForOne = 10;  // of Newton's
 
 // Pairs whose curvature is no more than noise are left out.
 constexpr double kLeastCurvature = 1e-10;
@@ -157,7 +156,7 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
   double value = gradient();
   int since_renewal = 0;
   for (;;) {
-    if (isOver(value, g_, potential.free, settings, kIterationsForOne * settings.max_iterations,
+    if (isOver(value, g_, potential.free, settings, iterationsForOne() * settings.max_iterations,
                &report)) {
       return report;
     }

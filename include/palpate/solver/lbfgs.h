@@ -23,7 +23,8 @@ class Lbfgs final : public Minimizer {
   explicit Lbfgs(fem::Stiffness A);
   ~Lbfgs() override;
 
-  /// Iterations are cheaper than Newton's: ten times `settings.max_iterations` are allowed.
+  /// Iterations are cheaper than Newton's.
+  int iterationsForOne() const override { return 10; }
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                         Points* x) override;
   SolveStatus predict(const Potential& potential, const Points& move, Points* x) override;

@@ -45,6 +45,8 @@ class Minimizer {
   /// Improves x, 3 x n, whose held components stay. x is never worse than it was and always finite.
   virtual NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                                 Points* x) = 0;
+  /// How many of its iterations stand for one of `max_iterations`.
+  virtual int iterationsForOne() const { return 1; }
   /// Moves the held components by `move` (3 x n, zero where free) and the free ones as the tangent
   /// at x says, a good first guess for the next load step. x is untouched if the solve fails.
   virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;

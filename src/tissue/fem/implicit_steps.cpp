@@ -22,6 +22,9 @@ constexpr int kMaxSettlingsOfFriction = 6;
 // step or two.
 constexpr double kWorthFollowing = 100.0;
 constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
+// Iterations of a cycle and of each trial after the first, times those that a solve may take;
+// beside those on the tools' way.
+constexpr double kSolvesACycle = 5.0, kSolvesATrial = 1.5;
 
 }  // namespace
 
@@ -46,7 +49,9 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
   out_->factor_waits = minimizer_->waits() - waits;
   bodies_.beginCycle();
   bool solved = false;
-  for (int steps = 1; steps <= bodies_.settings().max_time_steps && !solved; steps *= 2) {
+  trials_ = stages_ = 0;
+  for (int steps = 1; steps <= bodies_.settings().max_time_steps && !solved;
+       steps *= 2, ++trials_) {
     out_->time_steps = steps;
     out_->sweep_stages = 0;
     int done = 0;
@@ -121,6 +126,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
       s = late ? end : bodies_.nextStage(s, end);
       if (late) bodies_.doubtSides();
       ++out_->sweep_stages;
+      ++stages_;
     }
     followTools(from, s, from == begin ? begin_x_ : bodies_.x());
     solved.status = moveHeld(s, end);
@@ -131,6 +137,10 @@ void ImplicitSteps::solveStages(double begin, double end) {
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       if (settled()) break;
+      if (iterationsLeft() <= 0) {
+        solved.status = solver::SolveStatus::kIterationLimit;
+        break;
+      }
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -206,7 +216,8 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
   }
   settings.interrupt = bodies_.interrupt();
-  settings.max_iterations = on_the_way ? kStageIterations : of_scene.max_newton_iterations;
+  settings.max_iterations = std::clamp(
+      iterationsLeft(), 1, on_the_way ? kStageIterations : of_scene.max_newton_iterations);
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
     solved = minimizer_->minimize(bodies_.potential(), settings, &bodies_.x());
@@ -216,6 +227,15 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     bodies_.search();
   }
   return solved;
+}
+
+// Of this trial. A case that has to converge may take what it takes.
+int ImplicitSteps::iterationsLeft() const {
+  const FemSettings& of_scene = bodies_.settings();
+  if (of_scene.only_converged) return of_scene.max_newton_iterations;
+  const double most = (kSolvesACycle + kSolvesATrial * trials_) * of_scene.max_newton_iterations;
+  return static_cast<int>(most) + kStageIterations * stages_ -
+         out_->newton_iterations / minimizer_->iterationsForOne();
 }
 
 // A state to go on from. One that only ran out of iterations or time is, unless it was asked to
