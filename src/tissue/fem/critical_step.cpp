@@ -136,4 +136,8 @@ double CriticalStep::seconds() const {
   return square > 0.0 ? 2.0 / std::sqrt(square) : std::numeric_limits<double>::infinity();
 }
 
+double CriticalStep::squeezed() const {
+  return rest_square_ > 0.0 ? std::sqrt((square_ + beside_) / (rest_square_ + beside_)) : 1.0;
+}
+
 }  // namespace palpate::tissue

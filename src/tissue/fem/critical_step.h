@@ -36,6 +36,8 @@ class CriticalStep {
 
   /// [s]; infinity if nothing is free.
   double seconds() const;
+  /// How many times shorter it is than at rest; 1 if nothing is free.
+  double squeezed() const;
 
  private:
   template <class Multiply>

@@ -11,22 +11,27 @@
 #include "palpate/tissue/method_facts.h"
 #include "step_method.h"
 #include "sticking_newton.h"
-#include "tled_method.h"
+#include "tled_or_implicit.h"
 
 namespace palpate::tissue {
 namespace {
 
-std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
+std::unique_ptr<solver::Minimizer> minimizerOf(const std::string& name, FemBody* body) {
   solver::MinimizerSettings settings;
   settings.max_linear_iterations = body->settings.max_linear_iterations;
   settings.keep_stiffness = body->settings.skip.unchanged_stiffness;
   settings.pool = body->pool;
   settings.points = body->mesh.points;
-  return std::make_unique<ImplicitMethod>(
-      body, solver::makeMinimizer(name, settings, body->elasticity->makeMatrix()));
+  return solver::makeMinimizer(name, settings, body->elasticity->makeMatrix());
 }
 
-std::unique_ptr<StepMethod> tled(FemBody* body) { return std::make_unique<TledMethod>(body); }
+std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
+  return std::make_unique<ImplicitMethod>(body, minimizerOf(name, body));
+}
+
+std::unique_ptr<StepMethod> tled(FemBody* body) {
+  return std::make_unique<TledOrImplicit>(body, minimizerOf("implicit_pcg", body));
+}
 
 std::unique_ptr<StepMethod> linearPrecomputed(FemBody* body) {
   return std::make_unique<LinearMethod>(body);

@@ -10,8 +10,10 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr int kMaxCaution = 8;
+constexpr int kMaxCaution = 2;
 constexpr double kMaxSubSteps = 1e5;
+// Times the sub-steps that stability asks for at rest.
+constexpr double kMostSqueezed = 20.0;
 // Times the energy that is known to have come in: beyond it, the scheme made it.
 constexpr double kEnergyGain = 4.0;
 
@@ -76,6 +78,7 @@ int TledMethod::subSteps(double dt, TissueStep* out) {
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
   const double steps = std::max({1.0, stable, touch_.steps()});
+  if (critical_.squeezed() > kMostSqueezed) return 0;
   return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
 }
 

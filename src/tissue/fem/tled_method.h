@@ -21,8 +21,9 @@ namespace palpate::tissue {
 /// stability asks for; `residual` what the last ContactUpdate left
 /// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
 /// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
-/// repeated with 2, 4 and 8 times the sub-steps, then fails. Status line_search_failed with a state
-/// that went on: a tool is deep in the tissue, which is still being pushed out.
+/// repeated with twice the sub-steps, then fails; so does, at once, one in which elements are
+/// squeezed so that it would take 20 times the sub-steps of rest. Status line_search_failed with a
+/// state that went on: a tool is deep in the tissue, which is still being pushed out.
 class TledMethod final : public StepMethod {
  public:
   explicit TledMethod(FemBody* body);

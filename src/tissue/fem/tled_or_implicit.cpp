@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tled_or_implicit.h"
+
+#include <utility>
+
+#include "tissue/interrupted.h"
+
+namespace palpate::tissue {
+
+TledOrImplicit::TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer)
+    : body_(*body), explicit_(body), implicit_(body, std::move(minimizer)) {}
+
+bool TledOrImplicit::advance(double dt, TissueStep* out) {
+  failed_ = false;
+  if (!given_up_) {
+    if (explicit_.advance(dt, out)) return true;
+    if (!body_.v.allFinite() || isInterrupted(body_.interrupt)) return false;
+    given_up_ = true;
+    implicit_.restart();
+  }
+  out->recover(Recovery::kShorterSteps);
+  failed_ = !implicit_.advance(dt, out);
+  return !failed_;
+}
+
+void TledOrImplicit::restart() {
+  given_up_ = failed_ = false;
+  explicit_.restart();
+}
+
+// At rest, sub-steps are as good as they were; after a failure they would only fail before it.
+void TledOrImplicit::stop() {
+  if (!given_up_) return explicit_.stop();
+  if (failed_) return implicit_.stop();
+  body_.guard.setActive(false);
+  restart();
+}
+
+void TledOrImplicit::save(StateWriter* out) const {
+  out->put(given_up_);
+  out->put(failed_);
+  explicit_.save(out);
+  if (given_up_) implicit_.save(out);
+}
+
+void TledOrImplicit::restore(StateReader* in) {
+  in->get(&given_up_);
+  in->get(&failed_);
+  explicit_.restore(in);
+  if (given_up_) implicit_.restore(in);
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Method tled where its sub-steps fail: implicit steps go on, until all is at rest.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "liver_slab.h"
+
+namespace palpate::tissue {
+namespace {
+
+using test::Press;
+using test::Slab;
+constexpr double kStep = 0.01;
+constexpr double kTooLong = 1e4;  // for sub-steps [s]
+
+double energy(const TissueStep& step) { return step.kinetic_energy + step.elastic_energy; }
+
+Slab dampedSlab() {
+  Slab slab("tled", Eigen::Vector3i(6, 6, 3));
+  slab.settings.mass_damping = 60.0;
+  return slab;
+}
+
+// Every free node somewhere in the box of the slab.
+Points thrown(const Slab& slab) {
+  Points x = slab.mesh.points;
+  unsigned state = 1;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    state = 1664525u * state + 1013904223u;
+    if (slab.free.data()[k] == 0.0) continue;
+    x.data()[k] = (k % 3 == 2 ? 0.04 : 0.1) * (state / 4294967296.0);
+  }
+  return x;
+}
+
+TEST(TledOrImplicit, TakesNoMoreThanSoManySubSteps) {
+  const Slab slab = dampedSlab();
+  const auto tissue = slab.make();
+  const int at_rest = tissue->step({}, kStep).sweep_stages;
+  tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  for (int k = 0; k < 20; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_TRUE(solver::usable(step.status)) << k << " " << toString(step.status);
+    EXPECT_LE(step.sweep_stages, 40 * at_rest) << k;
+    ASSERT_TRUE(std::isfinite(energy(step)));
+  }
+}
+
+TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
+  const Slab slab = dampedSlab();
+  const auto tissue = slab.make(), fresh = slab.make();
+  tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  EXPECT_GT(tissue->step({}, kTooLong).newton_iterations, 0);  // implicit
+  tissue->place(0, tissue->positions(), tissue->velocities());
+  EXPECT_EQ(tissue->step({}, kStep).newton_iterations, 0);
+  EXPECT_GT(tissue->step({}, kTooLong).newton_iterations, 0);
+  double before = energy(tissue->step({}, kStep));
+  bool slept = false;
+  for (int k = 0; k < 1000 && !slept; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_LE(energy(step), 1.001 * before + 1e-9) << k;
+    before = energy(step);
+    slept = step.slept;
+  }
+  ASSERT_TRUE(slept);
+  EXPECT_LT((tissue->positions() - slab.mesh.points).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
+  for (Press a(0.006, 0.1), b(0.006, 0.1); a.time() < 0.2;) {
+    const TissueStep& now = tissue->step({a.next()}, kStep);
+    const TissueStep& never = fresh->step({b.next()}, kStep);
+    EXPECT_EQ(now.newton_iterations, never.newton_iterations);
+    EXPECT_NEAR(test::onTool(now).z(), test::onTool(never).z(),
+                0.02 * std::max(1e-2, test::onTool(never).z()));
+  }
+}
+
+// As the default method would have it.
+TEST(TledOrImplicit, IsTheImplicitMethodFromThereOn) {
+  Slab given_up = dampedSlab(), implicit = dampedSlab();
+  implicit.settings.method = "implicit_pcg";
+  const auto a = given_up.make(), b = implicit.make();
+  for (const auto* tissue : {&a, &b}) {
+    (*tissue)->place(0, thrown(given_up), Points::Zero(3, given_up.mesh.numPoints()));
+  }
+  Press press(0.006, 0.1), same(0.006, 0.1);
+  for (int k = 0; k < 15; ++k) {
+    const double dt = k == 0 ? kTooLong : kStep;
+    a->step({press.next()}, dt);
+    b->step({same.next()}, dt);
+    EXPECT_TRUE((a->positions().array() == b->positions().array()).all()) << k;
+  }
+}
+
+TEST(TledOrImplicit, GoesOnFromASavedStateWithTheSameBits) {
+  const Slab slab = dampedSlab();
+  const auto one = slab.make(), other = slab.make();
+  one->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  for (int k = 0; k < 3; ++k) one->step({}, k == 0 ? kTooLong : kStep);
+  other->restore(one->state());
+  for (int k = 0; k < 5; ++k) {
+    one->step({}, kStep);
+    other->step({}, kStep);
+    EXPECT_EQ(one->positions(), other->positions());
+  }
+}
+
+}  // namespace
+}  // namespace palpate::tissue
