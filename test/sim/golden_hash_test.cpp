@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state that each shipped scene has after the first part of its trajectory, to the bit: a
+// change of bits is a decision. Who makes it runs this test with
+// PALPATE_WRITE_HASHES=test/sim/golden_hashes.csv and commits the file.
+//
+// Our kernels round alike on every processor; the C library's functions and BLAS choose others on
+// another one. So each hash stands beside that of their answers, and a machine that rounds
+// otherwise is left out.
+#include <gtest/gtest.h>
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "palpate/formats/trajectory.h"
+#include "palpate/io/replay.h"
+#include "palpate/sim/simulator.h"
+#include "palpate/sim/state_hash.h"
+#include "support/source_folder.h"
+
+namespace palpate::sim {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kUntil = 1.3;       // of the trajectory [s]: tools have gone in
+constexpr double kWithoutOne = 0.2;  // at rest, of scenes without a trajectory
+
+std::string hex(std::uint64_t value) {
+  std::ostringstream text;
+  text << std::hex << value;
+  return text.str();
+}
+
+// A product by the BLAS that CHOLMOD has loaded.
+void addProduct(std::vector<double>* values) {
+  using Dgemm = void (*)(const char*, const char*, const int*, const int*, const int*,
+                         const double*, const double*, const int*, const double*, const int*,
+                         const double*, double*, const int*);
+  const auto dgemm = reinterpret_cast<Dgemm>(dlsym(RTLD_DEFAULT, "dgemm_"));
+  if (dgemm == nullptr) return;
+  constexpr int kSize = 150, kDepth = 1000;  // deeper than its blocks, whose size differs too
+  std::vector<double> A(kSize * kDepth), C(kSize * kSize, 0.0);
+  for (std::size_t k = 0; k < A.size(); ++k) A[k] = std::sin(static_cast<double>(k));
+  const double one = 1.0, zero = 0.0;
+  dgemm("N", "T", &kSize, &kSize, &kDepth, &one, A.data(), &kSize, A.data(), &kSize, &zero,
+        C.data(), &kSize);
+  values->insert(values->end(), C.begin(), C.end());
+}
+
+// What OpenBLAS calls the processor that it computes for; "" of another BLAS.
+std::string blasKernels() {
+  using Name = char* (*)();
+  const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+  return name == nullptr ? std::string() : std::string(name());
+}
+
+// Of what others compute for us.
+std::string roundingOfThisMachine() {
+  StateHash hash;
+  std::vector<double> values;
+  for (int k = 1; k <= 500; ++k) {
+    const double x = 0.0137 * k;
+    for (const double y : {std::exp(-x), std::log(x), std::pow(x, 1.7), std::sin(x), std::cos(x),
+                           std::atan2(x, 3.0), std::cbrt(x), std::hypot(x, 0.3)}) {
+      values.push_back(y);
+    }
+  }
+  addProduct(&values);
+  for (const char c : blasKernels()) values.push_back(c);
+  hash.add(values.data(), values.size());
+  return hex(hash.value());
+}
+
+std::vector<std::string> scenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(test::sourceFolder() + "/config/scenes")) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Its own, or that of the scene whose name begins alike, as scripts/demo.sh takes it; else all
+// joints stay at zero.
+formats::Trajectory trajectoryOf(const std::string& scene, const Simulator& simulator) {
+  const std::string folder = test::sourceFolder() + "/config/trajectories/";
+  const std::string first = scene.substr(0, scene.find('_'));
+  for (const std::string& name : {scene, first == "slab" ? std::string("slab_probe") : scene}) {
+    if (!fs::exists(folder + name + ".csv")) continue;
+    formats::Trajectory read = formats::readTrajectory(folder + name + ".csv");
+    const auto end = std::upper_bound(read.t.begin(), read.t.end(), kUntil);
+    read.t.erase(end, read.t.end());
+    read.values.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(read.t.size()));
+    return read;
+  }
+  formats::Trajectory still;
+  for (std::size_t i = 0; i < simulator.scene().instruments.size(); ++i) {
+    for (const std::string& joint : simulator.instrument(static_cast<int>(i)).jointNames()) {
+      still.columns.push_back(simulator.scene().instruments[i].name + "/" + joint);
+    }
+  }
+  for (double t = 0.0; t < kWithoutOne; t += simulator.scene().solver.step) still.t.push_back(t);
+  still.values.setZero(static_cast<Eigen::Index>(still.columns.size()),
+                       static_cast<Eigen::Index>(still.t.size()));
+  return still;
+}
+
+std::string hashAtTheEnd(const std::string& name) {
+  Simulator simulator(scene::readScene(test::sourceFolder() + "/config/scenes/" + name + ".yaml"));
+  io::Replay replay(&simulator, trajectoryOf(name, simulator), name);
+  std::uint64_t hash = 0;
+  while (replay.hasNext()) hash = replay.next().report.state_hash;
+  return hex(hash);
+}
+
+const std::string kFile = test::sourceFolder() + "/test/sim/golden_hashes.csv";
+
+// From "rounding,scene" to its hash.
+std::map<std::string, std::string> readHashes(const std::string& file) {
+  std::map<std::string, std::string> all;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t comma = line.rfind(',');
+    if (comma != std::string::npos) all[line.substr(0, comma)] = line.substr(comma + 1);
+  }
+  return all;
+}
+
+void writeHashes(const std::string& file, const std::map<std::string, std::string>& all) {
+  std::ofstream out(file);
+  out << "rounding,scene,hash\n";
+  for (const auto& [key, hash] : all) {
+    if (key != "rounding,scene") out << key << "," << hash << "\n";
+  }
+}
+
+class GoldenHash : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHash, ::testing::ValuesIn(scenes()),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(GoldenHash, IsThatOfTheFile) {
+  const std::string key = roundingOfThisMachine() + "," + GetParam();
+  std::map<std::string, std::string> golden = readHashes(kFile);
+  if (const char* file = std::getenv("PALPATE_WRITE_HASHES")) {
+    golden = readHashes(file);
+    golden[key] = hashAtTheEnd(GetParam());
+    writeHashes(file, golden);
+    return;
+  }
+  const std::string rounding = key.substr(0, key.find(','));
+  const bool known = std::any_of(golden.begin(), golden.end(), [&](const auto& entry) {
+    return entry.first.compare(0, rounding.size(), rounding) == 0;
+  });
+  if (!known)
+    GTEST_SKIP() << "the C library or BLAS of this machine rounds as no line of the file says";
+  ASSERT_TRUE(golden.count(key)) << "a scene without a hash: run with PALPATE_WRITE_HASHES="
+                                 << kFile;
+  EXPECT_EQ(hashAtTheEnd(GetParam()), golden[key]);
+}
+
+}  // namespace
+}  // namespace palpate::sim
