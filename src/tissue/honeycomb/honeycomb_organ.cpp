@@ -51,7 +51,6 @@ HoneycombOrgan::HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& se
                                const ModelSettings& scene)
     : parts_(std::move(parts)),
       settings_(settings),
-      step_(scene.step),
       held_(heldSides(parts_.lattice, parts_.free)),
       fabric_(makeCellFabric(parts_.lattice, held_, parts_.shear_modulus)),
       weight_(weightsOf(parts_, scene.gravity)),

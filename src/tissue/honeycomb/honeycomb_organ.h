@@ -55,7 +55,6 @@ class HoneycombOrgan final : public TissueModel {
 
   HoneycombParts parts_;
   HoneycombSettings settings_;
-  double step_;  // longest of the scene [s]
   HeldSides held_;
   CellFabric fabric_;
   Points weight_;  // of each cell in O [N]
