@@ -59,7 +59,7 @@ class CompliantContact {
   std::vector<int> nodes_, local_;  // candidates' nodes that can move; n: where in them, or -1
   std::vector<int> touched_, touched_at_;  // of nodes_; where in touched_, or -1
   Eigen::Index size_ = 0;                  // 3 nodes_.size()
-  Eigen::MatrixXd vectors_;
+  Eigen::MatrixXd vectors_ = Eigen::MatrixXd(0, kNumVectors);  // a column each
   std::vector<double> C_memory_, H_memory_, system_memory_, right_;
   Points step_, trial_x_;  // 3 x n
 };
