@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Up to eight random scenes of each category, judged by all that does not depend on how fast the
-// machine is. What is known to fail is named, so that a new failure fails here and one that is
-// mended is taken off the list. The full run is scripts/torture.sh.
+// machine is. The full run is scripts/torture.sh.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 #include <string>
 
@@ -24,15 +22,6 @@ const std::set<int>& slowOnes() {
   return kNumbers;
 }
 
-// docs/stability.md says what is known of them.
-const std::map<int, std::string>& knownFailures() {
-  static const std::map<int, std::string> kAll = {
-      {22, "rest"},    // sampled_elasticity: particles that were parted stay so
-      {66, "finite"},  // tled: a stroke at 2 m/s through a body as soft as 1 kPa
-  };
-  return kAll;
-}
-
 std::string failuresOf(const Outcome& outcome) {
   static const std::set<std::string> kOfTheMachine = {"time", "cycle", "deadline"};
   std::string all = outcome.refused.empty() ? "" : "refused: " + outcome.refused;
@@ -47,7 +36,7 @@ class TortureSlice : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Categories, TortureSlice, ::testing::ValuesIn(categories()),
                          [](const auto& name) { return name.param; });
 
-TEST_P(TortureSlice, FailsNowhereElse) {
+TEST_P(TortureSlice, FailsNowhere) {
   RunLimits limits;
   limits.cycle = limits.scene = 1e9;  // what a run does must not depend on the machine
   int judged = 0;
@@ -57,9 +46,7 @@ TEST_P(TortureSlice, FailsNowhereElse) {
     if (scene.organs.front().mesh.numTets() > kMostTets) continue;
     const test::TempFolder folder;
     const Outcome outcome = run(scene, folder.path(""), limits);
-    const auto known = knownFailures().find(number);
-    EXPECT_EQ(failuresOf(outcome), known == knownFailures().end() ? "" : known->second)
-        << number << ": " << describe(scene);
+    EXPECT_EQ(failuresOf(outcome), "") << number << ": " << describe(scene);
     ++judged;
     if (number % kAgain != 0) continue;
     RunLimits two = limits;
