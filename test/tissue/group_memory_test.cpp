@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
+#include <memory>
 
 #include "palpate/solver/integrator.h"
 #include "palpate/solver/minimizer_list.h"
@@ -94,6 +96,38 @@ TEST_P(GroupMemory, BeginsAnewAfterAReset) {
     ASSERT_EQ(tissue->positions(1), fresh->positions(1));
   }
   EXPECT_EQ(tissue->state(), fresh->state());
+}
+
+// What fails together is tried again together: as soon as the tool that touches one of them is
+// gone, though the other one was never touched, and at the same time later on.
+TEST(FrozenGroup, IsTriedAgainWhenTheToolOfOneHasLeft) {
+  ModelSettings settings = organSettings();
+  settings.gravity.setZero();
+  settings.interactions = {{"repulsion", [](const ModelSettings&) {
+                              test::RepulsionSettings none;  // no energy where they meet
+                              none.stiffness = std::numeric_limits<double>::quiet_NaN();
+                              return std::shared_ptr<const Interaction>(new test::Repulsion(none));
+                            }}};
+  const auto tissue = makeOrgans(twoBlocks(0.008), settings);
+  const auto isFrozen = [&tissue](std::size_t organ) {
+    return (*tissue->reports())[organ].recovery == static_cast<int>(Recovery::kFrozen);
+  };
+  int frozen = 0, apart = 0;
+  for (Balls balls = pushRight(0.9); frozen < 20 && balls.time() < 0.9;) {
+    tissue->step(balls.next(), kStep);
+    EXPECT_EQ(isFrozen(0), isFrozen(1)) << balls.time();
+    frozen += isFrozen(0);
+    if (!isFrozen(1)) continue;
+    apart += (*tissue->reports())[0].apart_organs > 0;
+    EXPECT_FALSE((*tissue->reports())[1].ok());
+  }
+  EXPECT_EQ(frozen, 20);
+  EXPECT_EQ(apart, 0);
+  tissue->step({}, kStep);
+  for (const std::size_t organ : {0u, 1u}) {
+    EXPECT_FALSE(isFrozen(organ));
+    EXPECT_TRUE((*tissue->reports())[organ].ok());
+  }
 }
 
 TEST(GroupState, OfOtherOrgansIsRefused) {

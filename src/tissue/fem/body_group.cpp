@@ -50,6 +50,22 @@ void BodyGroup::join() {
   for (FemOrgan* member : members_) member->join();
 }
 
+// One for which the cycle is left out, and so for all; null if there is none, or if another one
+// that failed is due for a trial. Each is asked: all count their cycles.
+const FemOrgan* BodyGroup::frozenMember() const {
+  const FemOrgan* frozen = nullptr;
+  bool due = false;
+  for (FemOrgan* member : members_) {
+    const bool failing = member->isFailing();
+    if (member->isFrozen()) {
+      frozen = member;
+    } else {
+      due = due || failing;
+    }
+  }
+  return due ? nullptr : frozen;
+}
+
 void BodyGroup::step(double dt) {
   const bool sleeps = std::all_of(members_.begin(), members_.end(),
                                   [](const FemOrgan* member) { return member->sleeps(); });
@@ -57,9 +73,8 @@ void BodyGroup::step(double dt) {
     for (FemOrgan* member : members_) member->sleepOn();
     return;
   }
-  // Each is asked: all count their cycles.
-  if (std::count_if(members_.begin(), members_.end(), [](FemOrgan* m) { return m->isFrozen(); })) {
-    for (FemOrgan* member : members_) member->stayFrozen();
+  if (const FemOrgan* failing = frozenMember()) {
+    for (FemOrgan* member : members_) member->stayFrozen(failing->failure());
     return;
   }
   for (FemOrgan* member : members_) member->beginTogether();

@@ -55,6 +55,7 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   body_.goOnFrom(old.body_, change);
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
+  freeze_ = Freeze();
   out_.clear();
 }
 
@@ -117,7 +118,7 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
 
 void FemOrgan::goAlone(double dt) {
   if (sleeps()) return sleepOn();
-  if (isFrozen()) return stayFrozen();
+  if (isFrozen()) return stayFrozen(failure());
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
     if (cameToRest()) {
@@ -236,8 +237,9 @@ void FemOrgan::fail() {
   body_.touch.sides.doubt();
 }
 
-void FemOrgan::stayFrozen() {
-  out_.status = freeze_.status();
+void FemOrgan::stayFrozen(solver::SolveStatus why) {
+  out_.status = why;
+  if (!isFailing()) stop();
   out_.recover(Recovery::kFrozen);
   body_.surroundings.endCycle();
   reportState();

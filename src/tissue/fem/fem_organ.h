@@ -89,8 +89,11 @@ class FemOrgan final : public OrganBodies {
   void sleepOn() { rest_.report(&out_); }
   /// Whether it failed so often that the cycle is left out; asked once a cycle.
   bool isFrozen() { return freeze_.holds(body_.touch.possibleByTools()); }
-  /// It is.
-  void stayFrozen();
+  /// Whether it failed that often at all, and of what.
+  bool isFailing() const { return freeze_.fails(); }
+  solver::SolveStatus failure() const { return freeze_.status(); }
+  /// The cycle is left out for it; `why`: its own failure, or another member's.
+  void stayFrozen(solver::SolveStatus why);
   /// It is solved.
   void beginTogether() { rest_.begin(body_.x); }
   /// Whether it came to rest for its part in a cycle of the group that did `together`.

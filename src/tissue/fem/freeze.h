@@ -25,9 +25,12 @@ class Freeze {
     ++waited_;
     return true;
   }
+  /// Whether it failed so often that only a trial is not left out.
+  bool fails() const { return failures_ >= kFailures; }
   void solved() { failures_ = waited_ = 0; }
   void failed(solver::SolveStatus status) {
     ++failures_;
+    waited_ = 0;
     status_ = status;
   }
   /// Of the last failure.
