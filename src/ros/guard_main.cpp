@@ -28,6 +28,7 @@ namespace palpate::node {
 namespace {
 
 constexpr double kTick = 0.002;  // [s]
+constexpr double kToEnd = 1.0;   // [s] from the last zero on
 
 struct GuardParams {
   std::string input, output;
@@ -88,6 +89,7 @@ class Guard {
       pass();
       std::this_thread::sleep_for(seconds(kTick));
     }
+    Ending::limit(kToEnd, 0);  // a master that hangs would be waited for
   }
 
  private:
@@ -104,8 +106,11 @@ class Guard {
     }
     if (!counts) return;
     const geometry_msgs::WrenchStamped& message = *event.getConstMessage();
+    const Wrench wrench = fromMsg(message.wrench);
+    // What is no number is not heard, and may not hold up the silence that follows.
+    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) return;
     header_ = message.header;
-    if (!guard_.hear(fromMsg(message.wrench), sinceLast())) return;
+    if (!guard_.hear(wrench, sinceLast())) return;
     if (spoken_for_) ROS_INFO("the wrench is back");
     spoken_for_ = false;
     send();

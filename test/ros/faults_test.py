@@ -133,11 +133,11 @@ class Faults(unittest.TestCase):
         self.touch()
         stranger, m = Speaker("/probe/body/measured_cf", WrenchStamped), WrenchStamped()
 
-        def send(count, values):
+        def send(count, values, period=0.002):
             for k in range(count):
                 m.wrench.force.z = m.wrench.torque.x = values[k % len(values)]
                 stranger.send(bytes_of(m))
-                time.sleep(0.002)
+                time.sleep(period)
 
         own = self.device.last().wrench.force.z
         self.assertLess(own, 0.39)  # of the 0.4, in another direction than the stranger's
@@ -151,6 +151,8 @@ class Faults(unittest.TestCase):
             send(200, (1e3, float("nan")))
             self.assertAlmostEqual(self.device.last().wrench.force.z, 0.4, delta=1e-6)
             send(200, (1e3, -1e3))
+            send(1500, (float("nan"),), 0.0005)  # no numbers are silence, however many
+            self.assertEqual(force(self.device.last()), 0.0)
         finally:
             self.node.send_signal(signal.SIGCONT)
         stranger.close()
