@@ -116,7 +116,7 @@ void NeedleChannel::save(StateWriter* to) const {
   }
 }
 
-void NeedleChannel::restore(StateReader* from) {
+void NeedleChannel::restore(StateReader* from, Eigen::Index points) {
   int size = 0;
   from->get(&has_tip_);
   from->get(&size);
@@ -124,6 +124,7 @@ void NeedleChannel::restore(StateReader* from) {
   for (int k = 0; k < size; ++k) {
     Anchor& a = anchors_.emplace_back();
     from->get(&a.place.nodes);
+    if (a.place.nodes.minCoeff() < 0 || a.place.nodes.maxCoeff() >= points) StateReader::fail();
     from->get(&a.place.weights);
     from->get(&a.X);
     from->get(&a.at);

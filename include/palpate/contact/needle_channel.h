@@ -75,7 +75,8 @@ class NeedleChannel final : public fem::EnergyTerm {
   }
 
   void save(StateWriter* to) const;
-  void restore(StateReader* from);
+  /// Of a body of `points`.
+  void restore(StateReader* from, Eigen::Index points);
 
  private:
   // How far a point may be pulled along the axis [N], against and along the way to the tip.

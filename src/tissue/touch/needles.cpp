@@ -181,7 +181,7 @@ void Needles::restore(StateReader* from) {
       from->get(value);
     }
     n.channel = channelOf(n.settings, n.length, n.radius, stiffness_);
-    n.channel.restore(from);
+    n.channel.restore(from, X_.cols());
     for (const Inserted& same : before) {
       if (same.number != n.number) continue;
       n.now = same.now;
