@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state that each shipped scene has after the first part of its trajectory, to the bit: a
-// change of bits is a decision. Who makes it runs this test with
-// PALPATE_WRITE_HASHES=test/sim/golden_hashes.csv and commits the file.
+// change of bits is a decision. Who makes it runs this program, in the environment of
+// scripts/env.sh, with PALPATE_WRITE_HASHES=$PWD/test/sim/golden_hashes.csv and commits the file.
 //
 // Our kernels round alike on every processor; the C library's functions and BLAS choose others on
 // another one. So each hash stands beside that of their answers, and a machine that rounds
@@ -134,12 +134,13 @@ std::map<std::string, std::string> readHashes(const std::string& file) {
   return all;
 }
 
-void writeHashes(const std::string& file, const std::map<std::string, std::string>& all) {
+bool writeHashes(const std::string& file, const std::map<std::string, std::string>& all) {
   std::ofstream out(file);
   out << "rounding,scene,hash\n";
   for (const auto& [key, hash] : all) {
     if (key != "rounding,scene") out << key << "," << hash << "\n";
   }
+  return static_cast<bool>(out.flush());
 }
 
 class GoldenHash : public ::testing::TestWithParam<std::string> {};
@@ -152,7 +153,7 @@ TEST_P(GoldenHash, IsThatOfTheFile) {
   if (const char* file = std::getenv("PALPATE_WRITE_HASHES")) {
     golden = readHashes(file);
     golden[key] = hashAtTheEnd(GetParam());
-    writeHashes(file, golden);
+    ASSERT_TRUE(writeHashes(file, golden)) << file;
     return;
   }
   const std::string rounding = key.substr(0, key.find(','));

@@ -61,9 +61,10 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     solved = done == steps;
     if (solved) break;
     bodies_.goBack();
-    // Shorter steps take longer.
+    // Shorter steps take longer: where there were some to try, the cycle was only late.
     if (!isInterrupted(bodies_.interrupt())) continue;
-    if (solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
+    const bool last = 2 * steps > bodies_.settings().max_time_steps;
+    if (!last || solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
     break;
   }
   bodies_.endCycle();
@@ -137,10 +138,11 @@ void ImplicitSteps::solveStages(double begin, double end) {
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       if (settled()) break;
-      if (iterationsLeft() <= 0) {
+      if (iterationsLeft() <= 0) {  // it keeps the contact that x was solved for
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
       }
+      settle();
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -195,9 +197,12 @@ solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
 // Whether contact is content with the solution; else it is another one from now on.
 bool ImplicitSteps::settled() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
-  if (bodies_.settled()) return true;
+  return bodies_.settled();
+}
+
+void ImplicitSteps::settle() {
+  const PhaseTimer timer(&out_->phases, Phase::kContact);
   bodies_.settle();
-  return false;
 }
 
 bool ImplicitSteps::startGuarding() {

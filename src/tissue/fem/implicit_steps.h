@@ -38,6 +38,7 @@ class ImplicitSteps {
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end);
   bool settled();
+  void settle();
   bool startGuarding();
   void followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);

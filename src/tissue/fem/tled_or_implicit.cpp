@@ -14,7 +14,11 @@ bool TledOrImplicit::advance(double dt, TissueStep* out) {
   failed_ = false;
   if (!given_up_) {
     if (explicit_.advance(dt, out)) return true;
-    if (!body_.v.allFinite() || isInterrupted(body_.interrupt)) return false;
+    if (!body_.v.allFinite()) return false;
+    if (isInterrupted(body_.interrupt)) {
+      out->status = solver::SolveStatus::kDeadline;  // implicit steps were not tried
+      return false;
+    }
     given_up_ = true;
     implicit_.restart();
   }
