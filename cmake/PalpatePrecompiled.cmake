@@ -2,7 +2,7 @@
 # precompiled form, which saves most of their compile time: those listed here and the given ones.
 #
 # A source still includes all it needs, so that it compiles without: CMAKE_DISABLE_PRECOMPILE_HEADERS
-# turns this off, as `scripts/test.sh --sanitize` does, and clang-tidy never sees it. No header of our
+# turns this off, and clang-tidy never sees it. No header of our
 # own belongs here, or a change of it would compile everything anew; <iostream> neither, which adds
 # its initialisation to every object.
 set(palpate_precompiled_headers

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every check and every test, and counts.
 #
-#   scripts/test.sh [--no-checks] [--sanitize] [CTEST_REGEX]
+#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [CTEST_REGEX]
 #
-#   --no-checks   only the tests, not format, tidy and the like
-#   --sanitize    the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
-#   CTEST_REGEX   only the tests whose names match; implies --no-checks
+#   --no-checks         only the tests, not format, tidy and the like
+#   --sanitize          the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
+#   --sanitize=thread   those of its tests that name threads with ThreadSanitizer, in
+#                       build-sanitize-thread/
+#   CTEST_REGEX         only the tests whose names match; implies --no-checks
 #
 # From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
 # names a folder of further meshes and instruments (default: ../shared/data where that exists).
@@ -15,13 +17,15 @@ cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 checks=true
-sanitize=false
+sanitize=
+left_out=
 only=
 for argument in "$@"; do
   case $argument in
     --no-checks) checks=false ;;
-    --sanitize) sanitize=true checks=false ;;
-    -h | --help) sed -n '2,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    --sanitize) sanitize=address,undefined checks=false ;;
+    --sanitize=thread) sanitize=thread checks=false ;;
+    -h | --help) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "test.sh: unknown option '$argument'; see --help" >&2; exit 1 ;;
     *) only=$argument checks=false ;;
   esac
@@ -33,14 +37,21 @@ if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
   export PALPATE_EXTRA_DATA
 fi
 
-if $sanitize; then
-  # ROS's own libraries are not instrumented, so the core and the command line only. Without
-  # precompiled headers, so that a source which lacks an include shows.
+targets=(all tests)
+if [ -n "$sanitize" ]; then
+  # ROS's own libraries are not instrumented, so the core and the command line only.
   export BUILD_DIR=build-sanitize BUILD_TYPE=RelWithDebInfo
-  flags="-O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
-  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"
-  CMAKE_ARGS+=" -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
-  export CMAKE_ARGS CXXFLAGS="$flags" UBSAN_OPTIONS=print_stacktrace=1
+  export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+  export CXXFLAGS="-O1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all"
+  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
+  export CMAKE_ARGS
+  if [ "$sanitize" = thread ]; then
+    BUILD_DIR=build-sanitize-thread
+    mapfile -t targets < <(
+      grep -rlE 'ThreadPool|Background|std::(thread|async|atomic)' test --include='*_test.cpp' |
+        grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
+    only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
+  fi
 fi
 export BUILD_DIR=${BUILD_DIR:-build}
 
@@ -101,7 +112,7 @@ run_ctest() {
 }
 
 start=$SECONDS
-if ! scripts/build.sh all tests; then
+if ! scripts/build.sh "${targets[@]}"; then
   failed=1 failures=(build)
   finish
   exit 1
@@ -126,6 +137,6 @@ unset ROS_MASTER_URI
 # shellcheck disable=SC1091
 . scripts/env.sh
 start=$SECONDS
-run_ctest -j "$(nproc)" --no-tests=error ${only:+-R "$only"}
+run_ctest -j "$(nproc)" --no-tests=error ${only:+-R "$only"} ${left_out:+-E "$left_out"}
 echo "tests took $((SECONDS - start)) s"
 finish
