@@ -20,7 +20,9 @@ void Meetings::look(const std::vector<GroupBody>& bodies, double dt) {
   for (const GroupBody& b : bodies) {
     const FemBody& body = b.body->body();
     const double own = 2.0 * dt * body.v.colwise().norm().maxCoeff();
-    const double pushed = body.touch.possible() ? body.sweep.longestWay() : 0.0;
+    // Outside of a cycle the tools of the one before are known, which may be gone.
+    const bool pushes = dt > 0.0 && body.touch.possible();
+    const double pushed = pushes ? body.sweep.longestWay() : 0.0;
     seen_.push_back({*b.organ, body.mesh.points, body.x, body.triangles,
                      body.x.rowwise().minCoeff(), body.x.rowwise().maxCoeff(),
                      kMargin * body.size + own + pushed});
