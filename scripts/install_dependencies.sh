@@ -49,7 +49,6 @@ dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 # scripts/memory.sh.
 memory=(valgrind python3-roslaunch python3-rosservice rosout ros-robot-state-publisher)
 
-
 # scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
 accuracy=(
   calculix-ccx python3-dolfinx-real build-essential
