@@ -22,6 +22,10 @@ while [ $# -gt 0 ]; do
     *) echo "memory.sh: unknown option '$1'; see --help" >&2; exit 2 ;;
   esac
 done
+if [ ! -f "config/scenes/$scene.yaml" ] || [ ! -f "config/trajectories/$scene.csv" ]; then
+  echo "memory.sh: --scene $scene: must have config/scenes/$scene.yaml and config/trajectories/$scene.csv" >&2
+  exit 2
+fi
 if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build memory; fi
 if [ -z "${PALPATE_NO_BUILD:-}" ]; then scripts/build.sh palpate palpate_node; fi
 unset ROS_MASTER_URI # a graph of our own

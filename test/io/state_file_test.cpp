@@ -84,7 +84,8 @@ TEST_F(StateFile, EveryTruncationAndChangedByteIsRefused) {
 }
 
 TEST_F(StateFile, SaysWhatAFileIsThatIsNone) {
-  for (const char* old : {"# palpate state 1\n# time = 1\n", "palpate state 2\n"}) {
+  for (const char* old :
+       {"# palpate state 1\n# time = 1\n", "palpate state 2\n", "palpate state 3\n"}) {
     EXPECT_TRUE(contains(errorOf(old), "save it again"));
   }
   EXPECT_TRUE(contains(errorOf("t,x,y\n1,2,3\n"), "is no state"));

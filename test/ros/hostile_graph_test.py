@@ -248,7 +248,7 @@ class HostileGraph(unittest.TestCase):
             made = False
         if not made:
             network("netns del " + space)
-            self.skipTest("network namespaces are not permitted here")
+            self.skipTest("needs network namespaces (ip netns, ip link), which are not permitted here")
         try:
             self.start(env=dict(os.environ, ROS_HOSTNAME="localhost"))
             ports = [tcpros.slave("/palpate").address[1], tcpros.data_port("/palpate", WRENCH)[1]]

@@ -184,7 +184,7 @@ class Saves(unittest.TestCase):
         disk = os.path.join(self.folder, "disk")
         os.mkdir(disk)
         if subprocess.call(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], stderr=subprocess.DEVNULL) != 0:
-            self.skipTest("mount -t tmpfs is not permitted here")
+            self.skipTest("needs a disk of 64 kB to fill: mount -t tmpfs is not permitted here")
         try:
             with open(os.path.join(disk, "other"), "wb") as f:
                 f.write(b"x" * 48 * 1024)

@@ -161,7 +161,8 @@ TEST_P(GoldenHash, IsThatOfTheFile) {
     return entry.first.compare(0, rounding.size(), rounding) == 0;
   });
   if (!known)
-    GTEST_SKIP() << "the C library or BLAS of this machine rounds as no line of the file says";
+    GTEST_SKIP() << "the C library or BLAS of this machine rounds as no line of " << kFile
+                 << " says: " << rounding;
   ASSERT_TRUE(golden.count(key)) << "a scene without a hash: run with PALPATE_WRITE_HASHES="
                                  << kFile;
   EXPECT_EQ(hashAtTheEnd(GetParam()), golden[key]);

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "palpate/base/state_bytes.h"
 #include "palpate/contact/needle_channel.h"
 #include "slab.h"
 #include "support/random.h"
@@ -47,6 +49,24 @@ struct Insertion {
   std::unique_ptr<TissueModel> tissue;
   double last = -0.002, push = 0.0, entry = 0.0, imbalance = 0.0;
 };
+
+// A state that was made to harm: of a body of five points no place may name another one.
+TEST(NeedleChannel, RestoresNoPlaceBeyondItsBody) {
+  contact::NeedleChannel channel(kNeedle, kHalf, 1e3, 1e-3);
+  for (const int node : {4, 5, -1}) {
+    contact::NeedleChannel saved(kNeedle, kHalf, 1e3, 1e-3);
+    saved.addTip({{0, 1, 2, node}, Eigen::Vector4d::Constant(0.25)}, Vec3::Zero(), 0.1);
+    StateWriter out;
+    saved.save(&out);
+    StateReader in(out.bytes());
+    if (node == 4) {
+      channel.restore(&in, 5);
+      EXPECT_FALSE(channel.empty());
+    } else {
+      EXPECT_THROW(channel.restore(&in, 5), std::invalid_argument) << node;
+    }
+  }
+}
 
 // Indentation up to the puncture, cutting and friction that grows with the depth, friction alone on
 // the way out [Okamura, Simone, O'Leary 2004, fig. 1].
