@@ -42,6 +42,7 @@ class SolidElasticity final : public Elasticity {
   double gradient(const Points& x, Points* g) override;
   void hessian(const Points& x, Tangent tangent, Stiffness* K) override;
   double minJacobian(const Points& x) override;
+  double minJacobianWithin(const Points& x) override;
   std::vector<PointState> states(const Points& x,
                                  const std::vector<mesh::Location>& places) override;
   Eigen::VectorXd energyBySolid(const Points& x) override;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "jacobian_within.h"
 #include "solid_elasticity.h"
 
 namespace palpate::fem {
@@ -15,6 +16,19 @@ double SolidElasticity<N>::minJacobian(const Points& x) {
   for (std::size_t e = 0; e < shape_.points.size(); ++e) {
     for (const RestPoint<N>& point : shape_.points[e]) {
       smallest = std::min(smallest, deformation(x, e, point.gradients).determinant());
+    }
+  }
+  return smallest;
+}
+
+template <int N>
+double SolidElasticity<N>::minJacobianWithin(const Points& x) {
+  double smallest = minJacobian(x);
+  if constexpr (N == 10) {
+    for (std::size_t e = 0; e < shape_.points.size(); ++e) {
+      Mat3 F[kPoints];
+      for (int q = 0; q < kPoints; ++q) F[q] = deformation(x, e, shape_.points[e][q].gradients);
+      smallest = std::min(smallest, jacobianWithin(F));
     }
   }
   return smallest;
@@ -60,6 +74,8 @@ PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector
 
 template double SolidElasticity<4>::minJacobian(const Points&);
 template double SolidElasticity<10>::minJacobian(const Points&);
+template double SolidElasticity<4>::minJacobianWithin(const Points&);
+template double SolidElasticity<10>::minJacobianWithin(const Points&);
 template std::vector<PointState> SolidElasticity<4>::states(const Points&,
                                                             const std::vector<mesh::Location>&);
 template std::vector<PointState> SolidElasticity<10>::states(const Points&,

@@ -186,10 +186,11 @@ bool FemOrgan::cameToRest() {
 }
 
 // At rest and untouched, but folded through itself: what a leap of a tool can leave, which no force
-// mends, for the folds are in balance.
+// mends, for the folds are in balance. Corners of quadratic elements are curled over where their
+// integration points see nothing.
 bool FemOrgan::isCrushed() {
-  const double now = body_.elasticity->minJacobian(body_.x);
-  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobian(settled_);
+  const double now = body_.elasticity->minJacobianWithin(body_.x);
+  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
 }
 
 // Its law has no energy here, so that no step leads away: where it was placed, not where it went.
