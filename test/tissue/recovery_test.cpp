@@ -105,6 +105,27 @@ TEST(Recovery, RollsBackWhatAllFailIn) {
   EXPECT_EQ(tissue->step({}, kStep).recovery, told(Recovery::kNone));
 }
 
+// Asked to end where the first solve failed and shorter steps were next: no failure, after however
+// many cycles.
+TEST(Recovery, IsOnlyLateWhereThereIsNoTimeForShorterSteps) {
+  const Slab slab = smallSlab();
+  const auto tissue = slab.make();
+  Points v = tissue->velocities();
+  v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
+  bool late = true;
+  const solver::Interrupt interrupt = [&] { return late; };
+  tissue->setInterrupt(&interrupt);
+  for (int k = 0; k < 20; ++k) {
+    tissue->place(0, slab.mesh.points, v);
+    const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_EQ(step.status, solver::SolveStatus::kDeadline) << k;
+    EXPECT_EQ(step.recovery, told(Recovery::kRolledBack)) << k;
+    EXPECT_EQ(step.time_steps, 1) << k;
+  }
+  late = false;
+  EXPECT_TRUE(tissue->step({}, kStep).ok());
+}
+
 TEST(Recovery, FreezesWhatFailsAgainAndAgainUntilTheToolsLeave) {
   const auto tissue = failingSlab().make();
   Press press(0.02, 0.05);
