@@ -110,6 +110,20 @@ TEST_F(HashedRuns, DifferWhereTheToolGoesTheLeastBitElsewhere) {
   EXPECT_NE(one.back(), other.back());
 }
 
+TEST_F(HashedRuns, AreTheSameWhereTheTimeGoesBack) {
+  Simulator simulator(slab.scene());
+  Lockstep lockstep(&simulator);
+  std::vector<std::uint64_t> all[2];
+  for (std::vector<std::uint64_t>& of_run : all) {
+    double t = 0.0;
+    for (const Eigen::VectorXd& q : test::SlabScene::press()) {
+      of_run.push_back(lockstep.advance(t, {simulator.linkPoses(0, q)}).report.state_hash);
+      t += 0.01;
+    }
+  }
+  EXPECT_EQ(all[0], all[1]);
+}
+
 // Said, not judged: what it costs beside a cycle.
 TEST_F(HashedRuns, SayWhatTheHashCosts) {
   Simulator simulator(slab.scene());
