@@ -73,13 +73,13 @@ class Guard {
         input_(handle.subscribe(params.input, 1, &Guard::receive, this,
                                 ros::TransportHints().tcpNoDelay())) {}
 
-  /// Until the end of the program is asked for, and the output is zero.
+  /// Until the end of the program is asked for, and the output is zero. From then on nothing is
+  /// heard: callbacks are no longer called. To unsubscribe would ask the master, which may hang.
   void run() {
     while (!Ending::asked()) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kTick));
       if (Steady::now() - last_ >= seconds(kTick)) pass();
     }
-    input_.shutdown();
     do {
       std::this_thread::sleep_for(seconds(kTick));
       pass();

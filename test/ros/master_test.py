@@ -29,7 +29,7 @@ class Listener:
 
     def __init__(self, node, topic, uri):
         self.connection = tcpros.listen(node, topic, WrenchStamped, uri)
-        self.gap, self.heard, self.failed = 0.0, 0, None
+        self.gap, self.heard, self.failed, self.force = 0.0, 0, None, None
         self.thread = threading.Thread(target=self._hear, daemon=True)
         self.thread.start()
 
@@ -37,7 +37,7 @@ class Listener:
         last = time.monotonic()
         try:
             while True:
-                tcpros.frame(self.connection)
+                self.force = WrenchStamped().deserialize(tcpros.frame(self.connection)).wrench.force.z
                 now = time.monotonic()
                 self.gap, last, self.heard = max(self.gap, now - last), now, self.heard + 1
         except (OSError, EOFError) as e:
@@ -100,6 +100,26 @@ class Master(unittest.TestCase):
             master.unregisterSubscriber(node, topic, api)
         for service in services:
             master.unregisterService(node, service, tcpros.call(master, "lookupService", service))
+
+    def test_a_guard_takes_the_force_back_though_the_master_hangs(self):
+        master = self.master()
+        guard = self.programs.node("palpate_guard", "__name:=guard", "_input:=/given", "_output:=" + DEVICE)
+        self.programs.start("rostopic", "pub", "-r", "200", "/given", "geometry_msgs/WrenchStamped",
+                            "{wrench: {force: {z: 1.0}}}", stdout=subprocess.DEVNULL)
+        self.wait_for(lambda: self.hears(5.0, DEVICE), 20.0)
+        device = Listener("/guard", DEVICE, self.uri())
+        self.wait_for(lambda: device.force == 1.0, 5.0)
+        master.send_signal(signal.SIGSTOP)
+        try:
+            guard.send_signal(signal.SIGTERM)
+            asked = time.monotonic()
+            self.assertEqual(guard.wait(10), 0)
+            took = time.monotonic() - asked
+        finally:
+            master.send_signal(signal.SIGCONT)
+        print("ended %.2f s after it was asked, force %s" % (took, device.force))
+        self.assertEqual(device.force, 0.0)
+        self.assertLess(took, 2.0)
 
     def test_the_node_registers_again(self):
         master = self.master()
