@@ -14,10 +14,6 @@ namespace {
 
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
 constexpr double kNoDirection = 1e-12;
-constexpr double kSlack = 1e-8;  // more than what counts as equally near
-
-// That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
-constexpr double kLeastArea = 2e-5;
 
 // Of a ball's radius and of a triangle's edge: of the larger one an eighth is a depth at which the
 // answer becomes hard. Harder, it would be more than Newton's method has iterations for.
@@ -25,12 +21,6 @@ constexpr double kRadii = 4.0, kHard = 0.125;
 
 Vec3 normalOf(const Mat3& corners) {
   return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
-}
-
-double meanEdge(const Mat3& corners) {
-  return ((corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(1)).norm() +
-          (corners.col(0) - corners.col(2)).norm()) /
-         3.0;
 }
 
 }  // namespace
@@ -53,6 +43,7 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
 
 void FacePoints::clear() {
   candidates_.clear();
+  by_distance_.clear();
   groups_.clear();
   for (const int t : used_) is_used_[static_cast<std::size_t>(t)] = 0;
   used_.clear();
@@ -116,71 +107,9 @@ double FacePoints::sampleSpacing(int triangle, const Points& x) const {
   return std::sqrt(longest) / divisions_[triangle];
 }
 
-void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
-                                double reach) {
-  const Shape& shape = *shapes_[b];
-  if (shape.balls.empty()) return;
-  const instrument::Geometry& geometry = *placed[b].obstacle().geometry;
-  const double bounding = boundingRadius(geometry) + reach;
-  near_.clear();
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const int triangle = static_cast<int>(t);
-    const Mat3 at = corners(x, triangle);
-    const Vec3 middle = at.rowwise().mean();
-    const double radius = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-    const Vec3 middle_G = placed[b].toObstacle(middle);
-    if (middle_G.norm() > bounding + radius) continue;
-    if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
-    near_.push_back({triangle, middle_G, radius});
-  }
-  found_.clear();
-  for (const Near& t : near_) {
-    // The balls in the slice of the shape that the triangle may touch.
-    const double far = t.radius + reach + shape.largest;
-    const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
-    auto ball = std::lower_bound(
-        shape.balls.begin(), shape.balls.end(), begin,
-        [&](const TouchBall& of, double at) { return of.center_G[shape.axis] < at; });
-    for (; ball != shape.balls.end() && ball->center_G[shape.axis] <= end; ++ball) {
-      if ((ball->center_G - t.middle_G).squaredNorm() > far * far) continue;
-      found_.emplace_back(static_cast<int>(ball - shape.balls.begin()), t.triangle);
-    }
-  }
-  std::sort(found_.begin(), found_.end());
-  double nearest = 0.0;
-  for (const auto& [of_ball, triangle] : found_) {
-    const TouchBall& ball = shape.balls[of_ball];
-    const Vec3 center = placed[b].obstacle().X_WG_end * ball.center_G;
-    const Mat3 at = corners(x, triangle);
-    const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
-    const double distance = (center - near.point).norm();
-    if (distance > reach + ball.radius) continue;
-    if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
-      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0});
-      nearest = std::numeric_limits<double>::infinity();
-    }
-    candidates_.push_back({triangle, meanEdge(at)});
-    char& used = is_used_[static_cast<std::size_t>(triangle)];
-    if (!used) used_.push_back(triangle);
-    used = 1;
-    groups_.back().end = numCandidates();
-    if (distance < nearest) groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
-    nearest = std::min(nearest, distance);
-  }
-}
-
 bool FacePoints::hasCandidates(int obstacle) const {
   return std::any_of(groups_.begin(), groups_.end(),
                      [&](const Group& group) { return group.obstacle == obstacle; });
-}
-
-void FacePoints::placeTriangles(const Points& x) const {
-  for (const int t : used_) {
-    const Mat3 at = corners(x, t);
-    const Vec3 middle = at.rowwise().mean();
-    middles_.col(t) = middle;
-    radii_[t] = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-  }
 }
 
 // Fills meetings_ with the triangles that may be the nearest or are nearer than `within`, and
@@ -189,20 +118,14 @@ void FacePoints::placeTriangles(const Points& x) const {
 const FacePoints::Meeting& FacePoints::measure(const Points& x,
                                                const std::vector<PlacedObstacle>& placed,
                                                const Group& group, double within) const {
-  const Vec3 center = placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
-  apart_.clear();
-  double farthest = std::numeric_limits<double>::infinity();  // that the nearest may be
-  for (int c = group.begin; c < group.end; ++c) {
-    apart_.push_back((center - middles_.col(candidates_[c].triangle)).norm());
-    farthest = std::min(farthest, apart_.back());
-  }
-  const double far = std::max(farthest, within) * (1.0 + kSlack) + kNoDirection;
+  const Vec3 center = centerOf(placed, group);
+  findNear(center, group, within);
   meetings_.clear();
   std::size_t nearest = 0;
   double most_across = 0.0;
-  for (int c = group.begin; c < group.end; ++c) {
+  for (const std::pair<int, double>& close : close_) {
+    const int c = close.first;
     const int triangle = candidates_[c].triangle;
-    if (skip_far_ && apart_[c - group.begin] - radii_[triangle] > far) continue;
     const Mat3 at = corners(x, triangle);
     const Vec3 n = normalOf(at);
     Meeting m{};
@@ -269,6 +192,7 @@ double FacePoints::maxStep(const Points& x, const Points& d,
   }
   longest = std::sqrt(longest);
   for (const Group& group : groups_) {
+    if (staysAway(placed, group, longest * largest)) continue;
     measure(x, placed, group, longest * largest);
     for (const Meeting& m : meetings_) {
       const Mat3 motion = corners(d, m.triangle);

@@ -73,6 +73,7 @@ class FacePoints {
                const Visit& visit) const {
     placeTriangles(x);
     for (const Group& group : groups_) {
+      if (staysAway(placed, group, reach + ball(group).radius)) continue;
       measure(x, placed, group, reach + ball(group).radius);
       for (const Meeting& meeting : meetings_) {
         const double gap = meeting.distance - ball(group).radius;
@@ -117,17 +118,30 @@ class FacePoints {
   };
   struct Candidate {
     int triangle;
-    double edge;  // its mean edge when it was found [m]
+    // When it was found: its mean edge, and how far from it the ball's centre was [m].
+    double edge, apart;
   };
   struct Group {
     int obstacle, ball, begin, end;  // of its candidates
     double area;                     // that it stands for [m^2]
+    // When they were found: the ball's centre, and whether it was behind the nearest.
+    Vec3 center_W;
+    bool behind;
   };
 
   const Shape* shapeOf(const Obstacle& obstacle);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
+  void orderCandidates(const Points& x, const std::vector<PlacedObstacle>& placed,
+                       std::size_t first_group);
+  Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
+    return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
+  }
+  double wayOf(const Vec3& center, const Group& group) const;
+  bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
+                 double within) const;
   void placeTriangles(const Points& x) const;
+  void findNear(const Vec3& center, const Group& group, double within) const;
   const Meeting& measure(const Points& x, const std::vector<PlacedObstacle>& placed,
                          const Group& group, double within) const;
   void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
@@ -142,15 +156,18 @@ class FacePoints {
   std::vector<Group> groups_;
   std::vector<Near> near_;
   std::vector<std::pair<int, int>> found_;  // balls and triangles
-  // What is spared: balls around the triangles that are candidates, as they are now, and how far
-  // from them a ball's centre is.
+  // What is spared: a triangle that was far when it was found is, if neither it nor the ball went
+  // as far since; and balls around the triangles as they are now.
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
+  std::vector<int> by_distance_;  // candidates, in each group the near ones first
+  Points found_at_;               // x, when they were found
+  mutable double moved_ = 0.0;    // how far a corner is from there, at most [m]
   mutable Points middles_;
   mutable Eigen::VectorXd radii_;
-  mutable std::vector<double> apart_;
-  mutable std::vector<Meeting> meetings_;  // of one group, those that may matter
+  mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
+  mutable std::vector<Meeting> meetings_;              // of one group, those that may matter
 };
 
 }  // namespace palpate::contact
