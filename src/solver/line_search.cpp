@@ -15,12 +15,13 @@ constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of v
 double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
 
 bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Points* g,
-                     double* value) {
+                     double* value, const Interrupt* interrupt) {
   const double slope = g->cwiseProduct(d).sum();
   const double norm = freeNorm(*g, potential.free);
   const bool conservative = potential.conservative();
   double alpha = potential.maxStep(*x, d);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
+    if (k > 0 && interrupt && *interrupt && (*interrupt)()) return false;
     x_trial_ = *x + alpha * d;
     const double next_value = potential.gradient(x_trial_, &g_trial_);
     const double next_norm = freeNorm(g_trial_, potential.free);

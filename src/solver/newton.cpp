@@ -145,11 +145,10 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
       return report;
     }
     const PhaseTimer timer(&report.phases, Phase::kLineSearch);
-    if (!line_search_.run(potential, d_, x, &g_, &value)) {
-      if (kept_) {
-        elastic_->drop();
-        continue;
-      }
+    const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
+    if (!line_search_.run(potential, d_, x, &g_, &value, interrupt)) {
+      if (kept_) elastic_->drop();
+      if (kept_ || (interrupt && settings.interrupted())) continue;
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }

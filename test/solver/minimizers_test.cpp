@@ -177,6 +177,24 @@ TEST_P(EveryMinimizer, EndsAfterAnIterationWhenAskedTo) {
             SolveStatus::kConverged);
 }
 
+TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
+  Pushed pushed;
+  pushed.x = pushed.mesh.points;
+  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
+  pushed.time.beginStep(kStep, &pushed.potential);
+  pushed.floor.height = 0.01;
+  Points g;
+  double value = pushed.potential.gradient(pushed.x, &g);
+  const Points far = -1e6 * g.cwiseProduct(pushed.potential.free);
+  const Points before = pushed.x;
+  const Interrupt at_once = [] { return true; };
+  LineSearch search;
+  EXPECT_FALSE(search.run(pushed.potential, far, &pushed.x, &g, &value, &at_once));
+  EXPECT_EQ(pushed.x, before);
+  EXPECT_TRUE(search.run(pushed.potential, far, &pushed.x, &g, &value));
+  EXPECT_GT(search.halvings(), 0);
+}
+
 // With linear solves to 0.5 alone it would take 33 iterations to 1e-10 of the first residual.
 TEST(Newton, SolvesLinearSystemsBetterWhereItsStepsAreGood) {
   Pushed pushed;
