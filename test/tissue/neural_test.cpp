@@ -115,6 +115,7 @@ TEST_F(Neural, GoesToTheElementsAndBackWithoutAJump) {
       before = p;
       const TissueStep& step = tissue->step({way}, kStep);
       ASSERT_TRUE(step.ok()) << t;
+      EXPECT_LE(step.residual, step.tolerance) << t;
       *most = std::max(*most, onTool(step).norm());
       *step_most = std::max(*step_most, (onTool(step) - last).norm());
       *solved += step.newton_iterations > 0;

@@ -179,6 +179,7 @@ void NeuralOrgan::report(const std::vector<contact::Obstacle>& obstacles, double
   out_.inertia_force *= part_;
   out_.interaction_force *= part_;
   if (solving_) return;
+  out_.residual = 0.0;  // of elements that are told no more
   out_.tolerance = tolerance_;
   out_.satisfied = true;
   out_.slept = may_sleep_ && followed_ < 0;
