@@ -2,7 +2,7 @@
 # Installs the Debian packages that palpate needs. Nothing happens where they are all there.
 #
 #   scripts/install_dependencies.sh [--list] [SET ...]      SET: build test demo scene rviz dev accuracy
-#                                                     benchmark memory
+#                                                     benchmark memory coverage
 #
 # Without a set: build, test and demo. --list prints the packages and installs nothing.
 # This file is the one place where packages are listed.
@@ -49,6 +49,9 @@ dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 # scripts/memory.sh.
 memory=(valgrind python3-roslaunch python3-rosservice rosout ros-robot-state-publisher)
 
+# scripts/coverage.sh.
+coverage=(gcovr)
+
 # scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
 accuracy=(
   calculix-ccx python3-dolfinx-real build-essential
@@ -71,9 +74,9 @@ sets=()
 for argument in "$@"; do
   case $argument in
     --list) list_only=true ;;
-    build | test | demo | scene | rviz | dev | memory | accuracy | benchmark) sets+=("$argument") ;;
+    build | test | demo | scene | rviz | dev | memory | coverage | accuracy | benchmark) sets+=("$argument") ;;
     -h | --help) sed -n '2,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) die "unknown set '$argument'; known: build test demo scene rviz dev memory accuracy benchmark" ;;
+    *) die "unknown set '$argument'; known: build test demo scene rviz dev memory coverage accuracy benchmark" ;;
   esac
 done
 [ ${#sets[@]} -gt 0 ] || sets=(build test demo)

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every check and every test, and counts.
 #
-#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [CTEST_REGEX]
+#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [--coverage] [CTEST_REGEX]
 #
 #   --no-checks         only the tests, not format, tidy and the like
 #   --sanitize          the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
 #   --sanitize=thread   those of its tests that name threads with ThreadSanitizer, in
 #                       build-sanitize-thread/
+#   --coverage          the tests of the core with a counter in each line, in build-coverage/, with
+#                       --sanitize or without (scripts/coverage.sh says what they reached)
 #   CTEST_REGEX         only the tests whose names match; implies --no-checks
 #
 # From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
@@ -17,7 +19,7 @@ cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 checks=true
-sanitize=
+sanitize= coverage=false
 left_out=
 only=
 for argument in "$@"; do
@@ -25,7 +27,8 @@ for argument in "$@"; do
     --no-checks) checks=false ;;
     --sanitize) sanitize=address,undefined checks=false ;;
     --sanitize=thread) sanitize=thread checks=false ;;
-    -h | --help) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    --coverage) coverage=true checks=false ;;
+    -h | --help) sed -n '2,16s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "test.sh: unknown option '$argument'; see --help" >&2; exit 1 ;;
     *) only=$argument checks=false ;;
   esac
@@ -38,13 +41,11 @@ if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
 fi
 
 targets=(all tests)
-if [ -n "$sanitize" ]; then
+if [ -n "$sanitize" ] || $coverage; then
   # ROS's own libraries are not instrumented, so the core and the command line only.
-  export BUILD_DIR=build-sanitize BUILD_TYPE=RelWithDebInfo
-  export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
-  export CXXFLAGS="-O1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all"
-  CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
-  export CMAKE_ARGS
+  flags="-O1 -fno-omit-frame-pointer"
+  if [ -n "$sanitize" ]; then BUILD_DIR=build-sanitize flags+=" -fsanitize=$sanitize -fno-sanitize-recover=all"; fi
+  if $coverage; then BUILD_DIR=build-coverage flags+=" --coverage -fprofile-update=atomic"; fi
   if [ "$sanitize" = thread ]; then
     BUILD_DIR=build-sanitize-thread
     mapfile -t targets < <(
@@ -52,6 +53,9 @@ if [ -n "$sanitize" ]; then
         grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
     only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
   fi
+  export BUILD_TYPE=RelWithDebInfo CXXFLAGS="$flags"
+  export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+  export CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
 fi
 export BUILD_DIR=${BUILD_DIR:-build}
 
