@@ -21,7 +21,7 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
   const bool conservative = potential.conservative();
   double alpha = potential.maxStep(*x, d);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
-    if (k > 0 && interrupt && *interrupt && (*interrupt)()) return false;
+    if (k > 0 && isInterrupted(interrupt)) return false;
     x_trial_ = *x + alpha * d;
     const double next_value = potential.gradient(x_trial_, &g_trial_);
     const double next_norm = freeNorm(g_trial_, potential.free);

@@ -148,7 +148,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
     if (!line_search_.run(potential, d_, x, &g_, &value, interrupt)) {
       if (kept_) elastic_->drop();
-      if (kept_ || (interrupt && settings.interrupted())) continue;
+      if (kept_ || isInterrupted(interrupt)) continue;
       report.status = SolveStatus::kLineSearchFailed;
       return report;
     }

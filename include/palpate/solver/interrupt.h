@@ -9,4 +9,9 @@ namespace palpate::solver {
 /// no clock; whoever has one gives it.
 using Interrupt = std::function<bool()>;
 
+/// Whether it is there, not null and not empty, and asks for the end.
+inline bool isInterrupted(const Interrupt* interrupt) {
+  return interrupt != nullptr && *interrupt && (*interrupt)();
+}
+
 }  // namespace palpate::solver

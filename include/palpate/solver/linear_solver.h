@@ -62,7 +62,7 @@ class LinearSolver {
  protected:
   const Interrupt* interrupt() const { return interrupt_; }
   bool interrupted(int iteration) const {
-    return iteration > 0 && iteration % 8 == 0 && interrupt_ && *interrupt_ && (*interrupt_)();
+    return iteration > 0 && iteration % 8 == 0 && isInterrupted(interrupt_);
   }
 
  private:

@@ -21,7 +21,7 @@ struct NewtonSettings {
   /// done.
   const Interrupt* interrupt = nullptr;
 
-  bool interrupted() const { return interrupt && *interrupt && (*interrupt)(); }
+  bool interrupted() const { return isInterrupted(interrupt); }
 };
 
 struct NewtonReport {

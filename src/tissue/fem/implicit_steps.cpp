@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "palpate/solver/line_search.h"
-#include "tissue/interrupted.h"
 
 namespace palpate::tissue {
 namespace {
@@ -62,7 +61,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     if (solved) break;
     bodies_.goBack();
     // Shorter steps take longer: where there were some to try, the cycle was only late.
-    if (!isInterrupted(bodies_.interrupt())) continue;
+    if (!solver::isInterrupted(bodies_.interrupt())) continue;
     const bool last = 2 * steps > bodies_.settings().max_time_steps;
     if (!last || solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
     break;
@@ -123,7 +122,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
       // In time the tools go as far as the tissue can follow, late they go all the way at once.
-      const bool late = from > begin && isInterrupted(bodies_.interrupt());
+      const bool late = from > begin && solver::isInterrupted(bodies_.interrupt());
       s = late ? end : bodies_.nextStage(s, end);
       if (late) bodies_.doubtSides();
       ++out_->sweep_stages;

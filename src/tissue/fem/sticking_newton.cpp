@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sparse_assembly.h"
-#include "tissue/interrupted.h"
 
 namespace palpate::tissue {
 namespace {
@@ -68,7 +67,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
     }
     body_.x = x_begin_;
     contact_->goBack();
-    if (isInterrupted(body_.interrupt)) break;
+    if (solver::isInterrupted(body_.interrupt)) break;
   }
   body_.elasticity->restoreViscousState(viscous.get());
   contact_->addWork(out);
@@ -134,7 +133,7 @@ void StickingNewton::newton(TissueStep* out) {
     if (residual_ <= out->tolerance && on_surface) return;
     out->status = solver::SolveStatus::kIterationLimit;
     if (k == body_.settings.max_newton_iterations) return;
-    if (k > 0 && isInterrupted(body_.interrupt)) {
+    if (k > 0 && solver::isInterrupted(body_.interrupt)) {
       out->status = solver::SolveStatus::kDeadline;
       return;
     }

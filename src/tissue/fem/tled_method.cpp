@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "tissue/interrupted.h"
-
 namespace palpate::tissue {
 namespace {
 
@@ -101,7 +99,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   body_.contact.save(&touched);
   for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
     if (run(dt, caution_ * steps, out)) return true;
-    const bool late = isInterrupted(body_.interrupt);
+    const bool late = solver::isInterrupted(body_.interrupt);
     body_.x = x_begin_;
     body_.v = v_begin_;
     g_ = g_begin_;
@@ -135,7 +133,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
     if (k > 1) u_ *= 1.0 - damping;
     subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
-    late = k < steps && isInterrupted(body_.interrupt);
+    late = k < steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.
   if (late) body_.touch.sides.doubt();

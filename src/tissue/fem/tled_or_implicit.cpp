@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "tissue/interrupted.h"
-
 namespace palpate::tissue {
 
 TledOrImplicit::TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer)
@@ -15,7 +13,7 @@ bool TledOrImplicit::advance(double dt, TissueStep* out) {
   if (!given_up_) {
     if (explicit_.advance(dt, out)) return true;
     if (!body_.v.allFinite()) return false;
-    if (isInterrupted(body_.interrupt)) {
+    if (solver::isInterrupted(body_.interrupt)) {
       out->status = solver::SolveStatus::kDeadline;  // implicit steps were not tried
       return false;
     }

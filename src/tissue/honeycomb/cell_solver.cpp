@@ -122,7 +122,7 @@ CellSolve CellSolver::solve(int max_waves, const solver::Interrupt* interrupt, C
   waves_.begin(whole);
   fronts_of_.clear();
   while (report.waves < max_waves) {
-    if (interrupt != nullptr && *interrupt && (*interrupt)()) {
+    if (solver::isInterrupted(interrupt)) {
       report.status = solver::SolveStatus::kDeadline;
       return report;
     }

@@ -9,7 +9,6 @@
 
 #include "palpate/base/state_bytes.h"
 #include "sampled_body.h"
-#include "tissue/interrupted.h"
 #include "tissue/touch/rest.h"
 
 namespace palpate::tissue {
@@ -278,7 +277,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   bool late = false;
   while (done < steps && !late && subStep(dt / steps, (done + 1) / static_cast<double>(steps))) {
     ++done;
-    late = done < steps && isInterrupted(interrupt_);
+    late = done < steps && solver::isInterrupted(interrupt_);
   }
   out_.sweep_stages = done;
   if (steps == 0 || (done < steps && !late) || !body_.d.allFinite() || !body_.v.allFinite()) {

@@ -177,7 +177,7 @@ solver::NewtonReport CompliantContact::solve(const Points& u0, double tolerance,
       report.status = solver::SolveStatus::kIterationLimit;
       break;
     }
-    if (report.iterations > 0 && interrupt != nullptr && *interrupt && (*interrupt)()) {
+    if (report.iterations > 0 && solver::isInterrupted(interrupt)) {
       report.status = solver::SolveStatus::kDeadline;
       break;
     }
