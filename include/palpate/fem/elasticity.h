@@ -39,7 +39,7 @@ class Elasticity : public ElasticEnergy {
   /// Smallest det F of any integration point.
   virtual double minJacobian(const Points& x) = 0;
   /// Smallest det F that is found anywhere in the elements: of linear ones the same; of quadratic
-  /// ones between integration points as well, at the work of about an energy.
+  /// ones between integration points as well. By one thread: not for every cycle.
   virtual double minJacobianWithin(const Points& x) { return minJacobian(x); }
   /// At each of `places`, in the body's mesh.
   virtual std::vector<PointState> states(const Points& x,
