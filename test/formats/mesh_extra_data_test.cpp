@@ -18,8 +18,7 @@ class ExtraData : public testing::Test {
   void SetUp() override {
     const char* folder = std::getenv("PALPATE_EXTRA_DATA");
     if (!folder || !*folder)
-      GTEST_SKIP()
-          << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+      GTEST_SKIP() << "needs meshes that are not shipped: a folder in PALPATE_EXTRA_DATA";
     folder_ = folder;
     if (!std::filesystem::is_directory(folder_))
       GTEST_SKIP() << "needs meshes that are not shipped: PALPATE_EXTRA_DATA = " << folder_

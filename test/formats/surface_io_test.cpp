@@ -95,8 +95,7 @@ TEST(Surface, FolderIsRefused) {
 
 TEST(Surface, NumbersAreReadInAnyLocale) {
   if (!std::setlocale(LC_ALL, "de_DE.UTF-8"))
-    GTEST_SKIP()
-        << "needs a locale with a decimal comma to read numbers in: de_DE.UTF-8 is not installed";
+    GTEST_SKIP() << "needs a locale with a decimal comma: de_DE.UTF-8 is not installed";
   const mesh::SurfaceMesh surface = readText("a.obj", "v 0.5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::setlocale(LC_ALL, "C");
   EXPECT_EQ(surface.points(0, 0), 0.5);

@@ -181,8 +181,7 @@ std::string extraData() {
 
 TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
   if (extraData().empty())
-    GTEST_SKIP()
-        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+    GTEST_SKIP() << "needs instruments that are not shipped: a folder in PALPATE_EXTRA_DATA";
   InstrumentOptions options;
   options.collision_meshes.convex_hull = true;  // one of its meshes cuts itself
   const Instrument psm = readInstrument(extraData() + "/instruments/psm/psm.urdf", options);
@@ -220,8 +219,7 @@ TEST(ExtraInstruments, PsmLoadsAndMovesWithoutItsVisualMeshes) {
 
 TEST(ExtraInstruments, CollisionMeshesOfThePsmsToolHaveAShapeOrAreRefusedWithAReason) {
   if (extraData().empty())
-    GTEST_SKIP()
-        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+    GTEST_SKIP() << "needs instruments that are not shipped: a folder in PALPATE_EXTRA_DATA";
   int sampled = 0, refused = 0;
   const std::string folder = extraData() + "/instruments/psm/meshes/collision";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -248,8 +246,7 @@ TEST(ExtraInstruments, CollisionMeshesOfThePsmsToolHaveAShapeOrAreRefusedWithARe
 
 TEST(ExtraInstruments, OmniIsAnArmWithoutCollisionShapes) {
   if (extraData().empty())
-    GTEST_SKIP()
-        << "needs instruments that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+    GTEST_SKIP() << "needs instruments that are not shipped: a folder in PALPATE_EXTRA_DATA";
   const Instrument omni = readInstrument(extraData() + "/instruments/omni.urdf");
   EXPECT_EQ(omni.joints().size(), 6u);
   EXPECT_TRUE(omni.bodies().empty());

@@ -17,8 +17,8 @@ namespace {
 
 TEST(ExtraOrgans, ALiverWithAFoldIsMendedAndMeshed) {
   const char* folder = std::getenv("PALPATE_EXTRA_DATA");
-  if (folder == nullptr)
-    GTEST_SKIP() << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+  if (!folder || !*folder)
+    GTEST_SKIP() << "needs meshes that are not shipped: a folder in PALPATE_EXTRA_DATA";
   const std::string file = std::string(folder) + "/organs/liver-smooth.obj";
   SurfaceMesh surface = formats::readSurface(file);
   EXPECT_THROW(checkSize(surface.points, file, "scale"), InputError);

@@ -16,7 +16,7 @@ namespace {
 TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
   const char* folder = std::getenv("PALPATE_EXTRA_DATA");
   if (!folder || !*folder)
-    GTEST_SKIP() << "needs meshes that are not shipped: set PALPATE_EXTRA_DATA to a folder of them";
+    GTEST_SKIP() << "needs meshes that are not shipped: a folder in PALPATE_EXTRA_DATA";
   scene::Scene scene;
   scene.file = (std::filesystem::path(folder) / "scene.yaml").string();  // not there; for paths
   scene.gravity.setZero();
