@@ -7,8 +7,8 @@
 #   --sanitize   with AddressSanitizer and UBSan in the same build, as scripts/test.sh --sanitize: one run for both
 #   --report     only the report, of what has run already
 #
-# The nodes are left out: a graph's processes are tested by rostest, which this build has none of. Takes an hour of
-# two cores. From the environment: PALPATE_NO_INSTALL=1 installs nothing.
+# The nodes are left out: a graph's processes are tested by rostest, which this build has none of. Two cores build
+# for more than an hour. From the environment: PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
