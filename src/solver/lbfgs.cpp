@@ -141,9 +141,10 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
   num_pairs_ = std::min(num_pairs_ + 1, kPairs);
 }
 
-bool Lbfgs::search(const Potential& potential, Points* x, double* value, NewtonReport* report) {
+bool Lbfgs::search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
+                   NewtonReport* report) {
   const PhaseTimer timer(&report->phases, Phase::kLineSearch);
-  return line_search_.run(potential, d_, x, &g_, value);
+  return line_search_.run(potential, d_, x, &g_, value, interrupt);
 }
 
 NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& settings,
@@ -169,12 +170,18 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     }
     x_begin_ = *x;
     g_begin_ = g_;
-    while (!direction(potential, *x, &report.phases) || !search(potential, x, &value, &report)) {
+    const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
+    bool late = false;
+    while (!direction(potential, *x, &report.phases) ||
+           !search(potential, interrupt, x, &value, &report)) {
+      late = isInterrupted(interrupt);
+      if (late) break;
       report.status = fresh ? SolveStatus::kLineSearchFailed : renew(potential, *x, &report.phases);
       if (report.status != SolveStatus::kConverged) return report;
       since_renewal = 0;
       fresh = true;
     }
+    if (late) continue;  // it is over
     learn(potential, *x);
     ++report.iterations;
     ++since_renewal;

@@ -177,6 +177,45 @@ TEST_P(EveryMinimizer, EndsAfterAnIterationWhenAskedTo) {
             SolveStatus::kConverged);
 }
 
+// Asks for the end at its n-th gradient, and counts those that come after.
+class Watch final : public fem::EnergyTerm {
+ public:
+  int ends_at = 0;
+  mutable int gradients = 0;
+
+  double value(const Points&) const override { return 0.0; }
+  double addGradient(const Points&, Points*) const override {
+    ++gradients;
+    return 0.0;
+  }
+  void addHessian(const Points&, fem::Tangent, fem::Stiffness*) const override {}
+};
+
+// From a shape that takes shortened steps to leave.
+TEST_P(EveryMinimizer, LooksAtOnePointMoreWhenItIsAskedToEnd) {
+  int seen = 0;
+  for (int n = 1; n < 40; ++n) {
+    Pushed pushed;
+    Watch watch;
+    watch.ends_at = n;
+    pushed.potential.terms.push_back(&watch);
+    pushed.time.start(pushed.mesh.points, Points::Zero(3, pushed.mesh.numPoints()));
+    pushed.time.beginStep(1.0, &pushed.potential);
+    pushed.x = pushed.mesh.points;
+    for (Eigen::Index i = 0; i < pushed.x.cols(); ++i) {
+      if (pushed.potential.free(0, i) != 0.0) pushed.x(0, i) += 0.2 * std::sin(37.0 * i);
+    }
+    const Interrupt asked = [&] { return watch.gradients >= watch.ends_at; };
+    pushed.settings.interrupt = &asked;
+    const NewtonReport report =
+        pushed.make(GetParam())->minimize(pushed.potential, pushed.settings, &pushed.x);
+    if (report.iterations < 2 || report.status != SolveStatus::kDeadline) continue;
+    ++seen;
+    EXPECT_LE(watch.gradients, n + 1) << n;
+  }
+  EXPECT_GT(seen, 5);
+}
+
 TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
   Pushed pushed;
   pushed.x = pushed.mesh.points;

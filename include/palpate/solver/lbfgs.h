@@ -47,7 +47,8 @@ class Lbfgs final : public Minimizer {
   SolveStatus renew(const Potential& potential, const Points& x, PhaseTimes* phases);
   bool scaleFactor(const Potential& potential, const Points& x);
   bool direction(const Potential& potential, const Points& x, PhaseTimes* phases);
-  bool search(const Potential& potential, Points* x, double* value, NewtonReport* report);
+  bool search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
+              NewtonReport* report);
   void learn(const Potential& potential, const Points& x);
   /// The k-th newest pair.
   Pair& pair(int k) { return pairs_[(newest_ + kPairs - k) % kPairs]; }

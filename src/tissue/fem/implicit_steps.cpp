@@ -227,7 +227,7 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     solved = minimizer_->minimize(bodies_.potential(), settings, &bodies_.x());
     add(solved);
     const PhaseTimer timer(&out_->phases, Phase::kContact);
-    if (bodies_.candidatesHold()) break;
+    if (bodies_.candidatesHold() || solved.status == solver::SolveStatus::kDeadline) break;
     bodies_.search();
   }
   return solved;
@@ -243,12 +243,14 @@ int ImplicitSteps::iterationsLeft() const {
 }
 
 // A state to go on from. One that only ran out of iterations or time is, unless it was asked to
-// converge: each iteration lowered the energy. One with elements inside out is the last resort.
+// converge: each iteration lowered the energy. One with elements inside out is the last resort, or
+// what there is where no time is left for shorter steps: a body that began so would stay so.
 bool ImplicitSteps::acceptable() {
   const bool only_converged = bodies_.settings().only_converged;
   const bool enough = only_converged ? out_->ok() : solver::usable(out_->status);
   if (!enough || !bodies_.x().allFinite()) return false;
-  return 2 * out_->time_steps > bodies_.settings().max_time_steps || !bodies_.inverted();
+  const bool last = 2 * out_->time_steps > bodies_.settings().max_time_steps;
+  return last || solver::isInterrupted(bodies_.interrupt()) || !bodies_.inverted();
 }
 
 }  // namespace palpate::tissue

@@ -4,6 +4,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sparse_assembly.h"
 
@@ -117,7 +118,9 @@ void StickingNewton::solveStage(double begin, TissueStep* out) {
 }
 
 void StickingNewton::newton(TissueStep* out) {
+  bool to_rest = false;  // the last step moved nothing that is held
   for (int k = 0;; ++k) {
+    const double before = residual_;
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
@@ -134,12 +137,29 @@ void StickingNewton::newton(TissueStep* out) {
     out->status = solver::SolveStatus::kIterationLimit;
     if (k == body_.settings.max_newton_iterations) return;
     if (k > 0 && solver::isInterrupted(body_.interrupt)) {
+      if (to_rest && residual_ > before) shorten(before);
       out->status = solver::SolveStatus::kDeadline;
       return;
     }
+    to_rest = on_surface;
     if (!iterate(out)) return;
     ++out->newton_iterations;
   }
+}
+
+// Nothing globalises Newton's steps but those that follow; the last one is shortened until it
+// leaves less unbalanced than the `before` [N] of the state before it, to which it goes back if
+// none does.
+void StickingNewton::shorten(double before) {
+  for (int k = 0; k < kMaxHalvings && residual_ > before; ++k) {
+    step_ *= 0.5;
+    body_.x = trial_ + step_;
+    residual_ = gradient();
+    if (!std::isfinite(residual_)) residual_ = std::numeric_limits<double>::infinity();
+  }
+  if (residual_ <= before) return;
+  body_.x = trial_;
+  residual_ = gradient();
 }
 
 // x += move - K^-1 (g + K move), the second part where nothing is held.
