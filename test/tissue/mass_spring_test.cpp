@@ -101,6 +101,33 @@ TEST(MassSpring, IsSteppedNoLongerThanIsStable) {
   EXPECT_NEAR(hold(short_steps).force, force, 2e-3 * force);
 }
 
+// In explicit steps, after one of them, and the next cycles go on from there.
+TEST(MassSpring, EndsACycleWhereItIsAskedTo) {
+  const solver::Interrupt at_once = [] { return true; };
+  for (const std::string& scheme : tissue::springSchemeNames()) {
+    if (scheme == "implicit") continue;
+    const ModelVariant variant = test::springVariant("x", scheme);
+    const auto tissue =
+        test::makeVariant(variant, test::variantBlock(variant), test::variantSettings());
+    Visit visit;
+    for (int k = 0; k < 10; ++k) tissue->step({visit.next()}, kStep);
+    const Points before = tissue->positions();
+    tissue->setInterrupt(&at_once);
+    const TissueStep& late = tissue->step({visit.next()}, kStep);
+    EXPECT_EQ(late.status, solver::SolveStatus::kDeadline) << scheme;
+    EXPECT_GT(late.sweep_stages, 5) << scheme;
+    EXPECT_EQ(late.time_steps, 1) << scheme;
+    const double way = (tissue->positions() - before).cwiseAbs().maxCoeff();
+    EXPECT_GT(way, 0.0) << scheme;
+    EXPECT_LT(way, 2e-3 * kStep / 0.01) << scheme;
+    tissue->setInterrupt(nullptr);
+    for (int k = 0; k < 10; ++k) {
+      EXPECT_NE(tissue->step({visit.next()}, kStep).status, solver::SolveStatus::kDeadline);
+    }
+    EXPECT_GT(onTool(tissue->step({visit.next()}, kStep)).z(), 0.05) << scheme;
+  }
+}
+
 std::string refusal(const ModelVariant& variant,
                     const std::function<void(test::OrganSketch*)>& change) {
   try {

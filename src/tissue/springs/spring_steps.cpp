@@ -141,10 +141,15 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
   for (int finer = 1; finer <= kMaxCaution; finer *= 2) {
     out->time_steps = finer;
     if (run(dt, finer * static_cast<int>(steps), out)) return true;
+    const bool late = solver::isInterrupted(body_.interrupt);
     body_.x = begin_x_;
     body_.v = begin_v_;
     StateReader before(touched_.bytes());
     body_.contact.restore(&before);
+    if (late && finer < kMaxCaution) {
+      out->status = solver::SolveStatus::kDeadline;  // finer sub-steps were not tried
+      return false;
+    }
   }
   return false;
 }
@@ -154,23 +159,28 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   coefficients_ = masses_ / (h * h);
   out->sweep_stages = steps;
   touch_.begin();
-  for (int k = 1; k <= steps; ++k) {
+  bool late = false;
+  for (int k = 1; k <= steps && !late; ++k) {
     if (!subStep(h, k / static_cast<double>(steps), out)) {
       out->status = solver::SolveStatus::kLineSearchFailed;
       return false;
     }
     region_.addAround(touch_.nodes());
+    late = k < steps && solver::isInterrupted(body_.interrupt);
   }
+  // Where the tools are now the springs have not followed them.
+  if (late) body_.touch.sides.doubt();
   if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
   contact_g_ = touch_.gradient();
   addForces(&g_);
   out->residual = touch_.residual();
   out->still_points = static_cast<int>(masses_.size()) - static_cast<int>(region_.points().size());
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.limited()                  ? solver::SolveStatus::kLineSearchFailed
+  out->status = late                              ? solver::SolveStatus::kDeadline
+                : touch_.limited()                ? solver::SolveStatus::kLineSearchFailed
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
                                                   : solver::SolveStatus::kIterationLimit;
-  settleRegion(*out);
+  if (!late) settleRegion(*out);
   return true;
 }
 

@@ -29,7 +29,8 @@ struct SpringStepSettings {
 /// TissueStep: sweep_stages is the number of sub-steps, still_points how many points were left
 /// where they are, whose unbalanced forces count as those of supports. A cycle that would end
 /// with numbers that are not finite, or carry tissue through a tool, is repeated with 2, 4 and 8
-/// times the sub-steps (time_steps), then fails.
+/// times the sub-steps (time_steps), then fails. An interrupt is asked after each sub-step; the
+/// cycle then ends there, late.
 class SpringSteps final : public StepMethod {
  public:
   /// `springs`: those of the body's elasticity. @throws std::invalid_argument, with the limit, for
