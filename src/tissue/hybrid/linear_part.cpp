@@ -162,8 +162,10 @@ void LinearPart::eliminateSurface(const Eigen::MatrixXd& S_oo, const Eigen::Vect
   if (factor.info() != Eigen::Success) {
     throw std::invalid_argument("the linear part is held by nothing; enlarge hybrid.region");
   }
-  C_ = factor.solve(Eigen::MatrixXd::Identity(p, p));
-  T_ = -factor.solve(S_oo.bottomLeftCorner(p, c));
+  C_ = Eigen::MatrixXd::Identity(p, p);
+  T_ = -S_oo.bottomLeftCorner(p, c);
+  if (C_.size() > 0) factor.solveInPlace(C_);
+  if (T_.size() > 0) factor.solveInPlace(T_);  // without columns it would read from nowhere
   const Eigen::VectorXd left = of_surface - passed_on.tail(p);
   a_ = C_ * left;
   energy_of_weights_ += 0.5 * a_.dot(left);
