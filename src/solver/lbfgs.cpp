@@ -144,7 +144,9 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
 bool Lbfgs::search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
                    NewtonReport* report) {
   const PhaseTimer timer(&report->phases, Phase::kLineSearch);
-  return line_search_.run(potential, d_, x, &g_, value, interrupt);
+  const bool found = line_search_.run(potential, d_, x, &g_, value, interrupt);
+  report->halvings += line_search_.halvings();
+  return found;
 }
 
 NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& settings,

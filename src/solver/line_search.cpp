@@ -22,6 +22,7 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
   double alpha = potential.maxStep(*x, d);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
     if (k > 0 && isInterrupted(interrupt)) return false;
+    halvings_ = k;
     x_trial_ = *x + alpha * d;
     const double next_value = potential.gradient(x_trial_, &g_trial_);
     const double next_norm = freeNorm(g_trial_, potential.free);
@@ -29,7 +30,6 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
     const bool smaller_residual = next_norm <= (1.0 - kSufficientDecrease * alpha) * norm;
     const bool decrease = next_value <= *value + kSufficientDecrease * alpha * slope;
     const bool in_the_noise = std::abs(alpha * slope) <= kRoundoff * std::abs(*value);
-    halvings_ = k;
     if (conservative ? decrease || (in_the_noise && smaller_residual) : smaller_residual) {
       x->swap(x_trial_);
       g->swap(g_trial_);

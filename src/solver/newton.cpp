@@ -146,7 +146,9 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     }
     const PhaseTimer timer(&report.phases, Phase::kLineSearch);
     const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
-    if (!line_search_.run(potential, d_, x, &g_, &value, interrupt)) {
+    const bool found = line_search_.run(potential, d_, x, &g_, &value, interrupt);
+    report.halvings += line_search_.halvings();
+    if (!found) {
       if (kept_) elastic_->drop();
       if (kept_ || isInterrupted(interrupt)) continue;
       report.status = SolveStatus::kLineSearchFailed;

@@ -27,6 +27,7 @@ struct NewtonSettings {
 struct NewtonReport {
   SolveStatus status = SolveStatus::kConverged;
   int iterations = 0;  ///< Steps taken.
+  int halvings = 0;    ///< Of the steps, in line searches.
   int linear_iterations = 0;
   int projections = 0;       ///< Linear systems that had to be made positive definite.
   int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.

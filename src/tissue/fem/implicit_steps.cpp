@@ -11,7 +11,6 @@ namespace {
 
 // Stages before the last one need not be solved as well.
 constexpr double kStageTolerance = 100.0;
-constexpr int kStageIterations = 4;
 // Candidates for contact are searched this many times before a cycle is given up.
 constexpr int kMaxSearches = 4;
 // Solutions in a step that contact asks for after the first, without friction and with it.
@@ -21,9 +20,6 @@ constexpr int kMaxSettlingsOfFriction = 6;
 // step or two.
 constexpr double kWorthFollowing = 100.0;
 constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
-// Iterations of a cycle and of each trial after the first, times those that a solve may take;
-// beside those on the tools' way.
-constexpr double kSolvesACycle = 5.0, kSolvesATrial = 1.5;
 
 }  // namespace
 
@@ -47,10 +43,15 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
   }
   out_->factor_waits = minimizer_->waits() - waits;
   bodies_.beginCycle();
+  budget_.beginCycle();
+  const int most = bodies_.settings().max_time_steps;
   bool solved = false;
-  trials_ = stages_ = 0;
-  for (int steps = 1; steps <= bodies_.settings().max_time_steps && !solved;
-       steps *= 2, ++trials_) {
+  for (int steps = 1; steps <= most && !solved; steps *= 2) {
+    // Where a trial used up what there was, those between would fail as well.
+    if (steps > 1 && budget_.left() <= 0) {
+      while (2 * steps <= most) steps *= 2;
+    }
+    budget_.beginTrial();
     out_->time_steps = steps;
     out_->sweep_stages = 0;
     int done = 0;
@@ -62,7 +63,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     bodies_.goBack();
     // Shorter steps take longer: where there were some to try, the cycle was only late.
     if (!solver::isInterrupted(bodies_.interrupt())) continue;
-    const bool last = 2 * steps > bodies_.settings().max_time_steps;
+    const bool last = 2 * steps > most;
     if (!last || solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
     break;
   }
@@ -126,7 +127,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
       s = late ? end : bodies_.nextStage(s, end);
       if (late) bodies_.doubtSides();
       ++out_->sweep_stages;
-      ++stages_;
+      budget_.beginStage();
     }
     followTools(from, s, from == begin ? begin_x_ : bodies_.x());
     solved.status = moveHeld(s, end);
@@ -137,7 +138,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       if (settled()) break;
-      if (iterationsLeft() <= 0) {  // it keeps the contact that x was solved for
+      if (budget_.left() <= 0) {  // it keeps the contact that x was solved for
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
       }
@@ -183,6 +184,7 @@ void ImplicitSteps::add(const solver::NewtonReport& report) {
   out_->linear_iterations += report.linear_iterations;
   out_->kept_stiffnesses += report.kept_stiffnesses;
   out_->phases += report.phases;
+  budget_.spend(report);
 }
 
 // Held nodes that move take the others along as the tangent says. What surroundings carry has been
@@ -220,8 +222,7 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
   }
   settings.interrupt = bodies_.interrupt();
-  settings.max_iterations = std::clamp(
-      iterationsLeft(), 1, on_the_way ? kStageIterations : of_scene.max_newton_iterations);
+  settings.max_iterations = budget_.ofNextSolve(on_the_way);
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {
     solved = minimizer_->minimize(bodies_.potential(), settings, &bodies_.x());
@@ -231,15 +232,6 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     bodies_.search();
   }
   return solved;
-}
-
-// Of this trial. A case that has to converge may take what it takes.
-int ImplicitSteps::iterationsLeft() const {
-  const FemSettings& of_scene = bodies_.settings();
-  if (of_scene.only_converged) return of_scene.max_newton_iterations;
-  const double most = (kSolvesACycle + kSolvesATrial * trials_) * of_scene.max_newton_iterations;
-  return static_cast<int>(most) + kStageIterations * stages_ -
-         out_->newton_iterations / minimizer_->iterationsForOne();
 }
 
 // A state to go on from. One that only ran out of iterations or time is, unless it was asked to

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cycle_budget.h"
 #include "moving_bodies.h"
 #include "palpate/solver/minimizer.h"
 
@@ -10,14 +11,15 @@ namespace palpate::tissue {
 
 /// Implicit steps of bodies that move as one: each minimises the incremental potential (inertia,
 /// elasticity, loads, contact, interactions) with a minimiser. A cycle whose solve fails is
-/// rejected and tried again in 2, 4, 8 ... shorter steps. A cycle of a scene has so many iterations
-/// as five solves may take, one and a half more for each trial, and four for each stage of the
-/// tools' way; where they are used up it ends with the best state so far.
+/// rejected and tried again in 2, 4, 8 ... shorter steps, at once in the shortest where it used up
+/// the CycleBudget. Where that is used up the cycle ends with the best state so far.
 class ImplicitSteps {
  public:
   /// `bodies` must outlive this.
   ImplicitSteps(MovingBodies* bodies, std::unique_ptr<solver::Minimizer> minimizer)
-      : bodies_(*bodies), minimizer_(std::move(minimizer)) {}
+      : bodies_(*bodies),
+        minimizer_(std::move(minimizer)),
+        budget_(bodies->settings(), minimizer_->iterationsForOne()) {}
 
   solver::Minimizer& minimizer() { return *minimizer_; }
   /// As StepMethod::advance().
@@ -44,14 +46,12 @@ class ImplicitSteps {
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s, double end);
   solver::NewtonReport solveStage(bool on_the_way);
-  int iterationsLeft() const;
   bool acceptable();
 
   MovingBodies& bodies_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
-  // Of the cycle under way: trials that failed, stages of the tools' way.
-  int trials_ = 0, stages_ = 0;
+  CycleBudget budget_;
 
   Points begin_x_, predicted_, gradient_there_, push_, way_;
   TissueStep* out_ = nullptr;  // of the cycle under way
