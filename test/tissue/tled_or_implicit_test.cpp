@@ -47,6 +47,23 @@ TEST(TledOrImplicit, TakesNoMoreThanSoManySubSteps) {
   }
 }
 
+TEST(TledOrImplicit, TakesImplicitStepsWhereItWouldTakeThousands) {
+  const Slab slab = dampedSlab();
+  const auto tissue = slab.make();
+  const int at_rest = tissue->step({}, kStep).sweep_stages;
+  const auto stepsIn = [&](double many) {
+    tissue->place(0, slab.mesh.points, Points::Zero(3, slab.mesh.numPoints()));
+    return tissue->step({}, many / at_rest * kStep);
+  };
+  const TissueStep few = stepsIn(1500.0);
+  EXPECT_GT(few.sweep_stages, 1000);
+  EXPECT_EQ(few.recovery, static_cast<int>(Recovery::kNone));
+  const TissueStep many = stepsIn(3000.0);
+  EXPECT_LT(many.sweep_stages, 100);
+  EXPECT_EQ(many.recovery, static_cast<int>(Recovery::kShorterSteps));
+  EXPECT_TRUE(many.ok());
+}
+
 TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
   const Slab slab = dampedSlab();
   const auto tissue = slab.make(), fresh = slab.make();

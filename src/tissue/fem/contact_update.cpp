@@ -33,6 +33,7 @@ void ContactUpdate::clear() {
   }
   nodes_.clear();
   residual_ = deepest_ = 0.0;
+  iterations_ = 0;
 }
 
 void ContactUpdate::touch(int node, const Points& x) {
@@ -60,7 +61,8 @@ void ContactUpdate::warmStart(const Eigen::VectorXd& coefficients, Points* x) {
 void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance, Points* x) {
   warmStart(coefficients, x);
   collect(*x);
-  for (int k = 0; !nodes_.empty(); ++k) {
+  iterations_ = 0;
+  for (int& k = iterations_; !nodes_.empty(); ++k) {
     residual_ = unbalanced(coefficients, *x);
     if (!(residual_ > tolerance) || k == kMaxIterations) return;
     linearise(coefficients);

@@ -35,6 +35,8 @@ class ContactUpdate {
   const Points& gradient() const { return gradient_; }
   /// How deep the deepest point is in a tool [m].
   double deepest() const { return deepest_; }
+  /// Of Newton's method in apply().
+  int iterations() const { return iterations_; }
   /// Norm of the unbalanced forces that apply() left [N].
   double residual() const { return residual_; }
 
@@ -61,6 +63,7 @@ class ContactUpdate {
   Points free_x_, right_, step_, r_, p_, Ap_, inverse_diagonal_;
   std::vector<int> last_nodes_;
   double residual_ = 0.0, deepest_ = 0.0;
+  int iterations_ = 0;
 };
 
 }  // namespace palpate::tissue

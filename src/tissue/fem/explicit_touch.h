@@ -31,6 +31,8 @@ class ExplicitTouch {
   const std::vector<int>& nodes() const { return update_.nodes(); }
   /// Minus the contact's forces, 3 x n [N].
   const Points& gradient() const { return update_.gradient(); }
+  /// That the last go() took.
+  int iterations() const { return update_.iterations(); }
   /// Norm of the forces that it left unbalanced [N].
   double residual() const { return update_.residual(); }
   /// Whether it held nodes back that would have gone too far at once.

@@ -9,7 +9,11 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxCaution = 2;
-constexpr double kMaxSubSteps = 1e5;
+// In a cycle: more would cost more than implicit steps do.
+constexpr double kMaxSubSteps = 2000.0;
+// Contact labours where its updates take more iterations than this in a cycle, and so many in each
+// of its sub-steps.
+constexpr int kFewTouchIterations = 200, kTouchIterations = 10;
 // Times the sub-steps that stability asks for at rest.
 constexpr double kMostSqueezed = 20.0;
 // Times the energy that is known to have come in: beyond it, the scheme made it.
@@ -108,7 +112,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.elasticity->restoreViscousState(viscous.get());
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
-    if (late) return false;
+    if (late || labours_) return false;
   }
   caution_ = kMaxCaution;
   return false;
@@ -120,7 +124,8 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   const double kinetic_begin = kineticEnergy(), potential_begin = potential_;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   work_ = 0.0;
-  jumped_ = false;
+  jumped_ = labours_ = false;
+  int touch_iterations = 0;
   out->time_steps = caution_;
   out->sweep_stages = steps;
   out->status = solver::SolveStatus::kNonFinite;
@@ -133,6 +138,12 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
     if (k > 1) u_ *= 1.0 - damping;
     subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
+    touch_iterations += touch_.iterations();
+    labours_ = touch_iterations > kFewTouchIterations + kTouchIterations * k;
+    if (labours_) {
+      out->status = solver::SolveStatus::kIterationLimit;
+      return false;
+    }
     late = k < steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.

@@ -22,7 +22,8 @@ namespace palpate::tissue {
 /// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
 /// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
 /// repeated with twice the sub-steps, then fails; so does, at once, one in which elements are
-/// squeezed so that it would take 20 times the sub-steps of rest. Status line_search_failed with a
+/// squeezed so that it would take 20 times the sub-steps of rest, or that takes more than 2000, and
+/// one in which contact takes many iterations in most of them. Status line_search_failed with a
 /// state that went on: a tool is deep in the tissue, which is still being pushed out.
 class TledMethod final : public StepMethod {
  public:
@@ -62,9 +63,10 @@ class TledMethod final : public StepMethod {
   Points held_way_, held_velocity_, held_before_;  // of a sub-step and the one before
   Points x_begin_, v_begin_, g_begin_;
   Eigen::VectorXd coefficients_;
-  double work_ = 0.0;    // sum of the moduli of the contact's work in this cycle [J]
-  bool jumped_ = false;  // tissue would have gone through a tool
-  int caution_ = 1;      // times as many sub-steps as the critical one needs
+  double work_ = 0.0;     // sum of the moduli of the contact's work in this cycle [J]
+  bool jumped_ = false;   // tissue would have gone through a tool
+  bool labours_ = false;  // contact takes many iterations in most sub-steps
+  int caution_ = 1;       // times as many sub-steps as the critical one needs
 };
 
 }  // namespace palpate::tissue

@@ -8,9 +8,9 @@
 namespace palpate::tissue {
 
 /// Method `tled` of a scene: TledMethod, and implicit steps by `implicit_pcg`, which go on in the
-/// same cycle where it fails: it made energy, left what is finite, lost a tool, or would need many
-/// times the sub-steps that it needs at rest. They go on until the body has come to rest or was
-/// placed anew.
+/// same cycle where it fails: it made energy, left what is finite, lost a tool, labours in contact,
+/// or would need many times the sub-steps that it needs at rest, or thousands. They go on until the
+/// body has come to rest or was placed anew.
 class TledOrImplicit final : public StepMethod {
  public:
   TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
