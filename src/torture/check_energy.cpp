@@ -33,11 +33,12 @@ class Energy : public Criterion {
   Energy(const TortureScene& scene, const sim::Simulator& simulator)
       : scene_(scene), bound_(boundOf(scene, simulator)) {
     const TortureOrgan& organ = scene.organs.front();
-    // Two organs may act on each other, and what a viscous one stores is not told.
+    // Two organs may act on each other, and what a viscous one stores is not told; nor what weight
+    // does to one that goes from what it learned to its elements.
     applies_ = scene.organs.size() == 1 && organ.prony_g == 0.0;
     const mesh::CellMesh cells = simulator.cells(0);
     if (scene.gravity.isZero()) return;
-    applies_ = applies_ && areLinearTets(cells) && organ.adapt == 0.0;
+    applies_ = applies_ && areLinearTets(cells) && organ.adapt == 0.0 && organ.model != "neural";
     if (applies_) masses_ = lumpedMasses(cells, organ.density);
   }
 
@@ -45,8 +46,9 @@ class Energy : public Criterion {
     const sim::StepReport& report = cycle.result.report;
     const Points& x = cycle.simulator.positions(0);
     const bool alone = cycle.row >= scene_.leave && cycle.result.contacts.empty();
+    const bool put_back = report.recovery == static_cast<int>(tissue::Recovery::kPutBack);
     const bool goes_on = applies_ && alone && report.mesh_changes == 0 && report.usable() &&
-                         before_.cols() == x.cols();
+                         !put_back && before_.cols() == x.cols();
     if (goes_on) {
       double energy = report.kinetic_energy + report.elastic_energy;
       if (masses_.size() > 0) energy -= scene_.gravity.dot(x * masses_);

@@ -15,6 +15,7 @@ namespace {
 constexpr double kFastest = 2.0;                                   // [m/s]
 constexpr double kJump = std::numeric_limits<double>::infinity();  // a leg in one row
 constexpr int kMostRows = 90, kLeavingRows = 10, kLeastRestRows = 100, kMostRestRows = 700;
+constexpr int kTimesToRest = 3;    // than the slowest motion asks for: an estimate
 constexpr double kLongest = 0.05;  // row [s]
 
 struct Leg {
@@ -254,7 +255,10 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   const double longest = std::clamp(time / 100.0, dt, kLongest);
   const int count =
       std::max(static_cast<int>(std::ceil(std::min(time / longest, 1e6))), kLeastRestRows);
-  for (int row = 0; row < std::min(count, kMostRestRows); ++row) rows.add(longest, ways);
+  // What has come to rest sleeps and costs nothing.
+  for (int row = 0; row < kTimesToRest * std::min(count, kMostRestRows); ++row) {
+    rows.add(longest, ways);
+  }
   scene->step = std::max(scene->step, longest);
   const bool all_held = std::all_of(scene->organs.begin(), scene->organs.end(),
                                     [](const TortureOrgan& organ) { return organ.held; });

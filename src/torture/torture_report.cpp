@@ -115,7 +115,7 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
 | `wrench` | a force has a contact, none stays when the tools are gone, no tissue is carried along farther than its size, and what the node's filter makes of it stays within the limits of force and rate |
 | `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one |
-| `rest` | when the tools are gone, a damped organ that is held is back within 1e-4 of its size, and balanced; laws with rest states that are inside out may stay in one, if told |
+| `rest` | when the tools are gone, a damped organ that is held is back within 1e-4 of its size, and balanced; laws and springs with rest states that are inside out may stay in one, if told, and sheets may stay crumpled |
 | `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
 | `crash` | the program does not end |
 | `cycle` | no cycle takes 5 s: it would be ended there |
@@ -127,8 +127,9 @@ cut short then goes on otherwise, and all other runs have the same bits. `deadli
 
 A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
 is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
-guard against turning inside out is an energy beside their law's. Energy is not judged of several organs, of viscous ones and of elements with middle nodes
-under gravity; return to rest not of organs that fly, and not where 700 rows would not do.
+guard against turning inside out is an energy beside their law's. Energy is not judged of several organs, of viscous ones, of elements with middle nodes and of `neural`
+under gravity, and not across a cycle that put an organ back to rest; return to rest not of organs that fly, and not
+where 700 rows of the time that the slowest motion is estimated to need would not do: all get three times that.
 
 )";
   out << summary(lines) << ". Their numbers go up to " << largest(lines, "number")

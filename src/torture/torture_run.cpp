@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <sstream>
 
 #include "learned_files.h"
 #include "palpate/base/error.h"
@@ -17,8 +18,22 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kTwice =
-    2.0;  // a live cycle ends by so many deadlines: one iteration may be under way
+// A live cycle ends by so many deadlines: one iteration may be under way.
+constexpr double kTwice = 2.0;
+
+// What a cycle did with its time.
+std::string effortOf(const sim::StepReport& report) {
+  std::ostringstream out;
+  out.precision(3);
+  out << report.newton_iterations << " iterations in " << report.sweep_stages << " stages, "
+      << report.time_steps << " steps in the last trial; [s]";
+  for (std::size_t k = 0; k < kNumCyclePhases; ++k) {
+    const auto phase = static_cast<Phase>(k);
+    if (report.phases[phase] < 0.01 * report.phases.cycle()) continue;
+    out << " " << toString(phase) << " " << report.phases[phase];
+  }
+  return out.str();
+}
 
 class Run {
  public:
@@ -99,10 +114,13 @@ class Run {
     }
     outcome_.hashes.push_back(report.state_hash);
     for (NamedCriterion& one : *all) fail(one.name, cycle.row, one.criterion->check(cycle));
-    if (took > limits_.cycle) fail("cycle", cycle.row, "took more than the limit");
+    if (took > limits_.cycle) fail("cycle", cycle.row, effortOf(report));
     const double of_one = took / std::max(cycle.parts, 1);
     if (scene_.live && of_one > kTwice * limits_.live) {
-      fail("deadline", cycle.row, std::to_string(1e3 * of_one) + " ms");
+      std::ostringstream what;
+      what.precision(3);
+      what << 1e3 * of_one << " ms: " << effortOf(report);
+      fail("deadline", cycle.row, what.str());
     }
   }
 

@@ -11,6 +11,7 @@
 #include "palpate/sim/lockstep.h"
 #include "palpate/torture/scene_files.h"
 #include "support/temp_folder.h"
+#include "torture/checks.h"
 #include "torture/draw_body.h"
 
 namespace palpate::torture {
@@ -149,6 +150,38 @@ TEST_F(Criteria, SeeEnergyThatGrows) {
   std::string wrong = told("energy", result);
   if (wrong.empty()) wrong = all.at("energy")->finish();
   EXPECT_NE(wrong, "");
+}
+
+TEST_F(Criteria, CompareNoEnergyAcrossAPutBack) {
+  sim::StepResult result = play(40);
+  result.contacts.clear();
+  EXPECT_EQ(told("energy", result), "");
+  result.report.kinetic_energy += 1e-3;
+  result.report.recovery = static_cast<int>(tissue::Recovery::kPutBack);
+  EXPECT_EQ(told("energy", result), "");
+  EXPECT_EQ(all.at("energy")->finish(), "");
+}
+
+TEST_F(Criteria, LetSpringsLieInsideOutWhereTheyAreToldTo) {
+  scene.organs.front().model = "mass_spring";
+  const auto rest = checkRest(scene, *simulator);
+  sim::StepResult result = play(scene.trajectory.t.size());
+  Points x = simulator->positions(0);
+  x.row(2) *= -1.0;
+  simulator->place(0, x, Points::Zero(3, x.cols()));
+  rest->check(cycle(result));
+  EXPECT_NE(rest->finish(), "");
+  result.report.status = solver::SolveStatus::kInverted;
+  rest->check(cycle(result));
+  EXPECT_EQ(rest->finish(), "");
+  scene.organs.front().model = "cloth";  // which has no inside
+  const auto of_sheet = checkRest(scene, *simulator);
+  result.report.status = solver::SolveStatus::kConverged;
+  of_sheet->check(cycle(result));
+  EXPECT_EQ(of_sheet->finish(), "");
+  result.report.status = solver::SolveStatus::kIterationLimit;
+  of_sheet->check(cycle(result));
+  EXPECT_NE(of_sheet->finish(), "");
 }
 
 TEST_F(Criteria, SeeWhatDoesNotComeBack) {
