@@ -59,9 +59,10 @@ if [ -n "$sanitize" ] || $coverage; then
 fi
 export BUILD_DIR=${BUILD_DIR:-build}
 
-passed=0 failed=0 skipped=0 failures=() said=()
+passed=0 failed=0 skipped=0 failures=() said=() left_out_tests=()
 finish() {
   if [ ${#said[@]} -gt 0 ]; then printf '\n%s\n' "${said[@]}"; fi
+  if [ ${#left_out_tests[@]} -gt 0 ]; then printf '\nSkipped:\n'; printf '  %s\n' "${left_out_tests[@]}"; fi
   if [ ${#failures[@]} -gt 0 ]; then printf '\nFailed:\n'; printf '  %s\n' "${failures[@]}"; fi
   echo
   if [ "$skipped" -gt 0 ]; then
@@ -90,6 +91,14 @@ check() {
   rm -f "$log"
 }
 
+# reason_of NAME: what a test said that skipped itself.
+reason_of() {
+  awk -v name="$1" '
+    / Testing: / { mine = $3 == name }
+    mine && /: Skipped$/ && (getline reason) > 0 { print reason; found = 1; exit }
+    END { if (!found) print "it says no reason" }' "$BUILD_DIR/Testing/Temporary/LastTest.log"
+}
+
 # run_ctest ARGUMENT ...: counts what ctest says about each test.
 run_ctest() {
   local log status
@@ -105,6 +114,8 @@ run_ctest() {
     END { print p + 0, f + 0, s + 0 }')
   read -r p f s <<<"$counts"
   passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+  while read -r name; do left_out_tests+=("$name: $(reason_of "$name")"); done < <(
+    sed -nE 's/^\t *[0-9]+ - (.*) \((Skipped|Disabled)\)$/\1/p' "$log")
   while read -r name; do failures+=("$name"); done < <(
     sed -nE 's/^\t *[0-9]+ - (.*) \((Failed|Timeout|SEGFAULT|[^)]*)\)$/\1 (\2)/p' "$log" |
       grep -vE '\((Skipped|Disabled)\)$' || true)
