@@ -119,12 +119,17 @@ class Saves(unittest.TestCase):
         self.assertEqual(self.saved_time(), saved)
 
     def slow(self):
-        """A block so stiff that explicit steps of it take seconds."""
+        """Six blocks of springs in steps so short that a cycle takes seconds."""
         with open(BLOCK) as f:
             text = f.read()
-        for old, new in ((r"young_modulus: \S+", "young_modulus: 1.0e10,"), (r"\bblock.msh", SCENES + "/block.msh"),
-                         (r"urdf: probe.urdf", "urdf: " + SCENES + "/probe.urdf"),
-                         (r"solver: .*", "solver: {method: tled, step: 0.1}")):
+        organ = re.search(r"  - name: block\n(?:    .*\n)+", text).group(0)
+        organ = re.sub(r"\bblock.msh", SCENES + "/block.msh", organ)
+        organ += "    model: mass_spring\n    springs: {scheme: symplectic_euler, step: 1.1e-6}\n"
+        blocks = "".join(organ.replace("name: block", "name: block_%d" % k) for k in range(6))
+        text, changed = re.subn(r"  - name: block\n(?:    .*\n)+", lambda _: blocks, text)
+        self.assertEqual(changed, 1)
+        for old, new in ((r"urdf: probe.urdf", "urdf: " + SCENES + "/probe.urdf"),
+                         (r"solver: .*", "solver: {step: 0.1, skip: {sleeping: false}}")):
             text, changed = re.subn(old, new, text)
             self.assertEqual(changed, 1, old)
         file = os.path.join(self.folder, "slow.yaml")
