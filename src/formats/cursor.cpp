@@ -89,9 +89,12 @@ std::string_view Cursor::wordOnLine() {
 }
 
 std::string_view Cursor::peek() {
-  const std::size_t position = position_;
+  const std::size_t position = position_, last = last_;
+  const bool binary = binary_;
   const std::string_view next = word();
   position_ = position;
+  last_ = last;
+  binary_ = binary;
   return next;
 }
 

@@ -9,6 +9,12 @@
 namespace palpate::formats {
 namespace {
 
+int readDimension(GmshFile& f) {
+  const int dimension = f.integer("dimension of an entity");
+  if (dimension >= 0 && dimension <= 3) return dimension;
+  f.in.fail(std::to_string(dimension), "the dimension of an entity must be 0 ... 3");
+}
+
 /// One entity: tag, extent (a point's is x y z, others have two corners), physical tags, and for
 /// all but points the entities that bound it.
 void readEntity(GmshFile& f, int dimension) {
@@ -46,12 +52,9 @@ void readGmsh4Nodes(GmshFile& f) {
   f.size("largest node tag");
   std::vector<std::int64_t> tags;
   for (std::size_t block = 0; block < num_blocks; ++block) {
-    const int dimension = f.integer("dimension of an entity");
+    const int dimension = readDimension(f);
     f.integer("tag of an entity");
     const bool parametric = f.integer("parametric") != 0;
-    if (dimension < 0 || dimension > 3) {
-      f.in.fail(std::to_string(dimension), "the dimension of an entity must be 0 ... 3");
-    }
     const std::size_t n = f.count("number of nodes in a block", 8, 24);
     if (n > left) f.in.fail(std::to_string(n), "more nodes than the section announced");
     left -= n;
@@ -76,7 +79,7 @@ void readGmsh4Elements(GmshFile& f) {
   f.size("largest element tag");
   GmshFile::NodeTags nodes{};
   for (std::size_t block = 0; block < num_blocks; ++block) {
-    const int dimension = f.integer("dimension of an entity");
+    const int dimension = readDimension(f);
     const int tag = f.integer("tag of an entity");
     const int type = f.integer("type of elements");
     const std::size_t n = f.count("number of elements in a block", 4, 8);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
 
 #include "cursor.h"
 #include "palpate/base/number.h"
@@ -27,7 +28,9 @@ void readVertices(Cursor& in, TetBuilder* builder) {
 void readTets(Cursor& in, int num_nodes, TetBuilder* builder) {
   for (std::size_t n = in.count("number of tetrahedra", 10); n > 0; --n) {
     TetNodes nodes{};
-    for (int i = 0; i < num_nodes; ++i) nodes[i] = in.integer("node of a tetrahedron") - 1;
+    for (int i = 0; i < num_nodes; ++i) {  // from 1 on; the least number has none before it
+      nodes[i] = std::max(in.integer("node of a tetrahedron"), std::int64_t{0}) - 1;
+    }
     builder->addTet(nodes, num_nodes);
     builder->setRegion(in.smallInteger("reference of a tetrahedron"));
   }

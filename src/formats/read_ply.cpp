@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -104,7 +105,8 @@ class Values {
   }
   std::int64_t nextCount(const Property& list) {
     const double n = next(list.count_type, "length of a list");
-    if (!(n >= 0.0 && n < 4e9)) in_.fail(std::to_string(n), "must be the length of a list");
+    if (!(n >= 0.0 && n < 4e9 && n == std::floor(n)))
+      in_.fail(std::to_string(n), "must be the length of a list");
     in_.checkCount(static_cast<std::int64_t>(n), "length of a list", text_ ? 2 : list.type.size);
     return static_cast<std::int64_t>(n);
   }
@@ -140,7 +142,8 @@ void readOther(const Element& element, Values& values, std::vector<std::int64_t>
     if (is_corners) corners->clear();
     for (; n > 0; --n) {
       const double value = values.next(property.type, "property of a face");
-      if (is_corners) corners->push_back(value >= 0.0 && value < 4e9 ? std::int64_t(value) : -1);
+      const bool is_index = value >= 0.0 && value < 4e9 && value == std::floor(value);
+      if (is_corners) corners->push_back(is_index ? std::int64_t(value) : -1);
     }
   }
 }

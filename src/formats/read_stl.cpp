@@ -40,12 +40,13 @@ mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
   while (!in.atEnd()) {
     const std::string_view word = in.word();
     const std::string key = lowerCase(word);
+    const bool in_loop = key == "vertex" || key == "endloop";
+    if (!corners.empty() && !in_loop) in.fail(word, "must be 'endloop'");
     if (key == "solid" || key == "endsolid") {
       open = key == "solid";
       in.skipLine();  // its name
     } else if (key == "facet") {
       in.skipLine();  // its normal: the corners' order says more
-      corners.clear();
     } else if (key == "vertex") {
       const double x = in.number("x of a vertex");
       const double y = in.number("y of a vertex");
@@ -54,8 +55,6 @@ mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
     } else if (key == "endloop") {
       addFacet(corners, in, &builder);
       corners.clear();
-    } else if (key == "endfacet" && !corners.empty()) {
-      in.fail(word, "must be 'endloop'");
     } else if (key != "outer" && key != "loop" && key != "endfacet") {
       in.fail(word, "must be one of solid, facet, outer loop, vertex, endloop, endfacet, endsolid");
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -91,7 +92,10 @@ class Reader {
     if (in_.peek() == "OFFSETS") {
       in_.word();
       grid_.ends = readArray(in_.word(), n);
-      if (!grid_.ends.empty()) grid_.ends.erase(grid_.ends.begin());
+      if (!grid_.ends.empty()) {
+        if (grid_.ends.front() != 0.0) in_.fail("OFFSETS", "must begin with 0");
+        grid_.ends.erase(grid_.ends.begin());
+      }
       in_.expect("CONNECTIVITY");
       grid_.connectivity = readArray(in_.word(), size);
       return;
@@ -102,7 +106,7 @@ class Reader {
     grid_.ends.clear();
     std::size_t i = 0;
     while (grid_.ends.size() < n) {
-      if (i >= numbers.size() || !(numbers[i] >= 0.0 && numbers[i] < double(numbers.size() - i))) {
+      if (i >= numbers.size() || !isNumberOfPoints(numbers[i], numbers.size() - i)) {
         in_.fail("cell " + std::to_string(grid_.ends.size() + 1),
                  "the cells must fit the size that CELLS announces");
       }
@@ -113,6 +117,14 @@ class Reader {
       grid_.ends.push_back(static_cast<double>(grid_.connectivity.size()));
       i += num_points + 1;
     }
+    if (i < numbers.size()) {
+      in_.fail(std::to_string(numbers.size() - i) + " numbers left",
+               "the cells must fit the size that CELLS announces");
+    }
+  }
+
+  static bool isNumberOfPoints(double number, std::size_t left) {
+    return number >= 0.0 && number < double(left) && number == std::floor(number);
   }
 
   void readField() {

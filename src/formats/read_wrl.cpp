@@ -76,8 +76,11 @@ class Walker {
     const std::vector<double> v = values(node, name, {0.0, 0.0, 1.0, 0.0});
     const Vec3 axis(v.data());
     if (v[3] == 0.0) return Eigen::Quaterniond::Identity();
-    if (!(axis.norm() > 0.0)) fail(node, std::string(name) + " must have an axis");
-    return Eigen::Quaterniond(Eigen::AngleAxisd(v[3], axis.normalized()));
+    if (axis.isZero(0.0)) fail(node, std::string(name) + " must have an axis");
+    const double length = axis.norm();
+    const bool has_square = length > 0.0 && std::isfinite(length);
+    return Eigen::Quaterniond(
+        Eigen::AngleAxisd(v[3], has_square ? axis.normalized() : axis.stableNormalized()));
   }
 
   /// p' = T C R SR S SR^-1 C^-1 p [VRML97, ISO/IEC 14772-1, 6.52].

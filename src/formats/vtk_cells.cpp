@@ -23,6 +23,9 @@ bool isWhole(double value, double first, double end) {
 }
 
 int numTetNodes(double type, const std::string& file, std::size_t i) {
+  if (!isWhole(type, 0.0, 256.0)) {
+    fail(file, i, "the type must be a whole number of 0 ... 255");
+  }
   if (type == kTet4) return 4;
   if (type == kTet10) return 10;
   if (std::count(std::begin(kOtherVolumes), std::end(kOtherVolumes), type) > 0) {

@@ -126,8 +126,10 @@ std::string VtuData::block(const tinyxml2::XMLElement& array, std::size_t size) 
     return {};
   }
   // A single part may be announced as larger than it is.
-  if (num_parts > 1 && (part_size > size / (num_parts - 1) || last_size > size))
+  if (num_parts > 1 && (part_size > size / (num_parts - 1) || last_size > size)) {
     fail(array, "", "the parts are larger than the whole");
+  }
+  if (last_size > part_size) fail(array, "", "the last part must not be larger than the others");
   checkSize((num_parts - 1) * part_size + (last_size == 0 ? part_size : last_size));
   std::vector<std::size_t> compressed_sizes(num_parts);
   for (std::size_t& compressed_size : compressed_sizes) compressed_size = header();

@@ -113,17 +113,19 @@ TEST(GmshErrors, OfBlocksInBinaryVersion2) {
 }
 
 TEST(GmshErrors, OfEntitiesNodesAndElementsInVersion4) {
-  expectOfMsh(msh4Sample(),
-              {{"1 0 1 2\n", "1 0 -1 2\n", "line 5 = -1: must not be negative: number of entities"},
-               {"3 1 0 5", "4 1 0 5", "line 16 = 4: the dimension of an entity must be 0 ... 3"},
-               {"3 1 0 5", "-1 1 0 5", "line 16 = -1: the dimension of an entity must be 0 ... 3"},
-               {"2 6 10 60", "2 5 10 60", "line 16 = 5: more nodes than the section announced"},
-               {"2 6 10 60", "2 7 10 60", "line 26 = 1 nodes: fewer than the section announced"},
-               {"3 3 1 3", "3 4 1 4", "line 35 = 1 elements: fewer than the section announced"},
-               {"3 9 4 1\n", "3 9 44 1\n",
-                "line 34 = element type 44: must be one of Gmsh's 1 to 31, 92, 93"},
-               {"3 30 40 50 60", "3 30 40 50 61",
-                "line 35 = node 61: an element has a node that is not in the file"}});
+  expectOfMsh(
+      msh4Sample(),
+      {{"1 0 1 2\n", "1 0 -1 2\n", "line 5 = -1: must not be negative: number of entities"},
+       {"3 1 0 5", "4 1 0 5", "line 16 = 4: the dimension of an entity must be 0 ... 3"},
+       {"3 1 0 5", "-1 1 0 5", "line 16 = -1: the dimension of an entity must be 0 ... 3"},
+       {"2 6 10 60", "2 5 10 60", "line 16 = 5: more nodes than the section announced"},
+       {"2 6 10 60", "2 7 10 60", "line 26 = 1 nodes: fewer than the section announced"},
+       {"3 3 1 3", "3 4 1 4", "line 35 = 1 elements: fewer than the section announced"},
+       {"3 9 4 1\n", "3 9 44 1\n",
+        "line 34 = element type 44: must be one of Gmsh's 1 to 31, 92, 93"},
+       {"3 9 4 1\n", "4 9 4 1\n", "line 34 = 4: the dimension of an entity must be 0 ... 3"},
+       {"3 30 40 50 60", "3 30 40 50 61",
+        "line 35 = node 61: an element has a node that is not in the file"}});
 }
 
 TEST(GmshErrors, OfCountsInBinaryVersion4) {

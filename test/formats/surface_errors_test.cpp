@@ -57,6 +57,7 @@ TEST(OffErrors, OfNumbers) {
 TEST(StlErrors, OfText) {
   expectRefusals(parseSurface, "a.stl", stlTextSample(),
                  {{"    endloop\n", "", "line 7 = endfacet: must be 'endloop'"},
+                  {"    endloop\n  endfacet\n", "", "line 7 = facet: must be 'endloop'"},
                   {"outer", "inner",
                    "line 3 = inner: must be one of solid, facet, outer loop, vertex, endloop, "
                    "endfacet, endsolid"},
@@ -104,6 +105,8 @@ TEST(PlyErrors, OfTheData) {
   expectRefusals(
       parseSurface, "a.ply", plyTextSample(),
       {{"3 0 2 1", "-3 0 2 1", "line 16 = -3.000000: must be the length of a list"},
+       {"3 0 2 1", "3.9 0 2 1", "line 16 = 3.900000: must be the length of a list"},
+       {"3 0 2 1", "3 0.9 2 1", "face 1 = corner 1" + kOut + "4 vertices"},
        {"3 0 2 1", "4000000000 0 2 1", "line 16 = 4000000000.000000: must be the length of a list"},
        {"3 0 2 1", "99 0 2 1",
         "line 16 = 99: truncated or wrong length of a list: only 31 bytes follow"},
@@ -135,6 +138,8 @@ TEST(WrlErrors, OfSyntax) {
                {"Group { children", "line 2: truncated: a value must follow"},
                {"Group children", "line 2 = children: must be '{'"},
                {"Group", "line 2: truncated: '{' must follow"},
+               {"Group { children\n\nx }", "line 4 = x" + no_value},
+               {"Group { children x\n\n}", "line 2 = x" + no_value},
                {"Group { children x }", "line 2 = x" + no_value},
                {"Group { children ] }", "line 2 = ]" + no_value},
                {"Transform { scale inf 1 1 }", "line 2 = inf: must be finite"},

@@ -230,18 +230,21 @@ TEST(Ply, RefusesWhatIsWrong) {
   EXPECT_TRUE(test::contains(with("3 1 2 3", "3 1 2 -1"), "out of range"));
 }
 
+// Of whatever length the axis is.
 TEST(Wrl, AppliesTransformsAndUse) {
-  const mesh::SurfaceMesh surface = readText(
-      "a.wrl",
-      "#VRML V2.0 utf8\nDEF T Transform { translation 10 0 0 rotation 0 0 2 1.5707963267948966\n"
-      " scale 2 2 2 center 1 0 0 children [ Group { children DEF S Shape { geometry "
-      "IndexedFaceSet { coord DEF C Coordinate { point [ 1 0 0 2 0 0 1 1 0 ] } "
-      "coordIndex [ 0 1 2 -1 ] } } } ] }\nUSE S\nROUTE T.a TO T.b\n");
-  ASSERT_EQ(surface.points.cols(), 6);
-  // 1 0 0 is the centre; 2 0 0 goes to 2 along y of it; 1 1 0 to -2 along x.
-  Points expected(3, 6);
-  expected << 11, 11, 9, 1, 2, 1, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0;
-  EXPECT_LT((surface.points - expected).cwiseAbs().maxCoeff(), 1e-14);
+  for (const std::string axis : {"2", "2e200", "2e-200"}) {
+    const mesh::SurfaceMesh surface = readText(
+        "a.wrl", "#VRML V2.0 utf8\nDEF T Transform { translation 10 0 0 rotation 0 0 " + axis +
+                     " 1.5707963267948966\n"
+                     " scale 2 2 2 center 1 0 0 children [ Group { children DEF S Shape { geometry "
+                     "IndexedFaceSet { coord DEF C Coordinate { point [ 1 0 0 2 0 0 1 1 0 ] } "
+                     "coordIndex [ 0 1 2 -1 ] } } } ] }\nUSE S\nROUTE T.a TO T.b\n");
+    ASSERT_EQ(surface.points.cols(), 6);
+    // 1 0 0 is the centre; 2 0 0 goes to 2 along y of it; 1 1 0 to -2 along x.
+    Points expected(3, 6);
+    expected << 11, 11, 9, 1, 2, 1, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0;
+    EXPECT_LT((surface.points - expected).cwiseAbs().maxCoeff(), 1e-14) << axis;
+  }
 }
 
 TEST(Wrl, MirrorsAndClockwiseFacesTurnTheOrder) {

@@ -35,6 +35,9 @@ TEST(VtkErrors, OfSections) {
                {"CELL_TYPES 3\n5\n10\n10\n", "CELL_TYPES 2\n10\n10\n",
                 "line 23: truncated: there must be as many CELL_TYPES as CELLS"},
                {"POINTS 6", "POINTS -6", "line 5 = -6: must not be negative: number of points"}});
+  const std::string no_fit = ": the cells must fit the size that CELLS announces";
+  expectOfVtk(vtkSample(), {{"4 2 3 4 5", "4.5 2 3 4 5", "line 10 = cell 3" + no_fit},
+                            {"CELLS 3 14", "CELLS 2 14", "line 10 = 5 numbers left" + no_fit}});
   expectOfVtk(vtk51Sample(),
               {{"CONNECTIVITY", "CONNECTIONS", "line 13 = CONNECTIONS: must be 'CONNECTIVITY'"}});
 }
@@ -75,13 +78,20 @@ TEST(VtkErrors, OfArraysInBinary) {
 
 TEST(VtkErrors, OfCells) {
   const std::string no_region = ": the region must be a whole number";
-  expectOfVtk(vtkSample(), {{"1 7 9", "1 7.5 9", "cell 2 (counted from 1)" + no_region},
-                            {"1 7 9", "1 7 nan", "cell 3 (counted from 1)" + no_region},
-                            {"1 7 9", "1 7 1e10", "cell 3 (counted from 1)" + no_region},
-                            {"5\n10\n10\n", "5\n10\n24\n",
-                             "cell 3 (counted from 1): must have 10 points by its type"}});
+  expectOfVtk(
+      vtkSample(),
+      {{"1 7 9", "1 7.5 9", "cell 2 (counted from 1)" + no_region},
+       {"1 7 9", "1 7 nan", "cell 3 (counted from 1)" + no_region},
+       {"1 7 9", "1 7 1e10", "cell 3 (counted from 1)" + no_region},
+       {"5\n10\n10\n", "5\n10\n10.5\n",
+        "cell 3 (counted from 1): the type must be a whole number of 0 ... 255"},
+       {"5\n10\n10\n", "5\n10\nnan\n",
+        "cell 3 (counted from 1): the type must be a whole number of 0 ... 255"},
+       {"5\n10\n10\n", "5\n10\n24\n", "cell 3 (counted from 1): must have 10 points by its type"}});
   expectOfVtk(vtk51Sample(),
-              {{"0 3 7 11", "0 3 8 11", "cell 2 (counted from 1): must have 4 points by its type"},
+              {{"0 3 7 11", "1 3 7 11", "line 12 = OFFSETS: must begin with 0"},
+               {"0 3 7 11", "nan 3 7 11", "line 12 = OFFSETS: must begin with 0"},
+               {"0 3 7 11", "0 3 8 11", "cell 2 (counted from 1): must have 4 points by its type"},
                {"0 3 7 11", "0 3 6 11", "cell 2 (counted from 1): must have 4 points by its type"},
                {"0 3 7 11", "0 3 6.5 11",
                 "cell 2 (counted from 1): the offsets must grow, and end within the "
@@ -111,6 +121,9 @@ TEST(MeditErrors, OfNumbers) {
       parseTetMesh, "a.mesh", meditSample(),
       {{"Tetrahedra\n2", "Tetrahedra\n-2",
         "line 16 = -2: must not be negative: number of tetrahedra"},
+       {"3 4 5 6 9", "3 4 5 -9223372036854775808 9",
+        "tetrahedra = 1 of 2, the first is number 2: a node index is out of range; there are 6 "
+        "points"},
        {"3 4 5 6 9", "3 4 5 6 2147483648",
         "line 18 = 2147483648: is too large: reference of a tetrahedron"},
        {"3 4 5 6 9", "3 4 5 6.5 9", "line 18 = 6.5: must be a whole number: node of a tetrahedron"},

@@ -134,5 +134,15 @@ TEST(VtuErrors, OfPartsThatAreTooShort) {
         where + ": the compressed data is damaged"}});
 }
 
+// A last part larger than the others would be read as far as those go, and zeros behind.
+TEST(VtuErrors, OfALastPartThatIsTooLarge) {
+  const VtuForm form = {VtuForm::kAppendedRaw, false, false, true};
+  const std::string good = vtuBlock(packed<unsigned char>({5, 10, 10}), form, false);
+  expectOfVtu(form,
+              {{good, changed(good, packed<unsigned>({1, 32, 3}), packed<unsigned>({1, 2, 3})),
+                "line 17, DataArray 'types': the last part must not be larger than the "
+                "others"}});
+}
+
 }  // namespace
 }  // namespace palpate::formats
