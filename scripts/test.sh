@@ -93,7 +93,7 @@ check() {
 
 # reason_of NAME: what a test said that skipped itself.
 reason_of() {
-  awk -v name="$1" '
+  awk -v name="${1%% *}" '
     / Testing: / { mine = $3 == name }
     mine && /: Skipped$/ && (getline reason) > 0 { print reason; found = 1; exit }
     END { if (!found) print "it says no reason" }' "$BUILD_DIR/Testing/Temporary/LastTest.log"

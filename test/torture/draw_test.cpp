@@ -83,7 +83,7 @@ TEST(DrawnScenes, HaveAllThatThereIs) {
     starts.insert(toString(scene.start));
     EXPECT_GE(scene.step, 1e-4);
     EXPECT_LE(scene.step, 0.1);
-    EXPECT_LE(scene.trajectory.t.size(), 1000u);
+    EXPECT_LE(scene.trajectory.t.size(), 90u + 10u + 3u * 700u);  // go, leave and rest
   }
   EXPECT_EQ(categories_seen.size(), categories().size());
   EXPECT_EQ(models.size(), tissue::modelNames().size());
