@@ -105,8 +105,9 @@ class Values {
   }
   std::int64_t nextCount(const Property& list) {
     const double n = next(list.count_type, "length of a list");
-    if (!(n >= 0.0 && n < 4e9 && n == std::floor(n)))
+    if (!(n >= 0.0 && n < 4e9 && n == std::floor(n))) {
       in_.fail(std::to_string(n), "must be the length of a list");
+    }
     in_.checkCount(static_cast<std::int64_t>(n), "length of a list", text_ ? 2 : list.type.size);
     return static_cast<std::int64_t>(n);
   }
