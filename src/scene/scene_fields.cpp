@@ -217,10 +217,10 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
   v.number(
       {"sample_spacing", "m",
        "Largest distance between the points of the tissue surface that can touch; 0: half the "
-       "inscribed radius of the thinnest tool shape or part of the anatomy that is thicker than 1 "
-       "mm, at least 0.5 mm, or 0.5 mm where all are thinner. An edge has 3 to 32 parts. Where "
-       "they are farther apart than a tool is thick, or than 1.5 mm and it has edges, the tool's "
-       "own points, with edges rounded off by 0.2 mm, meet the triangles."},
+       "inscribed radius of the thinnest tool shape or part of the anatomy, at least 0.5 mm. An "
+       "edge has 3 to 32 parts. Where they are farther apart than a tool is thick, or than 1.5 "
+       "mm and it has edges, the tool's own points, with edges rounded off by 0.2 mm, meet the "
+       "triangles."},
       contact.sample_spacing, keys::Range::closed(0.0, 1.0));
   v.section({"friction", "",
              "What keeps organs from sliding along instruments and anatomy. Not of method "

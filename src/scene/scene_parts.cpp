@@ -76,27 +76,22 @@ void readInstruments(const Scene& scene, const Progress& progress, SceneParts* p
   }
 }
 
-// Closer than that samples need not be: what is as thin meets faces by itself [m].
+// Closer than that samples need not be: what is thinner meets faces by itself [m].
 constexpr double kFinestSpacing = 5e-4;
 
-// Samples so close that neither the thinnest tool nor a thinner bone can push its way between them,
-// of those that do not meet faces by themselves; where all do, as close as they may be.
+// Samples so close that neither the thinnest tool nor a thinner bone can push its way between them.
 double sampleSpacing(const Scene& scene, const SceneParts& parts) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  double spacing = kNone;
-  bool any = false;
-  const auto look = [&](const instrument::Geometry& geometry) {
-    const double radius = contact::inscribedRadius(geometry);
-    any = true;
-    if (radius > kFinestSpacing) spacing = std::min(spacing, 0.5 * radius);
-  };
+  double spacing = std::numeric_limits<double>::infinity();
   for (const instrument::Instrument& tool : parts.instruments) {
-    for (const instrument::CollisionBody& body : tool.bodies()) look(body.geometry);
+    for (const instrument::CollisionBody& body : tool.bodies()) {
+      spacing = std::min(spacing, 0.5 * contact::inscribedRadius(body.geometry));
+    }
   }
-  for (const AnatomyPart& part : parts.anatomy) look(part.geometry);
-  if (!any) return 0.0;
-  return spacing < kNone ? std::max(spacing, kFinestSpacing) : kFinestSpacing;
+  for (const AnatomyPart& part : parts.anatomy) {
+    spacing = std::min(spacing, 0.5 * contact::inscribedRadius(part.geometry));
+  }
+  return std::isfinite(spacing) ? std::max(spacing, kFinestSpacing) : 0.0;
 }
 
 // The organs that the model of the `first` organ of the scene owns.
