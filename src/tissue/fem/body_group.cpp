@@ -66,6 +66,21 @@ const FemOrgan* BodyGroup::frozenMember() const {
   return due ? nullptr : frozen;
 }
 
+// As an organ alone: by its tolerance, and by that of the forces as they are now.
+bool BodyGroup::cameToRest() {
+  const bool still = std::all_of(members_.begin(), members_.end(),
+                                 [&](const FemOrgan* m) { return m->isStill(out_); });
+  if (!still) return false;
+  const double unbalanced = bodies_.unbalancedForce(steps_.gradient());
+  if (unbalanced > out_.tolerance) return false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    TissueStep now;
+    members_[k]->takeForces(bodies_.part(k, steps_.gradient()), bodies_.interactionForces()[k],
+                            &now);
+  }
+  return unbalanced <= bodies_.tolerance();
+}
+
 void BodyGroup::step(double dt) {
   const bool sleeps = std::all_of(members_.begin(), members_.end(),
                                   [](const FemOrgan* member) { return member->sleeps(); });
@@ -82,9 +97,7 @@ void BodyGroup::step(double dt) {
   if (!steps_.advance(dt, &out_)) {
     for (FemOrgan* member : members_) member->failTogether(out_);
   } else {
-    const bool still = std::all_of(members_.begin(), members_.end(),
-                                   [&](const FemOrgan* m) { return m->isStill(out_); });
-    const bool at_rest = still && bodies_.unbalancedForce(steps_.gradient()) <= out_.tolerance;
+    const bool at_rest = cameToRest();
     for (std::size_t k = 0; k < members_.size(); ++k) {
       members_[k]->endTogether(out_, at_rest, bodies_.part(k, steps_.gradient()),
                                bodies_.interactionForces()[k]);

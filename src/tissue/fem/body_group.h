@@ -34,6 +34,7 @@ class BodyGroup {
  private:
   std::unique_ptr<solver::Minimizer> makeMinimizer();
   const FemOrgan* frozenMember() const;
+  bool cameToRest();
 
   std::vector<FemOrgan*> members_;
   std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // for members that have none

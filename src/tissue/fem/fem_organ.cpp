@@ -114,6 +114,8 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   body_.min_jacobian.reset();
   body_.surroundings.beginCycle(dt);
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
+  contact_force_ = body_.contact_force;
+  support_force_ = body_.support_force;
 }
 
 void FemOrgan::goAlone(double dt) {
@@ -135,13 +137,17 @@ void FemOrgan::goAlone(double dt) {
   reportState();
 }
 
+void FemOrgan::takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out) {
+  method_->motion()->reportForces(gradient, out);
+  out->interaction_force = others.sum;
+  body_.contact_force = std::hypot(body_.contact_force, others.norm);
+}
+
 void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                            const InteractionForce& others) {
   takeFigures(together);
   if (at_rest) fallAsleep();
-  method_->motion()->reportForces(gradient, &out_);
-  out_.interaction_force = others.sum;
-  body_.contact_force = std::hypot(body_.contact_force, others.norm);
+  takeForces(gradient, others, &out_);
   reportSolved();
   body_.surroundings.endCycle();
   reportState();
@@ -178,11 +184,20 @@ void FemOrgan::reportSolved() {
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
   body_.touch.countInactive(&out_);
+  if (out_.status != solver::SolveStatus::kDeadline) return;
+  // A tolerance is a part of forces that are in balance: where a cycle was cut there may be any.
+  body_.contact_force = contact_force_;
+  body_.support_force = support_force_;
 }
 
-// It neither moves nor would begin to if it were stopped here.
+// It neither moves nor would begin to if it were stopped here. The cycle's tolerance is of the
+// forces of the one before, which may have been those of a tool that is gone.
 bool FemOrgan::cameToRest() {
-  return rest_.isStill(body_.x, body_.touch, out_) && method_->unbalancedForce() <= out_.tolerance;
+  if (!rest_.isStill(body_.x, body_.touch, out_)) return false;
+  if (method_->unbalancedForce() > out_.tolerance) return false;
+  TissueStep now;
+  method_->reportForces(&now);
+  return method_->unbalancedForce() <= body_.tolerance();
 }
 
 // At rest and untouched, but folded through itself: what a leap of a tool can leave, which no force

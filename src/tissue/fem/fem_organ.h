@@ -100,8 +100,10 @@ class FemOrgan final : public OrganBodies {
   bool isStill(const TissueStep& together) const {
     return rest_.isStill(body_.x, body_.touch, together);
   }
-  /// The cycle ended at body.x, and the group `at_rest`. `gradient`: of the potential, 3 x n [N];
-  /// `others`: what they exert on it.
+  /// Its forces at body.x, into `out`; its tolerance is of them from now on. `gradient`: of the
+  /// potential, 3 x n [N]; `others`: what they exert on it.
+  void takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out);
+  /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                    const InteractionForce& others);
   /// It failed.
@@ -128,6 +130,7 @@ class FemOrgan final : public OrganBodies {
   Rest rest_;
   Freeze freeze_;
   Points settled_;
+  double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;
   std::vector<std::string> own_notes_;
   TissueStep out_;
