@@ -15,7 +15,7 @@ using test::kStep;
 using test::Slab;
 
 class EveryMethodThatIsLate : public ::testing::TestWithParam<std::string> {
- protected:
+ public:
   EveryMethodThatIsLate() : slab(Eigen::Vector3i(6, 6, 3)) {
     slab.settings.method = GetParam();
     slab.settings.mass_damping = 20.0;

@@ -98,17 +98,21 @@ TEST_P(GroupMemory, BeginsAnewAfterAReset) {
   EXPECT_EQ(tissue->state(), fresh->state());
 }
 
-// What fails together is tried again together: as soon as the tool that touches one of them is
-// gone, though the other one was never touched, and at the same time later on.
-TEST(FrozenGroup, IsTriedAgainWhenTheToolOfOneHasLeft) {
+ModelSettings failingWhereTheyMeet() {
   ModelSettings settings = organSettings();
   settings.gravity.setZero();
   settings.interactions = {{"repulsion", [](const ModelSettings&) {
-                              test::RepulsionSettings none;  // no energy where they meet
+                              test::RepulsionSettings none;  // no energy
                               none.stiffness = std::numeric_limits<double>::quiet_NaN();
                               return std::shared_ptr<const Interaction>(new test::Repulsion(none));
                             }}};
-  const auto tissue = makeOrgans(twoBlocks(0.008), settings);
+  return settings;
+}
+
+// What fails together is tried again together: as soon as the tool that touches one of them is
+// gone, though the other one was never touched, and at the same time later on.
+TEST(FrozenGroup, IsTriedAgainWhenTheToolOfOneHasLeft) {
+  const auto tissue = makeOrgans(twoBlocks(0.008), failingWhereTheyMeet());
   const auto isFrozen = [&tissue](std::size_t organ) {
     return (*tissue->reports())[organ].recovery == static_cast<int>(Recovery::kFrozen);
   };
@@ -128,6 +132,29 @@ TEST(FrozenGroup, IsTriedAgainWhenTheToolOfOneHasLeft) {
     EXPECT_FALSE(isFrozen(organ));
     EXPECT_TRUE((*tissue->reports())[organ].ok());
   }
+}
+
+// One that was placed into the other one: no tool will leave, and no cycle leads out.
+TEST(FrozenGroup, IsPutBackWhereItFailsForGood) {
+  const auto tissue = makeOrgans(twoBlocks(0.008), failingWhereTheyMeet());
+  const Points rest[] = {tissue->positions(0), tissue->positions(1)};
+  Points x = rest[0];
+  x.row(0).array() += 0.01;
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  int put_back = 0;
+  for (int k = 0; k < 80; ++k) {
+    tissue->step({}, kStep);
+    const std::vector<TissueStep>& reports = *tissue->reports();
+    EXPECT_EQ(reports[0].recovery, reports[1].recovery) << k;
+    if (reports[0].recovery != static_cast<int>(Recovery::kPutBack)) continue;
+    ++put_back;
+    for (const std::size_t organ : {0u, 1u}) {
+      EXPECT_FALSE(reports[organ].ok());
+      EXPECT_EQ(tissue->positions(static_cast<int>(organ)), rest[organ]);
+    }
+  }
+  EXPECT_EQ(put_back, 1);
+  EXPECT_TRUE((*tissue->reports())[0].ok());
 }
 
 TEST(GroupState, OfOtherOrgansIsRefused) {

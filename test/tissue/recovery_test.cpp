@@ -172,6 +172,35 @@ TEST(Recovery, TriesAFrozenOrganNowAndThen) {
   EXPECT_LT(tried, 60);
 }
 
+// Newton's method alone, from points anywhere in a cube: where it fails once it fails for good.
+TEST(Recovery, PutsBackWhatFailsAgainWithoutATool) {
+  Slab slab = smallSlab();
+  slab.settings.method = "newton_bicgstab";
+  const auto tissue = slab.make();
+  Points x = tissue->positions();
+  const Points rest = x;
+  unsigned state = 1;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    state = 1664525u * state + 1013904223u;
+    if (slab.free.data()[i] != 0.0) x.data()[i] = 0.1 * (state / 4294967296.0);
+  }
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  int frozen = 0, put_back = 0;
+  for (int k = 0; k < 200; ++k) {
+    const TissueStep& step = tissue->step({}, kStep);
+    frozen += step.recovery == told(Recovery::kFrozen);
+    if (step.recovery != told(Recovery::kPutBack)) continue;
+    ++put_back;
+    EXPECT_FALSE(step.ok());
+    EXPECT_EQ(tissue->positions(), rest);
+  }
+  EXPECT_EQ(frozen, 50);
+  EXPECT_EQ(put_back, 1);
+  const TissueStep& last = tissue->step({}, kStep);
+  EXPECT_TRUE(last.ok()) << solver::toString(last.status);
+  EXPECT_EQ(last.recovery, told(Recovery::kNone));
+}
+
 TEST(Recovery, StaysFrozenInASavedState) {
   const Slab slab = failingSlab();
   const auto one = slab.make(), other = slab.make();

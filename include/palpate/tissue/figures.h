@@ -17,7 +17,7 @@ enum class Recovery {
   kNone,
   kSolvedAgain,   ///< With a guard against elements that are turned inside out.
   kShorterSteps,  ///< A step failed; shorter ones, or implicit ones in the place of explicit ones.
-  kPutBack,       ///< Folded so that no force would mend it: at rest again.
+  kPutBack,       ///< Where no force or step leads away: at rest again.
   kRolledBack,    ///< All failed; where it was before the cycle.
   kFrozen         ///< It failed in many cycles, and was not tried.
 };

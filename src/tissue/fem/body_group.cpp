@@ -95,7 +95,10 @@ void BodyGroup::step(double dt) {
   for (FemOrgan* member : members_) member->beginTogether();
   out_.clear();
   if (!steps_.advance(dt, &out_)) {
-    for (FemOrgan* member : members_) member->failTogether(out_);
+    const bool for_good = std::all_of(members_.begin(), members_.end(), [&](const FemOrgan* m) {
+      return m->failsForGood(out_.status);
+    });
+    for (FemOrgan* member : members_) member->failTogether(out_, for_good);
   } else {
     const bool at_rest = cameToRest();
     for (std::size_t k = 0; k < members_.size(); ++k) {

@@ -130,8 +130,9 @@ void FemOrgan::goAlone(double dt) {
     method_->reportForces(&out_);
     reportSolved();
   } else {
+    const bool for_good = failsForGood(out_.status);
     fail();
-    if (isOutsideOfLaw()) return beginAnew();
+    if (for_good || isOutsideOfLaw()) return beginAnew();
   }
   body_.surroundings.endCycle();
   reportState();
@@ -153,10 +154,10 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
   reportState();
 }
 
-void FemOrgan::failTogether(const TissueStep& together) {
+void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
   takeFigures(together);
   fail();
-  if (isOutsideOfLaw()) return beginAnew();
+  if (for_good || isOutsideOfLaw()) return beginAnew();
   body_.surroundings.endCycle();
   reportState();
 }
@@ -211,11 +212,13 @@ bool FemOrgan::isCrushed() {
 // Its law has no energy here, so that no step leads away: where it was placed, not where it went.
 bool FemOrgan::isOutsideOfLaw() const { return !std::isfinite(body_.elasticity->energy(body_.x)); }
 
+// No step leads away from where it is, or all fail with no tool near.
 void FemOrgan::beginAnew() {
+  const bool outside = isOutsideOfLaw();
   const StepFigures figures = out_;
   place(0, settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
-  out_.recover(Recovery::kPutBack);
+  out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;
   body_.elasticity->gradient(body_.x, &g);
   body_.addLoads(body_.x, &g);
@@ -224,7 +227,7 @@ void FemOrgan::beginAnew() {
   reportSolved();
   body_.surroundings.endCycle();
   reportState();
-  out_.status = solver::SolveStatus::kInverted;
+  out_.status = outside ? solver::SolveStatus::kInverted : figures.status;
 }
 
 // What had come to rest was no shape of a body: it begins anew.

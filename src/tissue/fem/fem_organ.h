@@ -106,8 +106,12 @@ class FemOrgan final : public OrganBodies {
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                    const InteractionForce& others);
-  /// It failed.
-  void failTogether(const TissueStep& together);
+  /// Whether a cycle that failed with `status` is a trial after which no other one would do better.
+  bool failsForGood(solver::SolveStatus status) const {
+    return status != solver::SolveStatus::kDeadline && freeze_.isForGood();
+  }
+  /// It failed, and all of its group `for_good`.
+  void failTogether(const TissueStep& together, bool for_good);
   /// The group's work is reported with this member's.
   void addWork(const TissueStep& together);
 

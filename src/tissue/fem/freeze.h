@@ -8,7 +8,8 @@ namespace palpate::tissue {
 
 /// An organ that failed in cycle after cycle is left where it is, rather than have each cycle of
 /// the scene take as long as all its attempts do. It is tried again when the tools have left it,
-/// when it was placed anew, and now and then.
+/// when it was placed anew, and now and then. One that fails then, with no tool near, would do so
+/// for good.
 class Freeze {
  public:
   static constexpr int kFailures = 10;  ///< One after the other.
@@ -27,6 +28,8 @@ class Freeze {
   }
   /// Whether it failed so often that only a trial is not left out.
   bool fails() const { return failures_ >= kFailures; }
+  /// Asked in a trial that failed, before failed(): whether no other one would do better.
+  bool isForGood() const { return fails() && !touched_; }
   void solved() { failures_ = waited_ = 0; }
   void failed(solver::SolveStatus status) {
     ++failures_;
