@@ -188,6 +188,7 @@ TEST(Recovery, PutsBackWhatFailsAgainWithoutATool) {
   int frozen = 0, put_back = 0;
   for (int k = 0; k < 200; ++k) {
     const TissueStep& step = tissue->step({}, kStep);
+    EXPECT_NE(step.status, solver::SolveStatus::kNonFinite) << k;
     frozen += step.recovery == told(Recovery::kFrozen);
     if (step.recovery != told(Recovery::kPutBack)) continue;
     ++put_back;

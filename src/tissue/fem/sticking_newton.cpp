@@ -124,6 +124,7 @@ void StickingNewton::newton(TissueStep* out) {
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
+      if (k > 0 && !std::isfinite(residual_)) shorten(std::numeric_limits<double>::max());
       contact_->moves(body_.x, &move_);
       if (body_.heldWay(part_, &held_way_)) move_ += held_way_;
     }
@@ -147,17 +148,16 @@ void StickingNewton::newton(TissueStep* out) {
   }
 }
 
-// Nothing globalises Newton's steps but those that follow; the last one is shortened until it
-// leaves less unbalanced than the `before` [N] of the state before it, to which it goes back if
-// none does.
-void StickingNewton::shorten(double before) {
-  for (int k = 0; k < kMaxHalvings && residual_ > before; ++k) {
+// Nothing globalises Newton's steps but those that follow. One to where forces are not finite, and
+// the last one, are shortened until they leave no more unbalanced than `most` [N], and taken back
+// if none does.
+void StickingNewton::shorten(double most) {
+  for (int k = 0; k < kMaxHalvings && !(residual_ <= most); ++k) {
     step_ *= 0.5;
     body_.x = trial_ + step_;
     residual_ = gradient();
-    if (!std::isfinite(residual_)) residual_ = std::numeric_limits<double>::infinity();
   }
-  if (residual_ <= before) return;
+  if (residual_ <= most) return;
   body_.x = trial_;
   residual_ = gradient();
 }

@@ -38,7 +38,7 @@ class StickingNewton final : public StepMethod {
   bool sweep(int parts, TissueStep* out);
   void solveStage(double begin, TissueStep* out);
   void newton(TissueStep* out);
-  void shorten(double before);
+  void shorten(double most);
   bool iterate(TissueStep* out);
   Eigen::SparseMatrix<double> assemble(TissueStep* out);
   bool solve(const Eigen::SparseMatrix<double>& A, TissueStep* out);
