@@ -34,6 +34,7 @@ TledMethod::TledMethod(FemBody* body)
 
 void TledMethod::restart() {
   caution_ = 1;
+  account_ = Account();
   touch_.clear();
   contact_g_.setZero();
   inertia_.setZero();
@@ -42,6 +43,7 @@ void TledMethod::restart() {
 }
 
 void TledMethod::stop() {
+  account_ = Account();
   held_velocity_.setZero();
   contact_g_.setZero();
   inertia_.setZero();
@@ -51,6 +53,10 @@ void TledMethod::save(StateWriter* out) const {
   for (const Points* p : {&g_, &contact_g_, &inertia_}) out->put(*p);
   out->put(potential_);
   out->put(caution_);
+  for (double d : {account_.kinetic, account_.potential, account_.least_potential, account_.work,
+                   account_.cycles}) {
+    out->put(d);
+  }
   critical_.save(out);
   if (body_.heldMoves()) out->put(held_velocity_);
 }
@@ -60,6 +66,10 @@ void TledMethod::restore(StateReader* in) {
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
   in->get(&caution_);
+  for (double* d : {&account_.kinetic, &account_.potential, &account_.least_potential,
+                    &account_.work, &account_.cycles}) {
+    in->get(d);
+  }
   critical_.restore(in);
   if (body_.heldMoves()) in->getSame(&held_velocity_);
 }
@@ -113,6 +123,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
     if (late || labours_) return false;
+    if (gained_ && account_.isOpen()) return false;  // over more cycles than are taken back
   }
   caution_ = kMaxCaution;
   return false;
@@ -121,10 +132,11 @@ bool TledMethod::advance(double dt, TissueStep* out) {
 bool TledMethod::run(double dt, int steps, TissueStep* out) {
   const double h = dt / steps;
   const double damping = 0.5 * body_.settings.mass_damping * h;
-  const double kinetic_begin = kineticEnergy(), potential_begin = potential_;
+  Account account = account_;
+  if (!account.isOpen()) account = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
-  work_ = 0.0;
-  jumped_ = labours_ = false;
+  work_ = account.work;
+  jumped_ = labours_ = gained_ = false;
   int touch_iterations = 0;
   out->time_steps = caution_;
   out->sweep_stages = steps;
@@ -134,7 +146,8 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   bool late = false;
-  for (int k = 1; k <= steps && !late; ++k) {
+  int k = 1;
+  for (; k <= steps && !late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
     subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
@@ -153,7 +166,13 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
 
   contact_g_ = touch_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  if (!body_.v.allFinite() || !plausible(kinetic_begin, potential_begin)) return false;
+  if (!body_.v.allFinite()) return false;
+  account.least_potential = std::min(account.least_potential, potential_);
+  gained_ = !plausible(account);
+  if (gained_) return false;
+  account_ = account;
+  account_.work = work_;
+  account_.cycles = late ? account.cycles + (k - 1) / static_cast<double>(steps) : 1.0;
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
@@ -220,11 +239,18 @@ bool TledMethod::touch(double h, double s) {
   return true;
 }
 
-// Motion has come from motion, from what potential energy was let go, or from the tools.
-bool TledMethod::plausible(double kinetic_begin, double potential_begin) const {
-  const double released = std::max(0.0, potential_begin - potential_);
+// Motion has come from motion, from what potential energy was let go, or from the tools. In a cut
+// cycle potential energy that came from nowhere has no time to become motion; over several of them
+// it counts as well.
+bool TledMethod::plausible(const Account& since) const {
+  const double released = std::max(0.0, since.potential - potential_);
   const double noise = 1e-3 * body_.force_floor * touch_.elementSize();
-  return kineticEnergy() <= kEnergyGain * (kinetic_begin + released + work_ + noise);
+  const double kinetic = kineticEnergy();
+  if (kinetic > kEnergyGain * (since.kinetic + released + work_ + noise)) return false;
+  if (since.cycles == 0.0) return true;
+  const double given = since.kinetic + (since.potential - since.least_potential) + work_ + noise;
+  const double gained = kinetic + potential_ - since.kinetic - since.potential;
+  return gained <= kEnergyGain * given;
 }
 
 double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(body_.free).norm(); }

@@ -39,6 +39,16 @@ class TledMethod final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
+  // Of energy [J], since a cycle began; of cycles that are cut, over as many as make up a whole
+  // one.
+  struct Account {
+    double kinetic = 0.0, potential = 0.0;  // as it began
+    double least_potential = 0.0;           // at the ends of its cycles
+    double work = 0.0;                      // sum of the moduli of the contact's
+    double cycles = 1.0;                    // that it is of
+    bool isOpen() const { return cycles < 1.0; }
+  };
+
   int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
@@ -46,7 +56,7 @@ class TledMethod final : public StepMethod {
   void addHeldInertia(double h);
   bool touch(double h, double s);
   void forces(double h);
-  bool plausible(double kinetic_begin, double potential_begin) const;
+  bool plausible(const Account& since) const;
   double kineticEnergy() const;
 
   FemBody& body_;
@@ -63,7 +73,9 @@ class TledMethod final : public StepMethod {
   Points held_way_, held_velocity_, held_before_;  // of a sub-step and the one before
   Points x_begin_, v_begin_, g_begin_;
   Eigen::VectorXd coefficients_;
-  double work_ = 0.0;     // sum of the moduli of the contact's work in this cycle [J]
+  Account account_;       // to which the next cycle is added while it is open
+  double work_ = 0.0;     // of the account, up to now [J]
+  bool gained_ = false;   // energy that nothing brought
   bool jumped_ = false;   // tissue would have gone through a tool
   bool labours_ = false;  // contact takes many iterations in most sub-steps
   int caution_ = 1;       // times as many sub-steps as the critical one needs
