@@ -21,9 +21,10 @@ void addViscousTangent(const Mat3& H, Mat9* C) {
   }
 }
 
-template <class Law>
-double energyDensity(const Law& law, const PointBatch& batch, int i, double theta) {
-  const double psi = batch.factor * law.distortionalEnergy(batch.F[i]);
+template <class Law, class Kinematics>
+double energyDensity(const Law& law, const Kinematics& of_F, const PointBatch& batch, int i,
+                     double theta) {
+  const double psi = batch.factor * law.distortionalEnergy(of_F);
   const double viscous = batch.H ? viscousEnergy(batch.H[i], batch.F[i]) : 0.0;
   return psi + 0.5 * batch.kappa * theta * theta + viscous;
 }
@@ -46,7 +47,8 @@ void energyDensities(const material::Material& material, const PointBatch& batch
   material::visitLaw(
       [&](const auto& law) {
         for (int i = 0; i < batch.count; ++i) {
-          psi[i] = energyDensity(law, batch, i, ThetaOf<decltype(law)>::value(batch.F[i]));
+          const auto& of_F = law.kinematics(batch.F[i]);
+          psi[i] = energyDensity(law, of_F, batch, i, ThetaOf<decltype(law)>::value(of_F));
         }
       },
       material);
@@ -58,10 +60,11 @@ void stresses(const material::Material& material, const PointBatch& batch, doubl
         using Theta = ThetaOf<decltype(law)>;
         for (int i = 0; i < batch.count; ++i) {
           const Mat3& F = batch.F[i];
-          const double theta = Theta::value(F);
-          psi[i] = energyDensity(law, batch, i, theta);
-          P[i] = batch.factor * law.distortionalStress(F);
-          P[i] += pressure(batch, i, theta) * Theta::gradient(F);
+          const auto& of_F = law.kinematics(F);
+          const double theta = Theta::value(of_F);
+          psi[i] = energyDensity(law, of_F, batch, i, theta);
+          P[i] = batch.factor * law.distortionalStress(of_F);
+          P[i] += pressure(batch, i, theta) * Theta::gradient(of_F);
           if (batch.H) P[i] += F * batch.H[i];
         }
       },
@@ -74,11 +77,11 @@ void tangents(const material::Material& material, const PointBatch& batch, Mat9*
       [&](const auto& law) {
         using Theta = ThetaOf<decltype(law)>;
         for (int i = 0; i < batch.count; ++i) {
-          const Mat3& F = batch.F[i];
-          C[i] = batch.factor * law.distortionalTangent(F);
-          const Mat3 gradient = Theta::gradient(F);
+          const auto& of_F = law.kinematics(batch.F[i]);
+          C[i] = batch.factor * law.distortionalTangent(of_F);
+          const Mat3 gradient = Theta::gradient(of_F);
           C[i] += batch.kappa * material::vec(gradient) * material::vec(gradient).transpose();
-          Theta::addHessian(F, pressure(batch, i, Theta::value(F)), &C[i]);
+          Theta::addHessian(of_F, pressure(batch, i, Theta::value(of_F)), &C[i]);
           if (batch.H) addViscousTangent(batch.H[i], &C[i]);
           if (theta_gradient) theta_gradient[i] = gradient;
         }

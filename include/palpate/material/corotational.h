@@ -29,15 +29,16 @@ class Corotational : public FiniteStrainLaw {
 
   Moduli moduli() const { return moduli_; }
 
+  static PrincipalStretches kinematics(const Mat3& F) { return principalStretches(F); }
+
   /// mu |dev(S - I)|^2 [J/m^3].
-  double distortionalEnergy(const Mat3& F) const {
-    const Vec3 e = principalStretches(F).s.array() - 1.0;
+  double distortionalEnergy(const PrincipalStretches& p) const {
+    const Vec3 e = p.s.array() - 1.0;
     return moduli_.mu * (e.array() - e.mean()).matrix().squaredNorm();
   }
 
   /// 2 mu R dev(S - I) = 2 mu (F - R (tr S)/3) [Pa].
-  Mat3 distortionalStress(const Mat3& F) const {
-    const PrincipalStretches p = principalStretches(F);
+  Mat3 distortionalStress(const PrincipalStretches& p) const {
     const Vec3 e = p.s.array() - 1.0;
     const Vec3 deviatoric = e.array() - e.mean();
     return 2.0 * moduli_.mu * p.U * deviatoric.asDiagonal() * p.V.transpose();
@@ -45,15 +46,18 @@ class Corotational : public FiniteStrainLaw {
 
   /// The derivative of vec(distortionalStress) by vec(F) [Pa], 9 x 9, symmetric:
   /// 2 mu (1 - R R/3 - (tr S)/3 dR/dF).
-  Mat9 distortionalTangent(const Mat3& F) const {
+  Mat9 distortionalTangent(const PrincipalStretches& p) const {
     const double mu = moduli_.mu;
-    const PrincipalStretches p = principalStretches(F);
     const Mat3 R = p.rotation();
     Mat9 K = -2.0 / 3.0 * mu * vec(R) * vec(R).transpose();
     K.diagonal().array() += 2.0 * mu;
     addRotationDerivative(p, -2.0 / 3.0 * mu * p.s.sum(), &K);
     return K;
   }
+
+  double distortionalEnergy(const Mat3& F) const { return distortionalEnergy(kinematics(F)); }
+  Mat3 distortionalStress(const Mat3& F) const { return distortionalStress(kinematics(F)); }
+  Mat9 distortionalTangent(const Mat3& F) const { return distortionalTangent(kinematics(F)); }
 
  private:
   Moduli moduli_;  // [Pa]

@@ -36,10 +36,16 @@ struct SmallStrainTrace {
 
 /// theta = tr S - 3, F = R S: the trace of the stretch. Its gradient is R.
 struct StretchTrace {
-  static double value(const Mat3& F) { return principalStretches(F).s.sum() - 3.0; }
-  static Mat3 gradient(const Mat3& F) { return principalStretches(F).rotation(); }
+  static double value(const PrincipalStretches& p) { return p.s.sum() - 3.0; }
+  static Mat3 gradient(const PrincipalStretches& p) { return p.rotation(); }
+  static void addHessian(const PrincipalStretches& p, double s, Mat9* K) {
+    addRotationDerivative(p, s, K);
+  }
+
+  static double value(const Mat3& F) { return value(principalStretches(F)); }
+  static Mat3 gradient(const Mat3& F) { return gradient(principalStretches(F)); }
   static void addHessian(const Mat3& F, double s, Mat9* K) {
-    addRotationDerivative(principalStretches(F), s, K);
+    addHessian(principalStretches(F), s, K);
   }
 };
 

@@ -17,6 +17,9 @@ struct FiniteStrainLaw {
   static constexpr bool kNeedsFibres = false;
   /// psi(R F) = psi(F) for every rotation R.
   static constexpr bool kFrameIndifferent = true;
+  /// What energy, stress, tangent and dilatation take instead of F, where they are asked for more
+  /// than one of them: of a law that decomposes F, the decomposition.
+  static const Mat3& kinematics(const Mat3& F) { return F; }
 };
 
 // A whole law from its two parts,
@@ -25,26 +28,30 @@ struct FiniteStrainLaw {
 /// psi [J/m^3].
 template <class Law>
 double energyDensity(const Law& law, const Mat3& F) {
-  const double theta = Law::Dilatation::value(F);
-  return law.distortionalEnergy(F) + 0.5 * law.moduli().kappa * theta * theta;
+  const auto& of_F = law.kinematics(F);
+  const double theta = Law::Dilatation::value(of_F);
+  return law.distortionalEnergy(of_F) + 0.5 * law.moduli().kappa * theta * theta;
 }
 
 /// P = d psi / d F [Pa].
 template <class Law>
 Mat3 firstPiolaKirchhoff(const Law& law, const Mat3& F) {
   using Theta = typename Law::Dilatation;
-  return law.distortionalStress(F) + law.moduli().kappa * Theta::value(F) * Theta::gradient(F);
+  const auto& of_F = law.kinematics(F);
+  return law.distortionalStress(of_F) +
+         law.moduli().kappa * Theta::value(of_F) * Theta::gradient(of_F);
 }
 
 /// d vec(P)/d vec(F) [Pa], 9 x 9, symmetric.
 template <class Law>
 Mat9 tangent(const Law& law, const Mat3& F) {
   using Theta = typename Law::Dilatation;
-  const Mat3 gradient = Theta::gradient(F);
+  const auto& of_F = law.kinematics(F);
+  const Mat3 gradient = Theta::gradient(of_F);
   const double kappa = law.moduli().kappa;
-  Mat9 K = law.distortionalTangent(F);
+  Mat9 K = law.distortionalTangent(of_F);
   K += kappa * vec(gradient) * vec(gradient).transpose();
-  Theta::addHessian(F, kappa * Theta::value(F), &K);
+  Theta::addHessian(of_F, kappa * Theta::value(of_F), &K);
   return K;
 }
 
