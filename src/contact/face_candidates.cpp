@@ -87,9 +87,11 @@ void FacePoints::orderCandidates(const Points& x, const std::vector<PlacedObstac
   placeTriangles(x);
   for (std::size_t g = first_group; g < groups_.size(); ++g) {
     Group& group = groups_[g];
-    for (int c = group.begin; c < group.end; ++c) by_distance_.push_back(c);
+    for (int c = group.begin; c < group.end; ++c) {
+      by_distance_.push_back({candidates_[c].apart, c, candidates_[c].triangle});
+    }
     std::sort(by_distance_.begin() + group.begin, by_distance_.end(),
-              [&](int a, int b) { return candidates_[a].apart < candidates_[b].apart; });
+              [](const Ordered& a, const Ordered& b) { return a.apart < b.apart; });
     group.behind = measure(x, placed, group, 0.0).distance < 0.0;
   }
 }
@@ -101,8 +103,7 @@ void FacePoints::placeTriangles(const Points& x) const {
     const Mat3 way = at - corners(found_at_, t);
     farthest = std::max(farthest, way.colwise().squaredNorm().maxCoeff());
     const Vec3 middle = at.rowwise().mean();
-    middles_.col(t) = middle;
-    radii_[t] = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
+    around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
   }
   moved_ = std::sqrt(farthest);
 }
@@ -117,28 +118,34 @@ double FacePoints::wayOf(const Vec3& center, const Group& group) const {
 bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                            double within) const {
   if (!skip_far_ || group.behind) return false;
-  const double apart = candidates_[by_distance_[group.begin]].apart;
+  const double apart = by_distance_[group.begin].apart;
   return apart - wayOf(centerOf(placed, group), group) > withSlack(within);
 }
 
 // Fills close_ with the candidates that may be the nearest or nearer than `within`, in their order.
+// After a leap each of hundreds of balls has hundreds, in each trial of a line search.
 void FacePoints::findNear(const Vec3& center, const Group& group, double within) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
   const double moved = wayOf(center, group);
-  double farthest = std::numeric_limits<double>::infinity();  // that the nearest may be
-  const auto far = [&] { return withSlack(std::max(farthest, within)); };
+  double nearest = kNone;  // that one is, at most,
+  double far = kNone;      // and that one may be that matters
   close_.clear();
   for (int k = group.begin; k < group.end; ++k) {
-    const int c = by_distance_[k];
-    if (skip_far_ && candidates_[c].apart - moved > far()) break;
-    close_.emplace_back(c, (center - middles_.col(candidates_[c].triangle)).norm());
-    farthest = std::min(farthest, close_.back().second);
+    const Ordered& one = by_distance_[k];
+    if (one.apart - moved > far) break;
+    const auto ball = around_.col(one.triangle);
+    const double squared = (center - ball.head<3>()).squaredNorm();
+    const double most = far + ball[3];
+    if (squared > most * most) continue;
+    close_.emplace_back(one.candidate, std::sqrt(squared));
+    if (!(close_.back().second < nearest)) continue;
+    nearest = close_.back().second;
+    if (skip_far_) far = withSlack(std::max(nearest, within));
   }
-  if (skip_far_) {
-    const auto too_far = [&, far = far()](const std::pair<int, double>& close) {
-      return close.second - radii_[candidates_[close.first].triangle] > far;
-    };
-    close_.erase(std::remove_if(close_.begin(), close_.end(), too_far), close_.end());
-  }
+  const auto too_far = [&](const std::pair<int, double>& close) {
+    return close.second - around_(3, candidates_[close.first].triangle) > far;
+  };
+  close_.erase(std::remove_if(close_.begin(), close_.end(), too_far), close_.end());
   std::sort(close_.begin(), close_.end());
 }
 

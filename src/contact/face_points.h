@@ -121,6 +121,10 @@ class FacePoints {
     // When it was found: its mean edge, and how far from it the ball's centre was [m].
     double edge, apart;
   };
+  struct Ordered {
+    double apart;  // of the candidate
+    int candidate, triangle;
+  };
   struct Group {
     int obstacle, ball, begin, end;  // of its candidates
     double area;                     // that it stands for [m^2]
@@ -161,11 +165,10 @@ class FacePoints {
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
-  std::vector<int> by_distance_;  // candidates, in each group the near ones first
-  Points found_at_;               // x, when they were found
-  mutable double moved_ = 0.0;    // how far a corner is from there, at most [m]
-  mutable Points middles_;
-  mutable Eigen::VectorXd radii_;
+  std::vector<Ordered> by_distance_;  // in each group the near ones first
+  Points found_at_;                   // x, when they were found
+  mutable double moved_ = 0.0;        // how far a corner is from there, at most [m]
+  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m]
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
   mutable std::vector<Meeting> meetings_;              // of one group, those that may matter
 };
