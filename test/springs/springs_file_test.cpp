@@ -92,6 +92,15 @@ TEST_F(SpringsFile, SaysWhatIsWrongWhere) {
   EXPECT_THROW(readSprings(folder_.path("absent.csv")), InputError);
 }
 
+TEST_F(SpringsFile, NamesNoMoreThanTwentyProblems) {
+  std::string rows;
+  for (int i = 0; i < 30; ++i) rows += "0,1,cord,3,0,1,0\n";
+  const std::string said = refusal(kPoints + kHeader + rows);
+  int problems = 0;
+  for (std::size_t at = 0; (at = said.find("cord", at)) != std::string::npos; ++at) ++problems;
+  EXPECT_EQ(problems, 20) << said;
+}
+
 TEST_F(SpringsFile, DoesNotWriteWhatItWouldNotRead) {
   SpringNetwork network = lineNetwork({{1.0, 1.0}, {0.0, 1.0}}, 0.1, 3, 1.0);
   network.springs[1].length = 0.0;
