@@ -13,10 +13,17 @@ namespace {
 // More than what counts as equally near: of a distance, and [m].
 constexpr double kSlack = 1e-8, kLeastSlack = 1e-12;
 
+// More triangles than so many are worth asking how far one of them is, not only its middle.
+constexpr std::size_t kFew = 4;
+
 // That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
 constexpr double kLeastArea = 2e-5;
 
 double withSlack(double distance) { return distance * (1.0 + kSlack) + kLeastSlack; }
+
+Vec3 normalOf(const Mat3& corners) {
+  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+}
 
 double meanEdge(const Mat3& corners) {
   return ((corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(1)).norm() +
@@ -104,6 +111,7 @@ void FacePoints::placeTriangles(const Points& x) const {
     farthest = std::max(farthest, way.colwise().squaredNorm().maxCoeff());
     const Vec3 middle = at.rowwise().mean();
     around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
+    normals_.col(t) = normalOf(at);
   }
   moved_ = std::sqrt(farthest);
 }
@@ -124,11 +132,13 @@ bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Grou
 
 // Fills close_ with the candidates that may be the nearest or nearer than `within`, in their order.
 // After a leap each of hundreds of balls has hundreds, in each trial of a line search.
-void FacePoints::findNear(const Vec3& center, const Group& group, double within) const {
+void FacePoints::findNear(const Points& x, const Vec3& center, const Group& group,
+                          double within) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const double moved = wayOf(center, group);
   double nearest = kNone;  // that one is, at most,
   double far = kNone;      // and that one may be that matters
+  int nearest_triangle = -1;
   close_.clear();
   for (int k = group.begin; k < group.end; ++k) {
     const Ordered& one = by_distance_[k];
@@ -140,7 +150,13 @@ void FacePoints::findNear(const Vec3& center, const Group& group, double within)
     close_.emplace_back(one.candidate, std::sqrt(squared));
     if (!(close_.back().second < nearest)) continue;
     nearest = close_.back().second;
+    nearest_triangle = one.triangle;
     if (skip_far_) far = withSlack(std::max(nearest, within));
+  }
+  if (skip_far_ && close_.size() > kFew && nearest_triangle >= 0) {
+    const Mat3 at = corners(x, nearest_triangle);
+    const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
+    far = std::min(far, withSlack(std::max((center - near.point).norm(), within)));
   }
   const auto too_far = [&](const std::pair<int, double>& close) {
     return close.second - around_(3, candidates_[close.first].triangle) > far;

@@ -19,10 +19,6 @@ constexpr double kNoDirection = 1e-12;
 // answer becomes hard. Harder, it would be more than Newton's method has iterations for.
 constexpr double kRadii = 4.0, kHard = 0.125;
 
-Vec3 normalOf(const Mat3& corners) {
-  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
-}
-
 }  // namespace
 
 void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing) {
@@ -31,6 +27,7 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
   divisions_.resize(triangles.cols());
   is_used_.assign(static_cast<std::size_t>(triangles.cols()), 0);
   around_.resize(4, triangles.cols());
+  normals_.resize(3, triangles.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     const Mat3 at = corners(X, static_cast<int>(t));
     areas_[t] = 0.5 * (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0)).norm();
@@ -118,7 +115,7 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
                                                const std::vector<PlacedObstacle>& placed,
                                                const Group& group, double within) const {
   const Vec3 center = centerOf(placed, group);
-  findNear(center, group, within);
+  findNear(x, center, group, within);
   meetings_.clear();
   std::size_t nearest = 0;
   double most_across = 0.0;
@@ -126,7 +123,7 @@ const FacePoints::Meeting& FacePoints::measure(const Points& x,
     const int c = close.first;
     const int triangle = candidates_[c].triangle;
     const Mat3 at = corners(x, triangle);
-    const Vec3 n = normalOf(at);
+    const Vec3 n = normals_.col(triangle);
     Meeting m{};
     m.near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
     const Vec3 way = center - m.near.point;

@@ -145,7 +145,7 @@ class FacePoints {
   bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                  double within) const;
   void placeTriangles(const Points& x) const;
-  void findNear(const Vec3& center, const Group& group, double within) const;
+  void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   const Meeting& measure(const Points& x, const std::vector<PlacedObstacle>& placed,
                          const Group& group, double within) const;
   void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
@@ -168,7 +168,8 @@ class FacePoints {
   std::vector<Ordered> by_distance_;  // in each group the near ones first
   Points found_at_;                   // x, when they were found
   mutable double moved_ = 0.0;        // how far a corner is from there, at most [m]
-  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m]
+  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m],
+  mutable Points normals_;            // and unit, outward
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
   mutable std::vector<Meeting> meetings_;              // of one group, those that may matter
 };
