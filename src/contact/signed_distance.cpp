@@ -50,7 +50,7 @@ Distance distance(const Capsule& capsule, const Vec3& p) {
 
 // In the plane through the axis and p: a box. Its corner is the rim, which goes around the axis.
 Distance distance(const Cylinder& cylinder, const Vec3& p) {
-  const double r = std::hypot(p.x(), p.y());
+  const double r = p.head<2>().norm();
   const bool on_axis = !(r > kNoDirection);
   const Vec3 radial = on_axis ? Vec3::UnitX() : Vec3(p.x() / r, p.y() / r, 0.0);
   const Vec3 axial = (p.z() < 0.0 ? -1.0 : 1.0) * Vec3::UnitZ();
@@ -58,7 +58,7 @@ Distance distance(const Cylinder& cylinder, const Vec3& p) {
   const Vec3 around = Vec3::UnitZ().cross(radial);
   const Mat3 about_axis = on_axis ? Mat3(Mat3::Zero()) : Mat3(around * around.transpose() / r);
   if (wall > 0.0 && end > 0.0) {
-    const double d = std::hypot(wall, end);
+    const double d = Eigen::Vector2d(wall, end).norm();
     if (d > kNoDirection) {
       const Vec3 n = (wall * radial + end * axial) / d;
       const Vec3 along = (end * radial - wall * axial) / d;
@@ -119,10 +119,11 @@ double value(const Capsule& capsule, const Vec3& p) {
 }
 
 double value(const Cylinder& cylinder, const Vec3& p) {
-  const double wall = std::hypot(p.x(), p.y()) - cylinder.radius;
+  const double wall = p.head<2>().norm() - cylinder.radius;
   const double end = std::abs(p.z()) - cylinder.half_length;
-  const double d = std::hypot(wall, end);
-  return wall > 0.0 && end > 0.0 && d > kNoDirection ? d : std::max(wall, end);
+  if (!(wall > 0.0 && end > 0.0)) return std::max(wall, end);
+  const double d = Eigen::Vector2d(wall, end).norm();
+  return d > kNoDirection ? d : std::max(wall, end);
 }
 
 double value(const Box& box, const Vec3& p) {
