@@ -15,9 +15,10 @@ class Pace {
   Pace(Steady::duration period, Steady::time_point now) : period_(period), due_(now + period) {}
 
   /// A cycle begins with an input that is there from `from` on, or comes until `until`, or then
-  /// without one.
+  /// without one. `afresh`: one that is there already is not waited with, for the next is near.
   struct Plan {
     Steady::time_point from, until;
+    bool afresh = false;
   };
   /// `last`: when the newest input came, `interval`: how often they do; 0: none did.
   Plan next(Steady::time_point last, Steady::duration interval) const {
@@ -26,7 +27,8 @@ class Pace {
     const Steady::duration patience = of(kPatience);
     plan.from -= std::min(patience, credit_);
     const Steady::time_point expected = last + interval;  // or a little later
-    if (expected >= due_ - patience && expected <= due_ + patience) plan.until += patience;
+    plan.afresh = expected >= due_ - patience && expected <= due_ + patience;
+    if (plan.afresh) plan.until += patience;
     return plan;
   }
 

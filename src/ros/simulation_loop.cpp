@@ -52,9 +52,12 @@ void SimulationLoop::loop() {
     arrivals_.clear();
     cycle_.run();
     pace.ended(Steady::now());
-    const Pace::Plan plan = pace.next(arrivals_.last(), arrivals_.interval());
+    const Steady::time_point last = arrivals_.last();
+    const Pace::Plan plan = pace.next(last, arrivals_.interval());
     std::this_thread::sleep_until(plan.from);
-    if (!arrivals_.pending()) arrivals_.wait(plan.until);
+    if (plan.afresh) arrivals_.clear();
+    const bool there = arrivals_.pending() || (plan.afresh && arrivals_.last() > last);
+    if (!there) arrivals_.wait(plan.until);
     pace.began(Steady::now());
   }
 }

@@ -80,11 +80,14 @@ class Hand:
         self.thread.start()
 
     def _run(self):
+        due = time.monotonic()
         while not rospy.is_shutdown():
             make = self.make
             if make:
                 self.publisher.publish(make())
-            time.sleep(0.01)
+            # By the clock, as an arm is: sleeps are longer than asked, by as much as the machine likes.
+            due = max(due + 0.01, time.monotonic() - 0.01)
+            time.sleep(max(0.0, due - time.monotonic()))
 
     def hold(self, z):
         self.make = lambda: joint_state(z)
