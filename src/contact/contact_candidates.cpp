@@ -28,7 +28,12 @@ void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
       placed_.emplace_back(obstacles[b], margin_);
     }
   }
-  if (faces_ && !same) faces_->setObstacles(placed_);
+  if (!faces_) return;
+  if (same) {
+    faces_->moveObstacles();
+  } else {
+    faces_->setObstacles(placed_);
+  }
 }
 
 void ContactPotential::findCandidates(const Points& x, const std::vector<double>& reach) {

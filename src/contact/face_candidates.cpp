@@ -91,6 +91,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
 
 void FacePoints::orderCandidates(const Points& x, const std::vector<PlacedObstacle>& placed,
                                  std::size_t first_group) {
+  forget();
   placeTriangles(x);
   for (std::size_t g = first_group; g < groups_.size(); ++g) {
     Group& group = groups_[g];
@@ -99,7 +100,9 @@ void FacePoints::orderCandidates(const Points& x, const std::vector<PlacedObstac
     }
     std::sort(by_distance_.begin() + group.begin, by_distance_.end(),
               [](const Ordered& a, const Ordered& b) { return a.apart < b.apart; });
-    group.behind = measure(x, placed, group, 0.0).distance < 0.0;
+    meetings_.clear();
+    const std::size_t nearest = measure(x, placed, group, 0.0).nearest;
+    group.behind = meetings_[nearest].distance < 0.0;
   }
 }
 

@@ -12,9 +12,6 @@
 namespace palpate::contact {
 namespace {
 
-// Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
-constexpr double kNoDirection = 1e-12;
-
 // Of a ball's radius and of a triangle's edge: of the larger one an eighth is a depth at which the
 // answer becomes hard. Harder, it would be more than Newton's method has iterations for.
 constexpr double kRadii = 4.0, kHard = 0.125;
@@ -43,6 +40,7 @@ void FacePoints::clear() {
   groups_.clear();
   for (const int t : used_) is_used_[static_cast<std::size_t>(t)] = 0;
   used_.clear();
+  forget();
 }
 
 void FacePoints::setObstacles(const std::vector<PlacedObstacle>& placed) {
@@ -108,54 +106,6 @@ bool FacePoints::hasCandidates(int obstacle) const {
                      [&](const Group& group) { return group.obstacle == obstacle; });
 }
 
-// Fills meetings_ with the triangles that may be the nearest or are nearer than `within`, and
-// returns the nearest. Of those that are equally near, as those around an edge or a corner are, the
-// one that the centre is most in front of, or behind, knows the side.
-const FacePoints::Meeting& FacePoints::measure(const Points& x,
-                                               const std::vector<PlacedObstacle>& placed,
-                                               const Group& group, double within) const {
-  const Vec3 center = centerOf(placed, group);
-  findNear(x, center, group, within);
-  meetings_.clear();
-  std::size_t nearest = 0;
-  double most_across = 0.0;
-  for (const std::pair<int, double>& close : close_) {
-    const int c = close.first;
-    const int triangle = candidates_[c].triangle;
-    const Mat3 at = corners(x, triangle);
-    const Vec3 n = normals_.col(triangle);
-    Meeting m{};
-    m.near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
-    const Vec3 way = center - m.near.point;
-    m.distance = way.norm();
-    m.direction = m.distance > kNoDirection ? Vec3(way / m.distance) : n;
-    double across = n.dot(way);
-    if (m.near.feature == Feature::kFace) {  // exact however near
-      m.direction = across < 0.0 ? Vec3(-n) : n;
-      m.distance = std::abs(across);
-    }
-    m.edge = candidates_[c].edge;
-    m.triangle = triangle;
-    meetings_.push_back(m);
-    const double least = meetings_[nearest].distance;
-    const bool as_near = m.distance <= least * (1.0 + 1e-9) + kNoDirection;
-    if (meetings_.size() == 1 || m.distance < least * (1.0 - 1e-9) - kNoDirection ||
-        (as_near && std::abs(across) > std::abs(most_across))) {
-      nearest = meetings_.size() - 1;
-      most_across = across;
-    }
-  }
-  const bool behind = most_across < 0.0;
-  for (Meeting& meeting : meetings_) meeting.touched = !behind;
-  Meeting& m = meetings_[nearest];
-  m.touched = true;
-  if (behind) {
-    m.distance = -m.distance;
-    m.direction = -m.direction;
-  }
-  return m;
-}
-
 void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group,
                       const Meeting& meeting, double gap, Touch* touch) const {
   const int triangle = meeting.triangle;
@@ -181,16 +131,17 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
 
 double FacePoints::maxStep(const Points& x, const Points& d,
                            const std::vector<PlacedObstacle>& placed, double largest) const {
-  placeTriangles(x);
+  measureAt(x);
   double longest = 0.0;
   for (const int t : used_) {
     longest = std::max(longest, corners(d, t).colwise().squaredNorm().maxCoeff());
   }
   longest = std::sqrt(longest);
-  for (const Group& group : groups_) {
-    if (staysAway(placed, group, longest * largest)) continue;
-    measure(x, placed, group, longest * largest);
-    for (const Meeting& m : meetings_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (staysAway(placed, groups_[g], longest * largest)) continue;
+    const Measured& known = measured(x, placed, g, longest * largest);
+    for (std::size_t k = known.begin; k < known.end; ++k) {
+      const Meeting& m = meetings_[k];
       const Mat3 motion = corners(d, m.triangle);
       const double allowed = std::max(m.distance, 0.0) + kFollow * m.edge;
       if (std::sqrt(motion.colwise().squaredNorm().maxCoeff()) * largest <= allowed) continue;

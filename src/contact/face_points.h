@@ -39,8 +39,14 @@ class FacePoints {
     return spacing > shapes_[obstacle]->too_coarse;
   }
 
+  /// The obstacles are the same ones, elsewhere.
+  void moveObstacles() { forget(); }
+
   /// Whether triangles that are too far to matter are left out, as they are by default.
-  void setSkip(bool far) { skip_far_ = far; }
+  void setSkip(bool far) {
+    skip_far_ = far;
+    forget();
+  }
 
   void clear();
   /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
@@ -71,11 +77,13 @@ class FacePoints {
   template <class Visit>
   void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
                const Visit& visit) const {
-    placeTriangles(x);
-    for (const Group& group : groups_) {
+    measureAt(x);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const Group& group = groups_[g];
       if (staysAway(placed, group, reach + ball(group).radius)) continue;
-      measure(x, placed, group, reach + ball(group).radius);
-      for (const Meeting& meeting : meetings_) {
+      const Measured& known = measured(x, placed, g, reach + ball(group).radius);
+      for (std::size_t m = known.begin; m < known.end; ++m) {
+        const Meeting& meeting = meetings_[m];
         const double gap = meeting.distance - ball(group).radius;
         if (!(gap < reach) || !meeting.touched) continue;
         Touch touch;
@@ -88,9 +96,10 @@ class FacePoints {
   template <class Visit>
   void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
                 const Visit& visit) const {
-    placeTriangles(x);
-    for (const Group& group : groups_) {
-      visit(group.obstacle, ball(group).radius, measure(x, placed, group, 0.0));
+    measureAt(x);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const Measured& known = measured(x, placed, g, 0.0);
+      visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
     }
   }
   /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
@@ -133,6 +142,11 @@ class FacePoints {
     bool behind;
   };
 
+  struct Measured {                   // of a group, at x:
+    double within;                    // triangles that are nearer [m] are among
+    std::size_t begin, end, nearest;  // these of meetings_
+  };
+
   const Shape* shapeOf(const Obstacle& obstacle);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
@@ -146,8 +160,12 @@ class FacePoints {
                  double within) const;
   void placeTriangles(const Points& x) const;
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
-  const Meeting& measure(const Points& x, const std::vector<PlacedObstacle>& placed,
-                         const Group& group, double within) const;
+  void forget() { measured_at_.resize(3, 0); }
+  void measureAt(const Points& x) const;
+  const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
+                           std::size_t group, double within) const;
+  Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, const Group& group,
+                   double within) const;
   void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
             double gap, Touch* touch) const;
 
@@ -171,7 +189,10 @@ class FacePoints {
   mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m],
   mutable Points normals_;            // and unit, outward
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
-  mutable std::vector<Meeting> meetings_;              // of one group, those that may matter
+  // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
+  mutable Points measured_at_;
+  mutable std::vector<Measured> measured_;
+  mutable std::vector<Meeting> meetings_;
 };
 
 }  // namespace palpate::contact

@@ -83,6 +83,41 @@ TEST_P(FaceContact, MeetsLargeTriangles) {
   }
 }
 
+// What is known of a place from one question is no more than another one there would find, in
+// whichever order, with a longer step before it, and where the tool or the block is elsewhere.
+TEST_P(FaceContact, AnswersAsOneThatWasNeverAsked) {
+  const auto force = [](const Block& of, const Points& x) {
+    Points g = Points::Zero(3, x.cols());
+    of.potential.addGradient(x, &g);
+    return g;
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec3 at = random.vector(0.009);
+    block.place(tool(), upright(at.x(), at.y(), 1.7e-4));
+    for (int k = 0; k < 3; ++k) {
+      const Points x = block.mesh.points + random.points(block.mesh.numPoints(), 1e-4);
+      const Points d = random.points(x.cols(), k == 1 ? 1e-2 : 1e-5);
+      const Pose X_WG = upright(at.x(), at.y(), 1e-4 * k);
+      block.potential.setObstacles({{&tool().geometry, 0, X_WG, X_WG}});
+      Block fresh;
+      fresh.place(tool(), upright(at.x(), at.y(), 1.7e-4));
+      fresh.potential.setObstacles({{&tool().geometry, 0, X_WG, X_WG}});
+      if (k == 2) block.potential.value(x);
+      const double longest = block.potential.maxStep(x, d);
+      const Points g = force(block, x);
+      EXPECT_EQ(g, force(fresh, x)) << tool().name;
+      EXPECT_EQ(longest, fresh.potential.maxStep(x, d)) << tool().name;
+      EXPECT_EQ(block.potential.value(x), fresh.potential.value(x)) << tool().name;
+      // The tool alone moves.
+      block.place(tool(), upright(at.x(), at.y(), 0.5e-4));
+      block.potential.value(x);
+      block.potential.setObstacles({{&tool().geometry, 0, X_WG, X_WG}});
+      EXPECT_LT((g - force(block, x)).norm(), 1e-9 * (1.0 + g.norm())) << tool().name;
+      block.place(tool(), upright(at.x(), at.y(), 1.7e-4));
+    }
+  }
+}
+
 TEST_P(FaceContact, GradientAndHessianAreThoseOfTheValue) {
   int touched = 0;
   for (int trial = 0; trial < 20; ++trial) {
