@@ -20,7 +20,7 @@ bool isOver(double value, const Points& g, const fem::FreeMask& free,
     report->status = SolveStatus::kIterationLimit;
     return true;
   }
-  if (report->iterations > 0 && settings.interrupted()) {
+  if (report->iterations >= settings.least_iterations && settings.interrupted()) {
     report->status = SolveStatus::kDeadline;
     return true;
   }

@@ -60,6 +60,21 @@ TEST_P(EveryMethodThatIsLate, EndsAfterAFewIterationsWithAStateToGoOnFrom) {
   EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
 }
 
+// Following a tool that presses is an iteration: where the time is over then, no other is made.
+TEST(LateStep, FollowsAToolWithoutAnotherIteration) {
+  Slab slab;
+  const auto tissue = slab.make();
+  test::Press press;
+  for (int k = 0; k < 30; ++k) tissue->step({press.next()}, kStep);
+  const solver::Interrupt at_once = [] { return true; };
+  tissue->setInterrupt(&at_once);
+  for (int k = 0; k < 10; ++k) {
+    const TissueStep& step = tissue->step({press.next()}, kStep);
+    EXPECT_EQ(step.newton_iterations, 1) << "cycle " << k;
+    EXPECT_EQ(step.status, solver::SolveStatus::kDeadline) << "cycle " << k;
+  }
+}
+
 // Each cycle ends after an iteration, so that many make up what one would have done. Newton's
 // method alone, quasi-static, need not find out; it must not go elsewhere.
 TEST_P(EveryMethodThatIsLate, ComesOutOfAShapeThatIsInsideOut) {

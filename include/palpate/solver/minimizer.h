@@ -17,9 +17,10 @@ struct NewtonSettings {
   int max_iterations = StepSettings().max_newton_iterations;
   /// Relative, of the linear solves; tighter for the last.
   double linear_tolerance = StepSettings().linear_tolerance;
-  /// Asked after every iteration and in linear solves; null: nobody is. At least one iteration is
-  /// done.
+  /// Asked after every iteration and in linear solves; null: nobody is.
   const Interrupt* interrupt = nullptr;
+  /// So many iterations are done before it is asked: 1, or 0 where x is a step ahead already.
+  int least_iterations = 1;
 
   bool interrupted() const { return isInterrupted(interrupt); }
 };

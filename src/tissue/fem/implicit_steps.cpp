@@ -129,10 +129,10 @@ void ImplicitSteps::solveStages(double begin, double end) {
       ++out_->sweep_stages;
       budget_.beginStage();
     }
-    followTools(from, s, from == begin ? begin_x_ : bodies_.x());
+    const bool followed = followTools(from, s, from == begin ? begin_x_ : bodies_.x());
     solved.status = moveHeld(s, end);
     if (solved.status != solver::SolveStatus::kConverged) break;
-    solved = solveStage(s < end);
+    solved = solveStage(s < end, followed);
     if (startGuarding()) solved = solveStage(s < end);
     if (s < end) continue;
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
@@ -155,18 +155,18 @@ void ImplicitSteps::solveStages(double begin, double end) {
 
 // Brings the tools from part `from` of the cycle to part `to`, and what they touch with them: from
 // `x` as the tangent there says, to first order, if that is better than where the body is. It
-// spares Newton's method finding the points that stay in touch one after another.
-void ImplicitSteps::followTools(double from, double to, const Points& x) {
+// spares Newton's method finding the points that stay in touch one after another. True: it was.
+bool ImplicitSteps::followTools(double from, double to, const Points& x) {
   const solver::Potential& potential = bodies_.potential();
   double value = 0.0;
   {
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     const bool touching = bodies_.pushTo(to, x, &push_);
     bodies_.placeTools(to);
-    if (!touching) return;
+    if (!touching) return false;
     value = potential.gradient(bodies_.x(), &gradient_there_);
     const double residual = solver::freeNorm(gradient_there_, potential.free);
-    if (residual <= kWorthFollowing * out_->tolerance) return;
+    if (residual <= kWorthFollowing * out_->tolerance) return false;
     bodies_.placeTools(from);
   }
   solver::NewtonReport step;
@@ -174,9 +174,11 @@ void ImplicitSteps::followTools(double from, double to, const Points& x) {
   add(step);
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   bodies_.placeTools(to);
-  if (!found) return;
+  if (!found) return false;
   predicted_ = x + potential.maxStep(x, way_) * way_;
-  if (potential.gradient(predicted_, &gradient_there_) < value) bodies_.x().swap(predicted_);
+  const bool better = potential.gradient(predicted_, &gradient_there_) < value;
+  if (better) bodies_.x().swap(predicted_);
+  return better;
 }
 
 void ImplicitSteps::add(const solver::NewtonReport& report) {
@@ -213,7 +215,8 @@ bool ImplicitSteps::startGuarding() {
   return true;
 }
 
-solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
+// Where it `followed` the tools, x is an iteration ahead already.
+solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
   const FemSettings& of_scene = bodies_.settings();
   solver::NewtonSettings settings;
   settings.linear_tolerance = of_scene.linear_tolerance;
@@ -222,6 +225,7 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way) {
     settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
   }
   settings.interrupt = bodies_.interrupt();
+  settings.least_iterations = followed ? 0 : 1;
   settings.max_iterations = budget_.ofNextSolve(on_the_way);
   solver::NewtonReport solved;
   for (int search = 0; search < kMaxSearches; ++search) {

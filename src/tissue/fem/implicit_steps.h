@@ -42,10 +42,10 @@ class ImplicitSteps {
   bool settled();
   void settle();
   bool startGuarding();
-  void followTools(double from, double to, const Points& x);
+  bool followTools(double from, double to, const Points& x);
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s, double end);
-  solver::NewtonReport solveStage(bool on_the_way);
+  solver::NewtonReport solveStage(bool on_the_way, bool followed = false);
   bool acceptable();
 
   MovingBodies& bodies_;
