@@ -36,10 +36,11 @@ FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& compositio
       own_notes_(own.notes) {}
 
 void FemOrgan::settle() {
-  if (own_start_) return reset();
-  settled_ = settleUnderLoads(&body_);
-  body_.surroundings.seal(settled_);
-  method_->settle(&settled_);
+  if (!own_start_) {
+    settled_ = settleUnderLoads(&body_);
+    body_.surroundings.seal(settled_);
+    method_->settle(&settled_);
+  }
   reset();
 }
 
@@ -76,6 +77,11 @@ void FemOrgan::reset() {
 }
 
 void FemOrgan::place(int, const Points& positions, const Points& velocities) {
+  put(positions, velocities);
+  method_->prepare(body_.settings.step);
+}
+
+void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.x = positions;
   body_.v = velocities;
   body_.elasticity->relax(positions);
@@ -216,7 +222,7 @@ bool FemOrgan::isOutsideOfLaw() const { return !std::isfinite(body_.elasticity->
 void FemOrgan::beginAnew() {
   const bool outside = isOutsideOfLaw();
   const StepFigures figures = out_;
-  place(0, settled_, Points::Zero(3, settled_.cols()));
+  put(settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;
@@ -233,7 +239,7 @@ void FemOrgan::beginAnew() {
 // What had come to rest was no shape of a body: it begins anew.
 void FemOrgan::unfold() {
   const StepFigures figures = out_;
-  place(0, settled_, Points::Zero(3, settled_.cols()));
+  put(settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
   out_.recover(Recovery::kPutBack);
   method_->reportForces(&out_);

@@ -116,6 +116,7 @@ class FemOrgan final : public OrganBodies {
   void addWork(const TissueStep& together);
 
  private:
+  void put(const Points& positions, const Points& velocities);
   bool cameToRest();
   bool isCrushed();
   bool isOutsideOfLaw() const;

@@ -18,6 +18,7 @@ class ImplicitMethod final : public StepMethod {
   double unbalancedForce() override { return bodies_.unbalancedForce(steps_.gradient()); }
   const Eigen::VectorXd& masses() const override { return motion_.masses(); }
   BodyMotion* motion() override { return &motion_; }
+  void prepare(double dt) override { steps_.prepare(dt); }
   void forget() override { steps_.forget(); }
   void restart() override;
   void goOnFrom(const StepMethod& old, const mesh::MeshChange& change) override;

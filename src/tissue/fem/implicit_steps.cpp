@@ -33,6 +33,16 @@ void ImplicitSteps::restore(StateReader* in) {
   minimizer_->restore(in);
 }
 
+void ImplicitSteps::prepare(double dt) {
+  bodies_.beginStep(0.0, dt);
+  prepareHere();
+}
+
+void ImplicitSteps::prepareHere() {
+  if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
+  prepared_ = true;
+}
+
 // The cycle in one step, or, where that fails, in more and shorter ones.
 bool ImplicitSteps::advance(double dt, TissueStep* out) {
   out_ = out;
@@ -74,8 +84,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
 // One step of `h`, in which the tools go from `begin` to `end` of their way.
 bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (bodies_.beginStep(begin, h)) forget();
-  if (!prepared_) minimizer_->prepare(bodies_.potential(), bodies_.x());
-  prepared_ = true;
+  prepareHere();
   startFromPredictor(begin, end, h);
   solveStages(begin, end);
   if (!acceptable()) return false;

@@ -24,6 +24,8 @@ class ImplicitSteps {
   solver::Minimizer& minimizer() { return *minimizer_; }
   /// As StepMethod::advance().
   bool advance(double dt, TissueStep* out);
+  /// As StepMethod::prepare().
+  void prepare(double dt);
   /// Forgets what the minimiser learnt.
   void forget() {
     prepared_ = false;
@@ -36,6 +38,7 @@ class ImplicitSteps {
   void restore(StateReader* in);
 
  private:
+  void prepareHere();
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end);

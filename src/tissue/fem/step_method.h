@@ -33,6 +33,9 @@ class StepMethod {
   virtual std::optional<double> elasticEnergy() const { return std::nullopt; }
   /// Moves `x`, the body's equilibrium under gravity, to that of such a method, 3 x n [m].
   virtual void settle(Points* /*x*/) {}
+  /// Does what the first cycle, of `dt` [s], would have to do before it can begin, as a first
+  /// factorisation, from where the body is.
+  virtual void prepare(double /*dt*/) {}
 
   /// The body's motion, by which it can also be stepped together with other bodies. Null: of a
   /// method that has none.
