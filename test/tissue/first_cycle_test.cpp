@@ -13,7 +13,7 @@ using test::kStep;
 using test::Slab;
 
 class MethodThatFactorises : public ::testing::TestWithParam<std::string> {
- protected:
+ public:
   MethodThatFactorises() : slab(Eigen::Vector3i(6, 6, 3)) {
     slab.settings.method = GetParam();
     tissue = slab.make();
