@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace palpate::contact {
 namespace {
@@ -28,12 +29,27 @@ bool before(const Grip& a, const Grip& b) { return a.anchor.before(b.anchor); }
 }  // namespace
 
 const Grip* Grips::find(const Touch& touch) const {
-  if (grips_.empty()) return nullptr;
-  Grip key;
-  key.anchor.number = touch.number;
-  key.anchor.sample = touch.sample;
-  const auto found = std::lower_bound(grips_.begin(), grips_.end(), key, before);
-  return found != grips_.end() && !before(key, *found) ? &*found : nullptr;
+  using Place = std::pair<int, int>;
+  const auto place_of = [](const Grip& grip) {
+    return Place(grip.anchor.number, grip.anchor.sample);
+  };
+  const Place place(touch.number, touch.sample);
+  const auto is_bound = [&](std::size_t k) {  // the first that is not before it
+    return k <= grips_.size() && (k == grips_.size() || place <= place_of(grips_[k])) &&
+           (k == 0 || place_of(grips_[k - 1]) < place);
+  };
+  // Touches are asked for in their order, each some times.
+  if (!is_bound(bound_)) {
+    if (is_bound(bound_ + 1)) {
+      ++bound_;
+    } else {
+      const auto found =
+          std::lower_bound(grips_.begin(), grips_.end(), place,
+                           [&](const Grip& a, const Place& b) { return place_of(a) < b; });
+      bound_ = static_cast<std::size_t>(found - grips_.begin());
+    }
+  }
+  return bound_ < grips_.size() && place_of(grips_[bound_]) == place ? &grips_[bound_] : nullptr;
 }
 
 Grip* Grips::findAmong(const Touch& touch) { return const_cast<Grip*>(find(touch)); }

@@ -65,8 +65,9 @@ class Grips {
   const Response& normal_;
   const FrictionTable& table_;
   double stiffness_;
-  Anchors anchors_;          // where the last step ended
-  std::vector<Grip> grips_;  // within a step, sorted by their anchors
+  Anchors anchors_;                // where the last step ended
+  std::vector<Grip> grips_;        // within a step, sorted by their anchors
+  mutable std::size_t bound_ = 0;  // of the touch that was asked for last
   std::vector<Anchor> next_;
   std::vector<std::pair<int, double>> presses_;  // by obstacle, as a whole [N]
   std::size_t round_ = 0;                        // of solutions in the step

@@ -20,11 +20,16 @@ void Multipliers::Share::operator+=(const Share& other) {
   forgotten += other.forgotten;
 }
 
+// Samples of a triangle follow one another, and ask for the same nodes.
 double Multipliers::at(const Touch& touch) const {
   double sum = 0.0;
   if (nodes_.empty()) return sum;
+  if (!last_.known || last_.number != touch.number || last_.nodes != touch.nodes) {
+    last_ = {true, touch.number, touch.nodes, Vec3::Zero()};
+    for (int k = 0; k < 3; ++k) last_.pressures[k] = atNode(touch.number, touch.nodes[k]);
+  }
   for (int k = 0; k < 3; ++k) {
-    if (touch.weights[k] != 0.0) sum += touch.weights[k] * atNode(touch.number, touch.nodes[k]);
+    if (touch.weights[k] != 0.0) sum += touch.weights[k] * last_.pressures[k];
   }
   return sum;
 }
@@ -83,12 +88,14 @@ void Multipliers::change(const std::vector<Touch>& touches, const WishOf& wish) 
 // Takes them, sorted, and gives back what was there.
 void Multipliers::put(std::vector<Node>* nodes) {
   nodes_.swap(*nodes);
+  last_.known = false;
   largest_ = 0.0;
   for (const Node& node : nodes_) largest_ = std::max(largest_, node.pressure);
 }
 
 void Multipliers::clear() {
   nodes_.clear();
+  last_.known = false;
   largest_ = 0.0;
 }
 

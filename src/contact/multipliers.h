@@ -54,6 +54,12 @@ class Multipliers {
     double change, inertia, growing, forgotten;
     void operator+=(const Share& other);
   };
+  struct Triangle {
+    bool known;
+    int number;
+    Eigen::Vector3i nodes;
+    Vec3 pressures;  // of its nodes [Pa]
+  };
   double atNode(int number, int node) const;
   void gather(const std::vector<Touch>& touches, const WishOf& wish);
   void put(std::vector<Node>* nodes);
@@ -61,6 +67,7 @@ class Multipliers {
   std::vector<Node> nodes_, next_;
   std::vector<Share> shares_;
   double largest_ = 0.0;
+  mutable Triangle last_{false, 0, Eigen::Vector3i::Zero(), Vec3::Zero()};  // that was asked for
 };
 
 }  // namespace palpate::contact

@@ -93,6 +93,24 @@ INSTANTIATE_TEST_SUITE_P(TableAndShapes, EveryResponse,
                          ::testing::Combine(::testing::ValuesIn(allNames()),
                                             ::testing::Range(0, 4)));
 
+// What is known of a touch is looked for near that of the one before.
+TEST_P(EveryResponse, AnswersInAnyOrder) {
+  std::vector<Contact> contacts;
+  potential.collect(x, &contacts);
+  ASSERT_GT(contacts.size(), 3u);
+  std::vector<double> energies;
+  for (const Contact& c : contacts) energies.push_back(response->energy(c.touch));
+  std::size_t k = 0;
+  for (std::size_t n = 0; n < 10 * contacts.size(); ++n) {
+    k = (31 * k + n) % contacts.size();
+    EXPECT_EQ(response->energy(contacts[k].touch), energies[k]) << k;
+    if (!response->hasFriction()) continue;
+    Touch other = contacts[k].touch;  // that nothing is known of
+    other.number = n % 2 ? 7 : -7;
+    response->energy(other);
+  }
+}
+
 TEST_P(EveryResponse, ForcesAreTheGradientOfTheEnergy) {
   const Points g = gradient(potential, x);
   EXPECT_GT(g.norm(), 0.0);
