@@ -14,7 +14,9 @@ constexpr double kNoDirection = 1e-12;
 
 // What was measured elsewhere is no more known.
 void FacePoints::measureAt(const Points& x) const {
-  if (groups_.empty() || (measured_at_.cols() == x.cols() && measured_at_ == x)) return;
+  if (groups_.empty()) return;
+  if (measured_anywhere_ && measured_at_.cols() == x.cols() && measured_at_ == x) return;
+  measured_anywhere_ = true;
   measured_at_ = x;
   placeTriangles(x);
   meetings_.clear();

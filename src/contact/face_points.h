@@ -160,7 +160,7 @@ class FacePoints {
                  double within) const;
   void placeTriangles(const Points& x) const;
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
-  void forget() { measured_at_.resize(3, 0); }
+  void forget() { measured_anywhere_ = false; }
   void measureAt(const Points& x) const;
   const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
                            std::size_t group, double within) const;
@@ -190,6 +190,7 @@ class FacePoints {
   mutable Points normals_;            // and unit, outward
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
   // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
+  mutable bool measured_anywhere_ = false;
   mutable Points measured_at_;
   mutable std::vector<Measured> measured_;
   mutable std::vector<Meeting> meetings_;
