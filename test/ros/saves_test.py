@@ -142,7 +142,7 @@ class Saves(unittest.TestCase):
         for deadline in "0", "1":
             node = self.start("_solver/deadline:=" + deadline, scene=scene)
             self.hand.hold(ABOVE)
-            self.heard(lambda m: m.state == "RUNNING" and m.cycle_ms > 0.0)
+            self.heard(lambda m: m.state == "RUNNING" and m.cycle_ms > 0.0, 30.0)
             self.hand.hold(-0.0651)  # a tenth of a millimetre deep
             long = self.heard(lambda m: m.cycle_ms > 500.0, 30.0)
             time.sleep(0.1)  # the next has begun
