@@ -52,8 +52,8 @@ if [ -n "$sanitize" ] || $coverage; then
       grep -rlE 'ThreadPool|Background|std::(thread|async|atomic)' test --include='*_test.cpp' |
         grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
     only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
-    # libgomp is not instrumented: what CHOLMOD's threads hand to each other looks like a race.
-    export OMP_THREAD_LIMIT=1
+    # libgomp and OpenBLAS are not instrumented: what their threads hand on looks like a race.
+    export OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1
   fi
   export BUILD_TYPE=RelWithDebInfo CXXFLAGS="$flags"
   export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
