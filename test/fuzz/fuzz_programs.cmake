@@ -27,12 +27,6 @@ endfunction()
 
 palpate_fuzz_program(palpate_fuzz ${core_targets})
 if(catkin_FOUND AND NOT PALPATE_FUZZ_CORE)
-  set(ros ${PROJECT_SOURCE_DIR}/src/ros)
-  palpate_fuzz_program(palpate_fuzz_bag bag_targets.cpp
-    ${ros}/bag_check.cpp ${ros}/bag_inputs.cpp ${ros}/bag_records.cpp ${ros}/conversions.cpp
-    ${ros}/joint_state_reader.cpp ${ros}/message_bytes.cpp ${ros}/tf_lookup.cpp)
-  add_dependencies(palpate_fuzz_bag ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
-  target_include_directories(palpate_fuzz_bag PRIVATE ${PROJECT_SOURCE_DIR}/src ${ros})
-  target_include_directories(palpate_fuzz_bag SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
-  target_link_libraries(palpate_fuzz_bag PRIVATE ${catkin_LIBRARIES})
+  palpate_fuzz_program(palpate_fuzz_bag bag_targets.cpp)
+  target_link_libraries(palpate_fuzz_bag PRIVATE palpate_ros)
 endif()
