@@ -18,6 +18,17 @@ const Anchor* Anchors::find(const Touch& touch) const {
   return found != anchors_.end() && !key.before(*found) ? &*found : nullptr;
 }
 
+bool Anchors::hold(int number, int first, int last) const {
+  Anchor key;
+  key.number = number;
+  key.sample = first;
+  for (auto anchor = std::lower_bound(anchors_.begin(), anchors_.end(), key, before);
+       anchor != anchors_.end() && anchor->number == number && anchor->sample <= last; ++anchor) {
+    if (anchor->bite == Bite::kHeld) return true;
+  }
+  return false;
+}
+
 void Anchors::take(const std::vector<Anchor>& anchors) {
   anchors_.assign(anchors.begin(), anchors.end());  // into the same memory
   std::sort(anchors_.begin(), anchors_.end(), before);

@@ -31,6 +31,8 @@ class Anchors {
  public:
   /// Null: it did not touch.
   const Anchor* find(const Touch& touch) const;
+  /// Whether teeth hold one of the samples [first, last] of an obstacle.
+  bool hold(int number, int first, int last) const;
   bool empty() const { return anchors_.empty(); }
 
   /// Takes the place of those before.

@@ -55,13 +55,21 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
                                   const Visit& visit) const {
   const double reach = response_->reach();
   const bool motion = response_->followsMotion();
+  const bool may_cling = response_->remembers();
+  const auto clings = [&](int obstacle, int first, int last) {
+    return may_cling && response_->clings(placed_[obstacle].obstacle().number, first, last);
+  };
+  const auto far = [&](const SampleRuns::Run& run, double least) {
+    return least >= reach &&
+           !clings(run.obstacle, candidates_[run.begin].sample, candidates_[run.end - 1].sample);
+  };
   Touch touch;
   touch.motion_W.setZero();
   const auto look = [&](const SampleCandidate& c) {
     const SurfaceSample& s = samples_[c.sample];
     const PlacedObstacle& obstacle = placed_[c.obstacle];
     obstacle.measureGap(s.position(x), &touch);
-    if (skip_inactive && !(touch.gap < reach)) return;
+    if (skip_inactive && !(touch.gap < reach) && !clings(c.obstacle, c.sample, c.sample)) return;
     touch.sample = c.sample;
     touch.obstacle = c.obstacle;
     touch.nodes = s.nodes;
@@ -75,8 +83,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
     visit(touch);
   };
   if (skip_inactive) {
-    forCandidates(
-        x, [&](const auto&, double least) { return least >= reach; }, look);
+    forCandidates(x, far, look);
   } else {
     for (const SampleCandidate& c : candidates_) look(c);
   }
@@ -96,7 +103,8 @@ void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && begun_;
   faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
-    touch->bearing = bearingOf(*touch);
+    // Constant where a ball goes along triangles, as its energy's derivatives take it to be.
+    touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(meeting.first)).mean();
     if (!response_->active(*touch)) return;
     if (motion) placed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
     visit(*touch, meeting);
@@ -202,11 +210,11 @@ void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::Vec
   bearing_ = stiffness;
 }
 
-// Constant where a ball goes along a triangle, as its energy's derivatives take it to be.
+// Of a sample.
 double ContactPotential::bearingOf(const Touch& touch) const {
   if (bearing_.size() == 0) return 0.0;
   const Vec3 of_corners = bearing_(touch.nodes);
-  return touch.sample < 0 ? of_corners.mean() : of_corners.dot(touch.weights);
+  return of_corners.dot(touch.weights);
 }
 
 // [1/kg]

@@ -75,7 +75,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const double distance = (center - near.point).norm();
     if (!(distance <= reach + ball.radius)) continue;
     if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
-      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, center, true});
+      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, center, true});
       nearest = std::numeric_limits<double>::infinity();
     }
     candidates_.push_back({triangle, meanEdge(at), distance});
@@ -83,8 +83,11 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     if (!used) used_.push_back(triangle);
     used = 1;
     groups_.back().end = numCandidates();
-    if (distance < nearest) groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
-    nearest = std::min(nearest, distance);
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
+    groups_.back().first = triangle;
+    groups_.back().edge = candidates_.back().edge;
   }
   orderCandidates(x, placed, first_group);
 }

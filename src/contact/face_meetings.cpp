@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a tool's balls are from the triangles that they may touch.
+#include <algorithm>
 #include <cmath>
 
 #include "face_points.h"
@@ -9,6 +10,10 @@ namespace {
 
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
 constexpr double kNoDirection = 1e-12;
+
+// Of a triangle's edge, and of a ball's diameter: deeper behind the surface a ball that was in
+// front of it is not. Steps lead it there by no more than FacePoints::kFollow at a time.
+constexpr double kDeepest = 1.0;
 
 }  // namespace
 
@@ -58,6 +63,7 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
     }
     m.edge = candidates_[c].edge;
     m.triangle = triangle;
+    m.first = group.first;
     meetings_.push_back(m);
     const double least = meetings_[nearest].distance;
     const bool as_near = m.distance <= least * (1.0 + 1e-9) + kNoDirection;
@@ -67,9 +73,12 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
       most_across = across;
     }
   }
-  const bool behind = most_across < 0.0;
-  for (std::size_t k = begin; k < meetings_.size(); ++k) meetings_[k].touched = !behind;
   Meeting& m = meetings_[nearest];
+  // Where the surface crosses itself, the nearest triangle may be another one at once.
+  const double deepest = kDeepest * std::max(group.edge, 2.0 * ball(group).radius);
+  const bool crossed = !group.behind && m.distance > deepest;
+  const bool behind = most_across < 0.0 && !crossed;
+  for (std::size_t k = begin; k < meetings_.size(); ++k) meetings_[k].touched = !behind;
   m.touched = true;
   if (behind) {
     m.distance = -m.distance;

@@ -117,7 +117,7 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
   touch->weights = meeting.near.weights;
   touch->area = group.area;
   touch->radius = placed[group.obstacle].radius();
-  touch->room = std::max(kRadii * ball(group).radius, kHard * meeting.edge);
+  touch->room = std::max(kRadii * ball(group).radius, kHard * group.edge);
   touch->gap = gap;
   touch->p_W = meeting.near.point;
   touch->p_G = placed[group.obstacle].toObstacle(touch->p_W);

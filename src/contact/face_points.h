@@ -71,7 +71,9 @@ class FacePoints {
     Vec3 direction;      ///< Unit, from there to the centre, or opposite behind it.
     double edge;         ///< Of the triangle, on average, when it was found [m].
     int triangle;
+    int first;  ///< The triangle that was the nearest when the ball was found.
   };
+  Eigen::Vector3i nodesOf(int triangle) const { return triangles_.col(triangle); }
   /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
   /// whole but for its motion.
   template <class Visit>
@@ -137,6 +139,8 @@ class FacePoints {
   struct Group {
     int obstacle, ball, begin, end;  // of its candidates
     double area;                     // that it stands for [m^2]
+    int first;                       // the triangle that was nearest when they were found,
+    double edge;                     // and how long its edges were, on average [m]
     // When they were found: the ball's centre, and whether it was behind the nearest.
     Vec3 center_W;
     bool behind;

@@ -23,6 +23,9 @@ class FrictionResponse final : public Response {
         grips_(normal_.get(), &table_, settings.stiffness) {}
 
   double reach() const override { return normal_->reach() + reach_; }
+  bool clings(int number, int first, int last) const override {
+    return grips_.clings(number, first, last);
+  }
   bool active(const Touch& touch) const override { return pressed(touch) || grips_.clings(touch); }
   bool followsMotion() const override { return true; }
   bool hasFriction() const override { return true; }

@@ -26,6 +26,8 @@ constexpr double kRoundoff = 1e-13;
 
 bool before(const Grip& a, const Grip& b) { return a.anchor.before(b.anchor); }
 
+bool isTight(const Grip& grip) { return grip.limit > 0.0 || grip.anchor.bite == Bite::kHeld; }
+
 }  // namespace
 
 const Grip* Grips::find(const Touch& touch) const {
@@ -55,12 +57,23 @@ const Grip* Grips::find(const Touch& touch) const {
 Grip* Grips::findAmong(const Touch& touch) { return const_cast<Grip*>(find(touch)); }
 
 bool Grips::clings(const Touch& touch) const {
-  if (const Grip* grip = find(touch)) {
-    return grip->limit > 0.0 || grip->anchor.bite == Bite::kHeld;
-  }
+  if (const Grip* grip = find(touch)) return isTight(*grip);
   if (!grips_.empty()) return false;
   const Anchor* anchor = anchors_.find(touch);  // a step begins
   return anchor && anchor->bite == Bite::kHeld;
+}
+
+bool Grips::clings(int number, int first, int last) const {
+  if (grips_.empty()) return anchors_.hold(number, first, last);
+  Grip from;
+  from.anchor.number = number;
+  from.anchor.sample = first;
+  for (auto grip = std::lower_bound(grips_.begin(), grips_.end(), from, before);
+       grip != grips_.end() && grip->anchor.number == number && grip->anchor.sample <= last;
+       ++grip) {
+    if (isTight(*grip)) return true;
+  }
+  return false;
 }
 
 // Of the spring along the surface [N/m].

@@ -31,6 +31,8 @@ class Grips {
   const Grip* find(const Touch& touch) const;
   /// Whether a touch answers that is not pressed.
   bool clings(const Touch& touch) const;
+  /// The same of one of these samples.
+  bool clings(int number, int first, int last) const;
   double energy(const Grip& grip, const Touch& touch) const;
   /// Of the spring along the surface [N].
   Vec3 force(const Grip& grip, const Touch& touch) const;

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "palpate/contact/contact_potential.h"
 #include "palpate/contact/signed_distance.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "support/no_jumps.h"
 #include "support/random.h"
 
 namespace palpate::contact {
@@ -34,7 +36,9 @@ const Tool kTools[] = {kNeedle, kThinRod, kBlade, kBall, kBox};
 
 // A block with its upper face at z = 0 and triangles of 10 mm.
 struct Block {
-  Block() {
+  explicit Block(const std::string& response = "penalty")
+      : potential(sampleSurface(mesh.points, triangles, kSpacing),
+                  makeResponse({response, 1e7, 1e-4})) {
     mesh.points.row(0).array() -= 0.02;
     mesh.points.row(1).array() -= 0.02;
     mesh.points.row(2).array() -= 0.02;
@@ -52,8 +56,7 @@ struct Block {
 
   mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.04, 0.04, 0.02), Eigen::Vector3i(4, 4, 2));
   Eigen::Matrix3Xi triangles = mesh::boundaryTriangles(mesh.tets);
-  ContactPotential potential{sampleSurface(mesh.points, triangles, kSpacing),
-                             makeResponse({"penalty", 1e7, 1e-4})};
+  ContactPotential potential;
 };
 
 class FaceContact : public ::testing::TestWithParam<int> {
@@ -179,7 +182,39 @@ TEST_P(FaceContact, BringsBackWhatIsBehind) {
   }
 }
 
+// A lower face that is driven through the upper one comes nearer to a tool that hovers over both.
+TEST_P(FaceContact, EnergyHasNoJumpsWhereTheSurfaceCrossesItself) {
+  const Pose X_WG = upright(0.003, 0.001, -0.03);
+  block.potential.setObstacles({{&tool().geometry, 0, X_WG, X_WG}});
+  block.potential.findCandidates(block.mesh.points, {0.1});
+  Points d = Points::Zero(3, block.mesh.numPoints());
+  for (Eigen::Index i = 0; i < d.cols(); ++i) {
+    if (block.mesh.points(2, i) < -0.0199) d(2, i) = 1.0;
+  }
+  test::expectNoJumps(block.potential, block.mesh.points, d, 1e-4, 360);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, FaceContact, ::testing::Range(0, 5));
+
+// A ball that is behind goes on to triangles of other sizes, and of stiffer tissue.
+TEST(FaceContact, EnergyHasNoJumpsBehindTheSurface) {
+  test::Random random;
+  Block soft("augmented_lagrangian");
+  const Eigen::Index n = soft.mesh.numPoints();
+  soft.mesh.points += random.points(n, 1.5e-3);
+  const Eigen::VectorXd bearing = Eigen::VectorXd::LinSpaced(n, 1e4, 1e6);
+  soft.potential.setBearing(Points::Ones(3, n), Eigen::VectorXd::Ones(n), bearing);
+  const Tool tip{"tip", Sphere{2e-4}, -2e-4};
+  for (int trial = 0; trial < 5; ++trial) {
+    const Vec3 at = random.vector(0.004);
+    soft.place(tip, poseFromXyzRpy(Vec3(at.x(), at.y(), -4e-3), Vec3::Zero()));
+    ASSERT_LT(soft.forceOnTissue().z(), 0.0);
+    Points d = Points::Zero(3, n);
+    d.row(0).setConstant(std::cos(trial));
+    d.row(1).setConstant(std::sin(trial));
+    test::expectNoJumps(soft.potential, soft.mesh.points, d, 4e-6, 1500);
+  }
+}
 
 TEST(FaceContact, IsNotAskedForWhereSamplesAreCloseEnough) {
   Block block;

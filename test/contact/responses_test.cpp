@@ -11,6 +11,7 @@
 #include "sampled_surfaces.h"
 #include "support/contains.h"
 #include "support/hold_response.h"
+#include "support/no_jumps.h"
 #include "support/random.h"
 
 namespace palpate::contact {
@@ -120,6 +121,13 @@ TEST_P(EveryResponse, ForcesAreTheGradientOfTheEnergy) {
     const double slope = (potential.value(x + h * d) - potential.value(x - h * d)) / (2.0 * h);
     EXPECT_NEAR(g.cwiseProduct(d).sum(), slope, 1e-5 * g.norm() * d.norm());
   }
+}
+
+// However far the tissue is drawn away within a step.
+TEST_P(EveryResponse, EnergyHasNoJumpsWhereATouchEnds) {
+  Points d = Points::Zero(3, x.cols());
+  d.row(2).setConstant(-1.0);
+  test::expectNoJumps(potential, x, d, 2e-5, 1500);
 }
 
 // In a matrix without a pattern: all that is between nodes lies beside it.

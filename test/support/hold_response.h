@@ -10,13 +10,20 @@
 namespace palpate::test {
 
 /// A bilateral response with a memory, as small as can be: what was inside an obstacle at the end
-/// of a step is held by a spring from then on, in every direction, until it is 20 mm away from it.
+/// of a step is held by a spring from then on, in every direction, wherever it is in a step that
+/// begins less than 20 mm away.
 /// Before that it is pushed out along the normal.
 class HoldResponse final : public contact::Response {
  public:
   explicit HoldResponse(double stiffness) : stiffness_(stiffness) {}
 
   double reach() const override { return 0.02; }
+  bool clings(int number, int first, int last) const override {
+    for (const auto& [key, stretch_G] : held_) {
+      if (key.second == number && first <= key.first && key.first <= last) return true;
+    }
+    return false;
+  }
   bool active(const contact::Touch& touch) const override {
     return touch.gap < 0.0 || held(touch) != held_.end();
   }

@@ -25,8 +25,10 @@ class Response {
  public:
   virtual ~Response() = default;
 
-  /// No touch answers whose gap is as large as this or larger [m].
+  /// No touch answers whose gap is as large as this or larger [m], but for those that cling.
   virtual double reach() const { return 0.0; }
+  /// Whether one of the samples [first, last] clings to an obstacle, and answers wherever it is.
+  virtual bool clings(int /*number*/, int /*first*/, int /*last*/) const { return false; }
   /// Whether a touch within reach, of which only the gap is measured, may answer. One that does not
   /// is skipped: its energy is zero whatever else is known of it.
   virtual bool active(const Touch& /*touch*/) const { return true; }
