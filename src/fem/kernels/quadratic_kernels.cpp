@@ -119,7 +119,7 @@ struct Loops {
       double energy[kBatchSize], force[30][kBatchSize];
       for (int lane = 0; lane < kBatchSize; lane += kWidth) {
         const Quadratic e = quadraticAt(batch, lane, x);
-        const CornerPressures p = cornerPressures(arrays.pressures + b, lane, pressure);
+        const CornerPressures p = cornerPressures(arrays.pressures, b, lane, pressure);
         const Lanes volume = 0.25 * load(batch.volume + lane);
         Lanes psi{};
         Vec t[kPoints][4];
@@ -164,7 +164,7 @@ struct Loops {
       double dilatation[4][30][kBatchSize];
       for (int lane = 0; lane < kBatchSize; lane += kWidth) {
         const Quadratic e = quadraticAt(batch, lane, x);
-        const CornerPressures p = cornerPressures(arrays.pressures + b, lane, pressure);
+        const CornerPressures p = cornerPressures(arrays.pressures, b, lane, pressure);
         const Lanes volume = 0.25 * load(batch.volume + lane);
         Vec r[kPoints][4];
         for (int q = 0; q < kPoints; ++q) {

@@ -78,11 +78,12 @@ struct CornerPressures {
   Lanes far_sum, p[4];
   Lanes at(int q) const { return far_sum + (kNear - kFar) * p[q]; }
 };
-inline CornerPressures cornerPressures(const TetPressures<10>* corners, int lane,
+/// Of a batch; nothing of `batches` is touched where there is no pressure.
+inline CornerPressures cornerPressures(const TetPressures<10>* batches, int batch, int lane,
                                        const double* pressure) {
   CornerPressures at{};
   if (!pressure) return at;
-  for (int k = 0; k < 4; ++k) at.p[k] = gather(pressure, corners->corner[k] + lane);
+  for (int k = 0; k < 4; ++k) at.p[k] = gather(pressure, batches[batch].corner[k] + lane);
   at.far_sum = kFar * ((at.p[0] + at.p[1]) + (at.p[2] + at.p[3]));
   return at;
 }
