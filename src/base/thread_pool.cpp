@@ -92,18 +92,17 @@ struct ThreadPool::Team {
     done.notify_all();
   }
 
-  /// Waits for a task, or takes it back.
-  void await(Beside* task) {
+  /// Takes a task back that nobody does yet; else waits for it.
+  bool takeBack(Beside* task) {
     std::unique_lock<std::mutex> lock(mutex);
     const auto it = std::find(tasks.begin(), tasks.end(), task);
     if (it == tasks.end()) {
       done.wait(lock, [&] { return task->done_; });
-      return;
+      return false;
     }
     tasks.erase(it);
     --num_tasks;
-    lock.unlock();
-    task->task_();
+    return true;
   }
 
   void help(std::size_t part) {
@@ -145,7 +144,7 @@ ThreadPool::~ThreadPool() {
 
 ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {}
 
-ThreadPool::Beside::~Beside() { wait(); }
+ThreadPool::Beside::~Beside() { giveUp(); }
 
 void ThreadPool::Beside::begin(std::function<void()> task) {
   task_ = std::move(task);
@@ -156,11 +155,12 @@ void ThreadPool::Beside::begin(std::function<void()> task) {
 
 void ThreadPool::Beside::wait() {
   if (!std::exchange(under_way_, false)) return;
-  if (team_) {
-    team_->await(this);
-  } else {
-    task_();
-  }
+  if (!team_ || team_->takeBack(this)) task_();
+}
+
+void ThreadPool::Beside::giveUp() {
+  if (!std::exchange(under_way_, false)) return;
+  if (team_) team_->takeBack(this);
 }
 
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }

@@ -82,13 +82,31 @@ TEST(ThreadPool, DoesTasksBesideLoops) {
         ASSERT_EQ(besides[i], round % 2 == 1 && i / 200 == 2 ? 0 : 1);
       }
     }
-    // Ended, and waited for, by its end.
-    int last = 0;
-    {
-      ThreadPool::Beside dying(&pool);
-      dying.begin([&] { last = 1; });
+  }
+}
+
+// Before who gives it up goes on, or never.
+TEST(ThreadPool, DoesNothingMoreOfATaskThatIsGivenUp) {
+  for (const int threads : {1, 2, 3}) {
+    ThreadPool pool(threads);
+    for (int round = 0; round < 300; ++round) {
+      int by_the_dying = 0, by_the_living = 0;
+      ThreadPool::Beside living(&pool);
+      {
+        ThreadPool::Beside dying(&pool);
+        dying.begin([&] { ++by_the_dying; });
+        living.begin([&] { ++by_the_living; });
+        living.giveUp();
+        EXPECT_FALSE(living.underWay());
+      }
+      const int dead = by_the_dying, given_up = by_the_living;
+      EXPECT_LE(dead + given_up, threads == 1 ? 0 : 2);
+      living.begin([&] { by_the_living += 10; });
+      pool.forRanges(100, [](std::size_t, std::size_t) {});
+      living.wait();
+      EXPECT_EQ(by_the_dying, dead);
+      EXPECT_EQ(by_the_living, given_up + 10);
     }
-    EXPECT_EQ(last, 1);
   }
 }
 

@@ -41,7 +41,7 @@ class ThreadPool {
   class Beside {
    public:
     explicit Beside(ThreadPool* pool);  ///< May be null; must outlive this.
-    ~Beside();                          ///< Waits.
+    ~Beside();                          ///< Gives it up.
     Beside(const Beside&) = delete;
     Beside& operator=(const Beside&) = delete;
 
@@ -49,6 +49,8 @@ class ThreadPool {
     void begin(std::function<void()> task);
     bool underWay() const { return under_way_; }
     void wait();
+    /// Drops a task that nobody has begun with, and waits for one that is being done.
+    void giveUp();
 
    private:
     Team* team_;

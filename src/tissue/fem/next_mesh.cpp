@@ -80,7 +80,7 @@ Surroundings NextMesh::surroundings() const {
 }
 
 void NextMesh::restore(const std::string& bisected) {
-  beside_.wait();
+  beside_.giveUp();
   result_ = {};
   to_resume_ = false;
   if (bisected.empty()) {
