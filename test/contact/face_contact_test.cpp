@@ -60,7 +60,7 @@ struct Block {
 };
 
 class FaceContact : public ::testing::TestWithParam<int> {
- protected:
+ public:
   const Tool& tool() const { return kTools[GetParam()]; }
   // Its lowest point at that depth under the face.
   Pose upright(double x, double y, double depth) const {
