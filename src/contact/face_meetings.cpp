@@ -11,10 +11,6 @@ namespace {
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
 constexpr double kNoDirection = 1e-12;
 
-// Of a triangle's edge, and of a ball's diameter: deeper behind the surface a ball that was in
-// front of it is not. Steps lead it there by no more than FacePoints::kFollow at a time.
-constexpr double kDeepest = 1.0;
-
 }  // namespace
 
 // What was measured elsewhere is no more known.
@@ -74,9 +70,9 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
     }
   }
   Meeting& m = meetings_[nearest];
-  // Where the surface crosses itself, the nearest triangle may be another one at once.
-  const double deepest = kDeepest * std::max(group.edge, 2.0 * ball(group).radius);
-  const bool crossed = !group.behind && m.distance > deepest;
+  // Where the surface crosses itself, the nearest triangle may be another one at once. A ball that
+  // was in front gets behind by kFollow at a time, not by an edge, or its diameter.
+  const bool crossed = !group.behind && m.distance > std::max(group.edge, 2.0 * ball(group).radius);
   const bool behind = most_across < 0.0 && !crossed;
   for (std::size_t k = begin; k < meetings_.size(); ++k) meetings_[k].touched = !behind;
   m.touched = true;
