@@ -15,6 +15,10 @@ constexpr int kMaxParts = 8;
 constexpr int kMaxHalvings = 10;
 // Times that points are held or let go in a stage.
 constexpr int kMaxChanges = 30;
+// A step may change the energy by this many times what the tangent says: farther away exponential
+// laws leave forces that no iteration comes back from.
+constexpr double kTrustsTangent = 100.0;
+constexpr double kOfEnergy = 1e-6;  // an increase that is none: roundoff
 // Of the body's size: where a held point counts as being on the tool.
 constexpr double kOnSurface = 1e-9;
 
@@ -44,10 +48,15 @@ void StickingNewton::restore(StateReader* in) {
 
 // g at x; its norm where nothing is held.
 double StickingNewton::gradient() {
-  const double value = body_.elasticity->gradient(body_.x, &g_);
-  body_.addLoads(body_.x, &g_);
+  value_ = body_.elasticity->gradient(body_.x, &g_);
+  value_ += body_.addLoads(body_.x, &g_);
   const double norm = contact_->unbalanced(g_);
-  return std::isfinite(value) ? norm : value;
+  return std::isfinite(value_) ? norm : value_;
+}
+
+double StickingNewton::energy(const Points& x) {
+  unused_.setZero(3, x.cols());
+  return body_.elasticity->energy(x) + body_.addLoads(x, &unused_);
 }
 
 bool StickingNewton::advance(double dt, TissueStep* out) {
@@ -162,7 +171,8 @@ void StickingNewton::shorten(double most) {
   residual_ = gradient();
 }
 
-// x += move - K^-1 (g + K move), the second part where nothing is held.
+// x += move - K^-1 (g + K move), the second part where nothing is held, and as much of it as the
+// tangent may be trusted for.
 bool StickingNewton::iterate(TissueStep* out) {
   const Eigen::SparseMatrix<double> A = assemble(out);
   if (!solve(A, out)) {
@@ -170,9 +180,12 @@ bool StickingNewton::iterate(TissueStep* out) {
     return false;
   }
   const PhaseTimer timer(&out->phases, Phase::kLineSearch);
-  for (int k = 0; k <= kMaxHalvings; ++k, step_ *= 0.5) {
+  double slope = std::abs(g_.cwiseProduct(step_).sum());
+  double curved = 0.5 * std::abs(curvature_);
+  for (int k = 0; k <= kMaxHalvings; ++k, step_ *= 0.5, slope *= 0.5, curved *= 0.25) {
     trial_ = body_.x + step_;
-    if (!std::isfinite(body_.elasticity->energy(trial_))) continue;
+    const double most = value_ + kTrustsTangent * (slope + curved) + kOfEnergy * std::abs(value_);
+    if (!(energy(trial_) <= most)) continue;  // NaN too
     body_.x.swap(trial_);
     return true;
   }
@@ -188,8 +201,8 @@ Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
   for (const fem::EnergyTerm* term : body_.surroundings.terms()) {
     term->addHessian(body_.x, fem::Tangent::kExact, &stiffness_);
   }
-  stiffness_.multiply(move_, &right_);
-  right_ = -(g_ + right_).cwiseProduct(contact_->free());
+  stiffness_.multiply(move_, &stiff_move_);
+  right_ = -(g_ + stiff_move_).cwiseProduct(contact_->free());
   contact_->reduce(&right_);
   stiffness_.constrain(contact_->free());
   Eigen::SparseMatrix<double> A = assembleSparse(stiffness_);
@@ -209,7 +222,9 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
   out->linear_iterations += static_cast<int>(solver.iterations());
   step_ =
       Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());
+  curvature_ = step_.cwiseProduct(right_).sum();
   contact_->expand(&step_);
+  curvature_ += (2.0 * step_ + move_).cwiseProduct(stiff_move_).sum();
   step_ += move_;
   return step_.allFinite();
 }

@@ -11,13 +11,13 @@ namespace palpate::tissue {
 
 /// The method of the system that palpate carries on from [Castillo Leon 2011, ch. 7], as a baseline
 /// to compare with, not to use: quasi-static Newton-Raphson without a line search (a step is halved
-/// only where the energy is not finite), each system assembled into an Eigen::SparseMatrix and
-/// solved by Eigen::BiCGSTAB with the diagonal as preconditioner; contact is prescribed
-/// displacement, the tool's force the internal force at the held nodes. What is held is on the
-/// tool: in contrast to the other methods contact is not frictionless, and no penetration is left.
-/// The contact stiffness of the settings has no effect; their model says whether the tool is a
-/// segment, as the source has it (SegmentContact), or surface points inside any shape are put on it
-/// (PrescribedContact).
+/// only where the energy is not finite or grows far beyond what the tangent says), each system
+/// assembled into an Eigen::SparseMatrix and solved by Eigen::BiCGSTAB with the diagonal as
+/// preconditioner; contact is prescribed displacement, the tool's force the internal force at the
+/// held nodes. What is held is on the tool: in contrast to the other methods contact is not
+/// frictionless, and no penetration is left. The contact stiffness of the settings has no effect;
+/// their model says whether the tool is a segment, as the source has it (SegmentContact), or
+/// surface points inside any shape are put on it (PrescribedContact).
 ///
 /// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
 class StickingNewton final : public StepMethod {
@@ -43,14 +43,17 @@ class StickingNewton final : public StepMethod {
   Eigen::SparseMatrix<double> assemble(TissueStep* out);
   bool solve(const Eigen::SparseMatrix<double>& A, TissueStep* out);
   double gradient();
+  double energy(const Points& x);
 
   FemBody& body_;
   std::unique_ptr<PrescribedDisplacements> contact_;
   fem::Stiffness stiffness_;
-  Points g_, move_, right_, step_, trial_, x_begin_;
-  Points held_way_;
+  Points g_, move_, stiff_move_, right_, step_, trial_, x_begin_;
+  Points held_way_, unused_;
   double part_ = 0.0;  // of the cycle, where the tools are
   double residual_ = 0.0;
+  double value_ = 0.0;      // energy at x [J]
+  double curvature_ = 0.0;  // step . K step [J]
 };
 
 }  // namespace palpate::tissue
