@@ -90,10 +90,17 @@ int ContactPotential::numDistant() const {
 
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->clear();
+  // Many in a row have the same nodes.
+  Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
+  Eigen::Array3i taken = Eigen::Array3i::Zero();
   for (const SampleCandidate& c : candidates_) {
     const SurfaceSample& s = samples_[c.sample];
+    if (s.nodes != last) taken.setZero();
+    last = s.nodes;
     for (int k = 0; k < 3; ++k) {
-      if (s.weights[k] != 0.0) nodes->push_back(s.nodes[k]);
+      if (taken[k] || s.weights[k] == 0.0) continue;
+      taken[k] = 1;
+      nodes->push_back(s.nodes[k]);
     }
   }
   if (faces_) faces_->forNodes([&](int node) { nodes->push_back(node); });

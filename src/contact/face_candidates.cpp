@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles a tool's balls may touch, and which of these are looked at.
+// Which triangles a tool's balls may touch.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,20 +10,8 @@
 namespace palpate::contact {
 namespace {
 
-// More than what counts as equally near: of a distance, and [m].
-constexpr double kSlack = 1e-8, kLeastSlack = 1e-12;
-
-// More triangles than so many are worth asking how far one of them is, not only its middle.
-constexpr std::size_t kFew = 4;
-
 // That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
 constexpr double kLeastArea = 2e-5;
-
-double withSlack(double distance) { return distance * (1.0 + kSlack) + kLeastSlack; }
-
-Vec3 normalOf(const Mat3& corners) {
-  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
-}
 
 double meanEdge(const Mat3& corners) {
   return ((corners.col(1) - corners.col(0)).norm() + (corners.col(2) - corners.col(1)).norm() +
@@ -65,7 +53,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   }
   std::sort(found_.begin(), found_.end());
   const std::size_t first_group = groups_.size();
-  found_at_ = x;
+  ordered_at_ = x;
   double nearest = 0.0;
   for (const auto& [of_ball, triangle] : found_) {
     const TouchBall& ball = shape.balls[of_ball];
@@ -75,7 +63,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const double distance = (center - near.point).norm();
     if (!(distance <= reach + ball.radius)) continue;
     if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
-      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, center, true});
+      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, center, true});
       nearest = std::numeric_limits<double>::infinity();
     }
     candidates_.push_back({triangle, meanEdge(at), distance});
@@ -89,86 +77,18 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     groups_.back().first = triangle;
     groups_.back().edge = candidates_.back().edge;
   }
-  orderCandidates(x, placed, first_group);
-}
-
-void FacePoints::orderCandidates(const Points& x, const std::vector<PlacedObstacle>& placed,
-                                 std::size_t first_group) {
+  by_distance_.resize(candidates_.size());
   forget();
   placeTriangles(x);
   for (std::size_t g = first_group; g < groups_.size(); ++g) {
     Group& group = groups_[g];
     for (int c = group.begin; c < group.end; ++c) {
-      by_distance_.push_back({candidates_[c].apart, c, candidates_[c].triangle});
+      by_distance_[c] = {candidates_[c].apart, c, candidates_[c].triangle};
     }
-    std::sort(by_distance_.begin() + group.begin, by_distance_.end(),
-              [](const Ordered& a, const Ordered& b) { return a.apart < b.apart; });
-    meetings_.clear();
-    const std::size_t nearest = measure(x, placed, group, 0.0).nearest;
-    group.behind = meetings_[nearest].distance < 0.0;
+    order(x, placed, &group);
+    group.behind = group.was_behind;
   }
-}
-
-void FacePoints::placeTriangles(const Points& x) const {
-  double farthest = 0.0;
-  for (const int t : used_) {
-    const Mat3 at = corners(x, t);
-    const Mat3 way = at - corners(found_at_, t);
-    farthest = std::max(farthest, way.colwise().squaredNorm().maxCoeff());
-    const Vec3 middle = at.rowwise().mean();
-    around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-    normals_.col(t) = normalOf(at);
-  }
-  moved_ = std::sqrt(farthest);
-}
-
-// By so much the way from the ball to a triangle may have become shorter.
-double FacePoints::wayOf(const Vec3& center, const Group& group) const {
-  return moved_ + (center - group.center_W).norm();
-}
-
-// Whether the ball was in front of the surface, and since then neither went so far that it could be
-// behind it, or nearer than `within`.
-bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
-                           double within) const {
-  if (!skip_far_ || group.behind) return false;
-  const double apart = by_distance_[group.begin].apart;
-  return apart - wayOf(centerOf(placed, group), group) > withSlack(within);
-}
-
-// Fills close_ with the candidates that may be the nearest or nearer than `within`, in their order.
-// After a leap each of hundreds of balls has hundreds, in each trial of a line search.
-void FacePoints::findNear(const Points& x, const Vec3& center, const Group& group,
-                          double within) const {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const double moved = wayOf(center, group);
-  double nearest = kNone;  // that one is, at most,
-  double far = kNone;      // and that one may be that matters
-  int nearest_triangle = -1;
-  close_.clear();
-  for (int k = group.begin; k < group.end; ++k) {
-    const Ordered& one = by_distance_[k];
-    if (one.apart - moved > far) break;
-    const auto ball = around_.col(one.triangle);
-    const double squared = (center - ball.head<3>()).squaredNorm();
-    const double most = far + ball[3];
-    if (squared > most * most) continue;
-    close_.emplace_back(one.candidate, std::sqrt(squared));
-    if (!(close_.back().second < nearest)) continue;
-    nearest = close_.back().second;
-    nearest_triangle = one.triangle;
-    if (skip_far_) far = withSlack(std::max(nearest, within));
-  }
-  if (skip_far_ && close_.size() > kFew && nearest_triangle >= 0) {
-    const Mat3 at = corners(x, nearest_triangle);
-    const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
-    far = std::min(far, withSlack(std::max((center - near.point).norm(), within)));
-  }
-  const auto too_far = [&](const std::pair<int, double>& close) {
-    return close.second - around_(3, candidates_[close.first].triangle) > far;
-  };
-  close_.erase(std::remove_if(close_.begin(), close_.end(), too_far), close_.end());
-  std::sort(close_.begin(), close_.end());
+  disordered_ = 0;
 }
 
 }  // namespace palpate::contact

@@ -14,12 +14,13 @@ constexpr double kNoDirection = 1e-12;
 }  // namespace
 
 // What was measured elsewhere is no more known.
-void FacePoints::measureAt(const Points& x) const {
+void FacePoints::measureAt(const Points& x, const std::vector<PlacedObstacle>& placed) const {
   if (groups_.empty()) return;
   if (measured_anywhere_ && measured_at_.cols() == x.cols() && measured_at_ == x) return;
   measured_anywhere_ = true;
   measured_at_ = x;
   placeTriangles(x);
+  if (disordered(placed)) orderAgain(x, placed);
   meetings_.clear();
   measured_.assign(groups_.size(), {-1.0, 0, 0, 0});
 }

@@ -131,7 +131,7 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
 
 double FacePoints::maxStep(const Points& x, const Points& d,
                            const std::vector<PlacedObstacle>& placed, double largest) const {
-  measureAt(x);
+  measureAt(x, placed);
   double longest = 0.0;
   for (const int t : used_) {
     longest = std::max(longest, corners(d, t).colwise().squaredNorm().maxCoeff());

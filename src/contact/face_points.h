@@ -58,8 +58,8 @@ class FacePoints {
   /// visit(node) of all triangles of candidates.
   template <class Visit>
   void forNodes(const Visit& visit) const {
-    for (const Candidate& c : candidates_) {
-      for (int k = 0; k < 3; ++k) visit(triangles_(k, c.triangle));
+    for (const int t : used_) {
+      for (int k = 0; k < 3; ++k) visit(triangles_(k, t));
     }
   }
 
@@ -79,7 +79,7 @@ class FacePoints {
   template <class Visit>
   void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
                const Visit& visit) const {
-    measureAt(x);
+    measureAt(x, placed);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Group& group = groups_[g];
       if (staysAway(placed, group, reach + ball(group).radius)) continue;
@@ -98,7 +98,7 @@ class FacePoints {
   template <class Visit>
   void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
                 const Visit& visit) const {
-    measureAt(x);
+    measureAt(x, placed);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Measured& known = measured(x, placed, g, 0.0);
       visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
@@ -133,7 +133,7 @@ class FacePoints {
     double edge, apart;
   };
   struct Ordered {
-    double apart;  // of the candidate
+    double apart;  // of the candidate, when they were put in order [m]
     int candidate, triangle;
   };
   struct Group {
@@ -141,9 +141,10 @@ class FacePoints {
     double area;                     // that it stands for [m^2]
     int first;                       // the triangle that was nearest when they were found,
     double edge;                     // and how long its edges were, on average [m]
-    // When they were found: the ball's centre, and whether it was behind the nearest.
+    bool behind;                     // the nearest, when they were found
+    // When its candidates were put in order: the ball's centre, and whether it was behind.
     Vec3 center_W;
-    bool behind;
+    bool was_behind;
   };
 
   struct Measured {                   // of a group, at x:
@@ -154,8 +155,9 @@ class FacePoints {
   const Shape* shapeOf(const Obstacle& obstacle);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
-  void orderCandidates(const Points& x, const std::vector<PlacedObstacle>& placed,
-                       std::size_t first_group);
+  void order(const Points& x, const std::vector<PlacedObstacle>& placed, Group* group) const;
+  void orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const;
+  bool disordered(const std::vector<PlacedObstacle>& placed) const;
   Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
     return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
   }
@@ -165,7 +167,7 @@ class FacePoints {
   void placeTriangles(const Points& x) const;
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   void forget() { measured_anywhere_ = false; }
-  void measureAt(const Points& x) const;
+  void measureAt(const Points& x, const std::vector<PlacedObstacle>& placed) const;
   const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
                            std::size_t group, double within) const;
   Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, const Group& group,
@@ -179,19 +181,20 @@ class FacePoints {
   std::vector<std::unique_ptr<const Shape>> known_;
   std::vector<const Shape*> shapes_;  // of the obstacles
   std::vector<Candidate> candidates_;
-  std::vector<Group> groups_;
+  mutable std::vector<Group> groups_;
   std::vector<Near> near_;
   std::vector<std::pair<int, int>> found_;  // balls and triangles
-  // What is spared: a triangle that was far when it was found is, if neither it nor the ball went
-  // as far since; and balls around the triangles as they are now.
+  // What is spared: a triangle that was far when they were put in order is, if neither it nor the
+  // ball went as far since; and balls around the triangles as they are now.
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
-  std::vector<Ordered> by_distance_;  // in each group the near ones first
-  Points found_at_;                   // x, when they were found
-  mutable double moved_ = 0.0;        // how far a corner is from there, at most [m]
-  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m],
-  mutable Points normals_;            // and unit, outward
+  mutable std::vector<Ordered> by_distance_;  // in each group the near ones first
+  mutable Points ordered_at_;                 // x, when they were put in order
+  mutable int disordered_ = 0;                // times that they were asked for far from there
+  mutable double moved_ = 0.0;                // how far a corner is from there, at most [m]
+  mutable Eigen::Matrix4Xd around_;  // of each triangle in use: middle and radius of a ball [m],
+  mutable Points normals_;           // and unit, outward
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
   // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
   mutable bool measured_anywhere_ = false;

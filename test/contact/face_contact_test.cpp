@@ -121,6 +121,34 @@ TEST_P(FaceContact, AnswersAsOneThatWasNeverAsked) {
   }
 }
 
+// On a long way candidates are put in order anew; what is left out then is nothing that answers.
+TEST_P(FaceContact, AnswersOnALongWayAsWhereNothingIsLeftOut) {
+  Block whole;
+  whole.potential.setSkips(true, false);
+  const Pose first = upright(0.0, 0.0, -0.02);
+  for (Block* of : {&block, &whole}) {
+    of->potential.setObstacles({{&tool().geometry, 0, first, first}});
+    of->potential.findCandidates(of->mesh.points, {0.1});
+  }
+  int answered = 0;
+  for (int k = 0; k < 120; ++k) {
+    const double part = k / 119.0;  // down through the block and out at its side
+    const Pose X_WG = upright(0.04 * part * part, 0.01 * part, 0.06 * part - 0.02);
+    const Points x = block.mesh.points + random.points(block.mesh.numPoints(), 1e-4);
+    const Points d = random.points(x.cols(), 1e-3);
+    Points g = Points::Zero(3, x.cols()), g_whole = g;
+    for (Block* of : {&block, &whole}) {
+      of->potential.setObstacles({{&tool().geometry, 0, X_WG, X_WG}});
+      of->potential.addGradient(x, of == &block ? &g : &g_whole);
+    }
+    EXPECT_EQ(g, g_whole) << tool().name << " " << k;
+    EXPECT_EQ(block.potential.value(x), whole.potential.value(x)) << tool().name << " " << k;
+    EXPECT_EQ(block.potential.maxStep(x, d), whole.potential.maxStep(x, d)) << tool().name;
+    answered += !g.isZero(0.0);
+  }
+  EXPECT_GT(answered, 20);
+}
+
 TEST_P(FaceContact, GradientAndHessianAreThoseOfTheValue) {
   int touched = 0;
   for (int trial = 0; trial < 20; ++trial) {

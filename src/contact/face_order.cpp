@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of the triangles that a tool's balls may touch are looked at.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "face_points.h"
+
+namespace palpate::contact {
+namespace {
+
+// More than what counts as equally near: of a distance, and [m].
+constexpr double kSlack = 1e-8, kLeastSlack = 1e-12;
+
+// More triangles than so many are worth asking how far one of them is, not only its middle.
+constexpr std::size_t kFew = 4;
+
+// Of a triangle's edges: farther from where they were put in order, candidates are put in order
+// anew, if that happens more than so many times.
+constexpr double kFarFromOrder = 0.5;
+constexpr int kPatience = 3;
+
+double withSlack(double distance) { return distance * (1.0 + kSlack) + kLeastSlack; }
+
+Vec3 normalOf(const Mat3& corners) {
+  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+}
+
+}  // namespace
+
+// The candidates of a group, which is at center_W now, by their distances from there.
+void FacePoints::order(const Points& x, const std::vector<PlacedObstacle>& placed,
+                       Group* group) const {
+  std::sort(by_distance_.begin() + group->begin, by_distance_.begin() + group->end,
+            [](const Ordered& a, const Ordered& b) { return a.apart < b.apart; });
+  meetings_.clear();
+  const bool behind = group->behind;
+  group->behind = true;  // however far
+  const std::size_t nearest = measure(x, placed, *group, 0.0).nearest;
+  group->behind = behind;
+  group->was_behind = meetings_[nearest].distance < 0.0;
+}
+
+// Whether the balls are asked for again and again where they have gone so far, or the tissue, that
+// what was far from them is no more known to be.
+bool FacePoints::disordered(const std::vector<PlacedObstacle>& placed) const {
+  if (!skip_far_) return false;
+  const auto far = [&](const Group& group) {
+    return wayOf(centerOf(placed, group), group) > kFarFromOrder * group.edge;
+  };
+  return std::any_of(groups_.begin(), groups_.end(), far) && ++disordered_ > kPatience;
+}
+
+// Costs about as much as it did to ask once without an order. What was found out about the
+// triangles when they were found stays.
+void FacePoints::orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const {
+  ordered_at_ = x;
+  moved_ = 0.0;
+  for (Group& group : groups_) {
+    group.center_W = centerOf(placed, group);
+    for (int c = group.begin; c < group.end; ++c) {
+      const int triangle = candidates_[c].triangle;
+      const Mat3 at = corners(x, triangle);
+      const TrianglePoint near = nearestOnTriangle(group.center_W, at.col(0), at.col(1), at.col(2));
+      by_distance_[c] = {(group.center_W - near.point).norm(), c, triangle};
+    }
+    order(x, placed, &group);
+  }
+  disordered_ = 0;
+}
+
+void FacePoints::placeTriangles(const Points& x) const {
+  double farthest = 0.0;
+  for (const int t : used_) {
+    const Mat3 at = corners(x, t);
+    const Mat3 way = at - corners(ordered_at_, t);
+    farthest = std::max(farthest, way.colwise().squaredNorm().maxCoeff());
+    const Vec3 middle = at.rowwise().mean();
+    around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
+    normals_.col(t) = normalOf(at);
+  }
+  moved_ = std::sqrt(farthest);
+}
+
+// By so much the way from the ball to a triangle may have become shorter.
+double FacePoints::wayOf(const Vec3& center, const Group& group) const {
+  return moved_ + (center - group.center_W).norm();
+}
+
+// Whether the ball was in front of the surface, and since then neither went so far that it could be
+// behind it, or nearer than `within`.
+bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
+                           double within) const {
+  if (!skip_far_ || group.was_behind) return false;
+  const double apart = by_distance_[group.begin].apart;
+  return apart - wayOf(centerOf(placed, group), group) > withSlack(within);
+}
+
+// Fills close_ with the candidates that may be the nearest or nearer than `within`, in their order.
+// After a leap each of hundreds of balls has hundreds, in each trial of a line search.
+void FacePoints::findNear(const Points& x, const Vec3& center, const Group& group,
+                          double within) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const double moved = wayOf(center, group);
+  double nearest = kNone;  // that one is, at most,
+  double far = kNone;      // and that one may be that matters
+  int nearest_triangle = -1;
+  close_.clear();
+  for (int k = group.begin; k < group.end; ++k) {
+    const Ordered& one = by_distance_[k];
+    if (one.apart - moved > far) break;
+    const auto ball = around_.col(one.triangle);
+    const double squared = (center - ball.head<3>()).squaredNorm();
+    const double most = far + ball[3];
+    if (squared > most * most) continue;
+    close_.emplace_back(one.candidate, std::sqrt(squared));
+    if (!(close_.back().second < nearest)) continue;
+    nearest = close_.back().second;
+    nearest_triangle = one.triangle;
+    if (skip_far_) far = withSlack(std::max(nearest, within));
+  }
+  if (skip_far_ && close_.size() > kFew && nearest_triangle >= 0) {
+    const Mat3 at = corners(x, nearest_triangle);
+    const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
+    far = std::min(far, withSlack(std::max((center - near.point).norm(), within)));
+  }
+  const auto too_far = [&](const std::pair<int, double>& close) {
+    return close.second - around_(3, candidates_[close.first].triangle) > far;
+  };
+  close_.erase(std::remove_if(close_.begin(), close_.end(), too_far), close_.end());
+  std::sort(close_.begin(), close_.end());
+}
+
+}  // namespace palpate::contact
