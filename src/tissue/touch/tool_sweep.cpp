@@ -10,6 +10,10 @@
 namespace palpate::tissue {
 namespace {
 
+// The margin, where the tissue went beyond the last: on a leap, the search for all that lies on the
+// way costs more than what it finds.
+constexpr double kWider = 2.0;
+
 // What does not move is asked for its distance as well: bones are seldom like the balls around
 // them.
 bool mayReach(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& high, double margin) {
@@ -26,6 +30,7 @@ int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Poin
   // The tissue may move on as fast as it does, and farther where it is pushed: candidatesHold()
   // notices when it went beyond.
   margin_ = 0.02 * size_ + 2.0 * way;
+  searched_ = false;
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
   near_.clear();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -49,6 +54,8 @@ void ToolSweep::leaveOut(const std::vector<int>& numbers) {
 }
 
 void ToolSweep::search(const Points& x) {
+  if (searched_) margin_ *= kWider;
+  searched_ = true;
   reach_.clear();
   ways_.clear();
   for (const contact::Obstacle& obstacle : near_) {

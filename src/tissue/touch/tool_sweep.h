@@ -23,7 +23,7 @@ class ToolSweep {
   /// The obstacles with these numbers, ascending, do not touch in this cycle.
   void leaveOut(const std::vector<int>& numbers);
   /// Finds the candidates for contact at x, for the whole way, and sees that they hold while no
-  /// node moves farther than a margin.
+  /// node moves farther than a margin, which each further search in a cycle makes wider.
   void search(const Points& x);
   bool candidatesHold(const Points& x) const {
     return near_.empty() ||
@@ -56,6 +56,7 @@ class ToolSweep {
   double size_;
   bool skip_far_;
   double margin_ = 0.0;                         // [m]
+  bool searched_ = false;                       // in this cycle
   std::vector<contact::Obstacle> near_;         // on their way through the cycle
   std::vector<contact::Obstacle> placed_;       // from where the step began to where they are
   std::vector<double> ways_, reach_, allowed_;  // of each near one [m]
