@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "liver_slab.h"
 
@@ -77,6 +78,32 @@ TEST_P(EveryElement, FollowsABodyThatStiffens) {
   EXPECT_NEAR(critical.seconds(), right, 0.08 * right);
   critical.follow(X);
   EXPECT_EQ(critical.seconds(), rest);
+}
+
+// At rest they are slack, and their stiffness is none; where they swing it is.
+TEST_P(EveryElement, TakesFibresThatResistTensionOnlyForTaut) {
+  Body body(GetParam());
+  const material::Constants myocardium{{"a", {1500.0}},  {"b", {1.0}},   {"af", {4e4}},
+                                       {"bf", {1.5}},    {"as", {2e4}},  {"bs", {1.2}},
+                                       {"afs", {500.0}}, {"bfs", {1.1}}, {"kappa", {1e4}}};
+  const material::Constants artery{{"mu", {2e3}},          {"k1", {3e4, 2e4}},
+                                   {"k2", {0.8, 1.2}},     {"dispersion", {0.0, 0.2}},
+                                   {"angle", {0.7, -0.5}}, {"kappa", {1e4}}};
+  for (const auto& [law, constants] :
+       {std::pair{"holzapfel_ogden", myocardium}, std::pair{"holzapfel_gasser_ogden", artery}}) {
+    fem::Composition composition =
+        fem::Composition::uniform(material::makeMaterial(law, constants), 1060.0);
+    composition.frames.assign(static_cast<std::size_t>(body.slab.mesh.numTets()), Mat3::Identity());
+    body.elasticity = fem::makeElasticity(GetParam(), body.slab.mesh, composition);
+    const Points& X = body.slab.mesh.points;
+    CriticalStep critical(body.elasticity.get(), body.slab.free);
+    critical.begin(X);
+    const Vec3 squeezed(1.0 + 1e-6, 1.0 + 1e-6, 1.0 - 2e-6);  // all fibres lie across z
+    const double taut = body.criticalStep(squeezed.asDiagonal() * X);
+    EXPECT_LE(critical.seconds(), taut * (1.0 + 1e-4)) << law;
+    EXPECT_GT(critical.seconds(), 0.95 * taut) << law;
+    EXPECT_LT(critical.seconds(), 0.9 * body.criticalStep(X)) << law;
+  }
 }
 
 TEST(CriticalStep, IsEndlessWhereNothingIsFree) {

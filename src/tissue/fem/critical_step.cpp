@@ -2,6 +2,7 @@
 #include "critical_step.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,9 @@ constexpr double kNoise = 0.5;
 // Motion since the last look, and the shift of a difference, in parts of an element.
 constexpr double kNoticeable = 0.02;
 constexpr double kShift = 1e-6;
+// Strains at which fibres that resist tension only are taut, whichever way they go: stretched along
+// an axis or across it. What changes the stiffness by more than a part of it is such fibres.
+constexpr double kTaut = 1e-6, kTautPart = 1e-3;
 // [s] So short that nothing relaxes: viscous bodies are stiffest then.
 constexpr double kSudden = 1e-6;
 
@@ -64,22 +68,48 @@ void CriticalStep::begin(const Points& X) {
   rest_ = looked_at_ = X;
   if (scale_.isZero()) return;
   basis_.resize(kRestSteps);
-  mode_ = scale_;
-  for (Eigen::Index k = 0; k < mode_.size(); ++k) {
-    if (mode_.data()[k] != 0.0) mode_.data()[k] = noise(k);
-  }
-  mode_.normalize();
   fem::Stiffness K = elasticity_.makeMatrix();
-  elasticity_.beginStep(kSudden);
-  elasticity_.hessian(X, fem::Tangent::kExact, &K);
-  elasticity_.beginStep(std::numeric_limits<double>::infinity());
-  rest_square_ = square_ = lanczos(kRestSteps, [&](const Points& q, Points* Aq) {
+  const auto multiply = [&](const Points& q, Points* Aq) {
     shifted_ = scale_.cwiseProduct(q);
     K.multiply(shifted_, Aq);
     Aq->array() *= scale_.array();
-  });
+  };
+  elasticity_.beginStep(kSudden);
+  elasticity_.hessian(X, fem::Tangent::kExact, &K);
+  Points at_rest;
+  multiply(noiseMode(), &at_rest);
+  mode_ = noiseMode();
+  rest_square_ = lanczos(kRestSteps, multiply);
   rest_mode_ = mode_;
+  // Slack at rest, such fibres are taut as soon as it swings.
+  for (const double strain : {kTaut, -kTaut}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 stretch = Vec3::Constant(1.0 - 0.5 * strain);
+      stretch[axis] = 1.0 + strain;
+      elasticity_.hessian(stretch.asDiagonal() * X, fem::Tangent::kExact, &K);
+      multiply(noiseMode(), &gradient_);
+      if ((gradient_ - at_rest).norm() <= kTautPart * at_rest.norm()) continue;
+      mode_ = noiseMode();
+      const double square = lanczos(kRestSteps, multiply);
+      least_square_ = std::max(least_square_, square);
+      if (!(square > rest_square_)) continue;
+      rest_square_ = square;
+      rest_mode_ = mode_;
+    }
+  }
+  elasticity_.beginStep(std::numeric_limits<double>::infinity());
+  square_ = rest_square_;
+  mode_ = rest_mode_;
   basis_.resize(kFollowSteps);
+}
+
+// Where it is free.
+Points CriticalStep::noiseMode() const {
+  Points mode = scale_;
+  for (Eigen::Index k = 0; k < mode.size(); ++k) {
+    if (mode.data()[k] != 0.0) mode.data()[k] = noise(k);
+  }
+  return mode / mode.norm();
 }
 
 // Adds to mode_ noise in proportion to the motion since the last look.
@@ -112,6 +142,7 @@ void CriticalStep::follow(const Points& x) {
     elasticity_.gradient(shifted_, Aq);
     *Aq = (*Aq - gradient_).cwiseProduct(scale_) / shift;
   });
+  if (square_ < least_square_) square_ = least_square_;
   // Not a number, or all went soft: begin anew with what is known of the rest.
   if (!(square_ > 0.1 * rest_square_) || !std::isfinite(square_)) {
     mode_ = rest_mode_;

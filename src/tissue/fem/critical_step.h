@@ -15,7 +15,8 @@ namespace palpate::tissue {
 /// w^2 is bounded by Lanczos' iteration with its residual [Zhou, Li 2011]: at rest on the assembled
 /// stiffness; later in a few steps on differences of elastic gradients, so that no matrix is
 /// assembled, from the last eigenvector and a bit of noise where the body has moved since: modes of
-/// elements that have just been squeezed are found there.
+/// elements that have just been squeezed are found there. Fibres that resist tension only, slack at
+/// rest, count as taut.
 class CriticalStep {
  public:
   /// Part of it that is taken.
@@ -43,6 +44,7 @@ class CriticalStep {
   template <class Multiply>
   double lanczos(int steps, const Multiply& multiply);
   void seed(const Points& x);
+  Points noiseMode() const;
 
   fem::Elasticity& elasticity_;
   Points scale_;         // 1/sqrt(m) where free, else 0
@@ -50,7 +52,8 @@ class CriticalStep {
   double beside_;        // [1/s^2]
   double square_ = 0.0;  // w^2 of the elasticity [1/s^2]
   double rest_square_ = 0.0;
-  Points mode_, rest_mode_;  // of w, times sqrt(m): unit
+  double least_square_ = 0.0;  // of fibres that may be taut at any time, else 0
+  Points mode_, rest_mode_;    // of w, times sqrt(m): unit
   Points rest_, looked_at_;
   Points gradient_, shifted_, next_;
   std::vector<Points> basis_;
