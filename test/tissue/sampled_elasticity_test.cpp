@@ -172,5 +172,17 @@ TEST(SampledElasticity, SagsAsElasticityDoesAndAsPublishedMore) {
   EXPECT_GT(sag(sampled), 2.0 * elements);
 }
 
+// A cycle that stability asks for more steps of than it may have is not gone through, and says so.
+TEST(SampledElasticity, SaysThatACycleIsTooLong) {
+  const test::ModelVariant sampled{"sampled", "sampled_elasticity", {}, {}};
+  auto settings = test::variantSettings();
+  settings.skip.sleeping = false;
+  const auto tissue = test::makeVariant(sampled, test::variantBlock(sampled), settings);
+  const Points x = tissue->positions();
+  EXPECT_TRUE(tissue->step({}, 0.01).ok());
+  EXPECT_EQ(tissue->step({}, 1e3).status, solver::SolveStatus::kIterationLimit);
+  EXPECT_LT((tissue->positions() - x).norm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace palpate::tissue

@@ -288,8 +288,9 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     touch_.contact.forget();
     follow();
     out_.recover(Recovery::kRolledBack);
-    out_.status = steps == 0 || done < steps ? solver::SolveStatus::kLineSearchFailed
-                                             : solver::SolveStatus::kNonFinite;
+    out_.status = steps == 0     ? solver::SolveStatus::kIterationLimit
+                  : done < steps ? solver::SolveStatus::kLineSearchFailed
+                                 : solver::SolveStatus::kNonFinite;
     return out_;
   }
   body_.surface().interpolate(body_.v, &surface_v_);
