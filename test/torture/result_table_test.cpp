@@ -18,6 +18,7 @@ Outcome failed() {
   Outcome outcome;
   outcome.cycles = 7;
   outcome.unsolved = 2;
+  outcome.longest_ms = 5100.0;
   outcome.failures = {{"rest", 6, "off by 3, \"quoted\"\nand more"}, {"time", 6, "slow"}};
   return outcome;
 }
@@ -63,6 +64,7 @@ TEST(StabilityPage, CountsAndNamesWhatFails) {
                                               resultLine(drawScene(1, 6), refused)});
   EXPECT_TRUE(
       test::contains(page, "3 scenes: 1 passed, 1 failed, 1 refused while loading, 0 left off."));
+  EXPECT_TRUE(test::contains(page, "tetrahedra; 1 had a cycle of more than 5 s."));
   EXPECT_TRUE(test::contains(page, "| `inside` | 1 | 0 | 1 | 0 | 0 | 28.6 |"));
   EXPECT_TRUE(test::contains(page, "`palpate torture --seed 1 --only 3` | rest time |"));
   EXPECT_TRUE(test::contains(page, "too soft"));

@@ -15,8 +15,8 @@ namespace {
 constexpr int kEach = 8, kMostTets = 600;
 constexpr int kAgain = 10;  // every so manieth by two threads
 
-// Too slow for a test: 54, 63, 90 have cycles of more than five seconds, which is what is wrong in
-// them (docs/stability.md); 1 and 84 take more than twenty in all.
+// Too slow for a test: 54, 63, 90 have cycles of more than five seconds; 1 and 84 take more than
+// twenty in all.
 const std::set<int>& slowOnes() {
   static const std::set<int> kNumbers = {1, 54, 63, 84, 90};
   return kNumbers;

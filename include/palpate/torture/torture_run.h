@@ -12,7 +12,7 @@ namespace palpate::torture {
 
 /// What a run may take. Only what takes too long depends on how fast the machine is.
 struct RunLimits {
-  double cycle = 5.0;   ///< A cycle that takes longer is ended, and has failed [s].
+  double cycle = 60.0;  ///< A cycle that takes longer is ended, and has failed [s].
   double scene = 60.0;  ///< A run that takes longer is left off and judged by what it did [s].
   double live = 0.02;   ///< Deadline of live cycles [s].
   int threads = 1;
