@@ -53,7 +53,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   }
   std::sort(found_.begin(), found_.end());
   const std::size_t first_group = groups_.size();
-  ordered_at_ = x;
+  found_at_ = ordered_at_ = x;
   double nearest = 0.0;
   for (const auto& [of_ball, triangle] : found_) {
     const TouchBall& ball = shape.balls[of_ball];
@@ -63,7 +63,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const double distance = (center - near.point).norm();
     if (!(distance <= reach + ball.radius)) continue;
     if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
-      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, center, true});
+      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, 0.0, center, center});
       nearest = std::numeric_limits<double>::infinity();
     }
     candidates_.push_back({triangle, meanEdge(at), distance});
@@ -85,8 +85,10 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     for (int c = group.begin; c < group.end; ++c) {
       by_distance_[c] = {candidates_[c].apart, c, candidates_[c].triangle};
     }
-    order(x, placed, &group);
-    group.behind = group.was_behind;
+    order(group);
+    group.apart = by_distance_[group.begin].apart;
+    meetings_.clear();
+    group.behind = meetings_[measure(x, placed, group, 0.0).nearest].distance < 0.0;
   }
   disordered_ = 0;
 }

@@ -18,7 +18,7 @@ constexpr std::size_t kFew = 4;
 // Of a triangle's edges: farther from where they were put in order, candidates are put in order
 // anew, if that happens more than so many times.
 constexpr double kFarFromOrder = 0.5;
-constexpr int kPatience = 3;
+constexpr int kPatience = 8;
 
 double withSlack(double distance) { return distance * (1.0 + kSlack) + kLeastSlack; }
 
@@ -28,17 +28,10 @@ Vec3 normalOf(const Mat3& corners) {
 
 }  // namespace
 
-// The candidates of a group, which is at center_W now, by their distances from there.
-void FacePoints::order(const Points& x, const std::vector<PlacedObstacle>& placed,
-                       Group* group) const {
-  std::sort(by_distance_.begin() + group->begin, by_distance_.begin() + group->end,
+// The candidates of a group by their distances.
+void FacePoints::order(const Group& group) const {
+  std::sort(by_distance_.begin() + group.begin, by_distance_.begin() + group.end,
             [](const Ordered& a, const Ordered& b) { return a.apart < b.apart; });
-  meetings_.clear();
-  const bool behind = group->behind;
-  group->behind = true;  // however far
-  const std::size_t nearest = measure(x, placed, *group, 0.0).nearest;
-  group->behind = behind;
-  group->was_behind = meetings_[nearest].distance < 0.0;
 }
 
 // Whether the balls are asked for again and again where they have gone so far, or the tissue, that
@@ -46,54 +39,52 @@ void FacePoints::order(const Points& x, const std::vector<PlacedObstacle>& place
 bool FacePoints::disordered(const std::vector<PlacedObstacle>& placed) const {
   if (!skip_far_) return false;
   const auto far = [&](const Group& group) {
-    return wayOf(centerOf(placed, group), group) > kFarFromOrder * group.edge;
+    return moved_ + (centerOf(placed, group) - group.ordered_W).norm() > kFarFromOrder * group.edge;
   };
   return std::any_of(groups_.begin(), groups_.end(), far) && ++disordered_ > kPatience;
 }
 
-// Costs about as much as it did to ask once without an order. What was found out about the
-// triangles when they were found stays.
+// By the balls around the triangles, which is enough.
 void FacePoints::orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const {
   ordered_at_ = x;
   moved_ = 0.0;
   for (Group& group : groups_) {
-    group.center_W = centerOf(placed, group);
+    group.ordered_W = centerOf(placed, group);
     for (int c = group.begin; c < group.end; ++c) {
       const int triangle = candidates_[c].triangle;
-      const Mat3 at = corners(x, triangle);
-      const TrianglePoint near = nearestOnTriangle(group.center_W, at.col(0), at.col(1), at.col(2));
-      by_distance_[c] = {(group.center_W - near.point).norm(), c, triangle};
+      const auto around = around_.col(triangle);
+      const double least = (group.ordered_W - around.head<3>()).norm() - around[3];
+      by_distance_[c] = {least, c, triangle};
     }
-    order(x, placed, &group);
+    order(group);
   }
   disordered_ = 0;
 }
 
 void FacePoints::placeTriangles(const Points& x) const {
-  double farthest = 0.0;
+  double since_found = 0.0, since_ordered = 0.0;
   for (const int t : used_) {
     const Mat3 at = corners(x, t);
-    const Mat3 way = at - corners(ordered_at_, t);
-    farthest = std::max(farthest, way.colwise().squaredNorm().maxCoeff());
+    const auto wayFrom = [&](const Points& there) {
+      return (at - corners(there, t)).colwise().squaredNorm().maxCoeff();
+    };
+    since_found = std::max(since_found, wayFrom(found_at_));
+    since_ordered = std::max(since_ordered, wayFrom(ordered_at_));
     const Vec3 middle = at.rowwise().mean();
     around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
     normals_.col(t) = normalOf(at);
   }
-  moved_ = std::sqrt(farthest);
+  moved_since_found_ = std::sqrt(since_found);
+  moved_ = std::sqrt(since_ordered);
 }
 
-// By so much the way from the ball to a triangle may have become shorter.
-double FacePoints::wayOf(const Vec3& center, const Group& group) const {
-  return moved_ + (center - group.center_W).norm();
-}
-
-// Whether the ball was in front of the surface, and since then neither went so far that it could be
-// behind it, or nearer than `within`.
+// Whether the ball was in front of the surface when it was found, and since then neither went so
+// far that it could be behind it, or nearer than `within`.
 bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                            double within) const {
-  if (!skip_far_ || group.was_behind) return false;
-  const double apart = by_distance_[group.begin].apart;
-  return apart - wayOf(centerOf(placed, group), group) > withSlack(within);
+  if (!skip_far_ || group.behind) return false;
+  const double way = moved_since_found_ + (centerOf(placed, group) - group.center_W).norm();
+  return group.apart - way > withSlack(within);
 }
 
 // Fills close_ with the candidates that may be the nearest or nearer than `within`, in their order.
@@ -101,7 +92,7 @@ bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Grou
 void FacePoints::findNear(const Points& x, const Vec3& center, const Group& group,
                           double within) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  const double moved = wayOf(center, group);
+  const double moved = moved_ + (center - group.ordered_W).norm();
   double nearest = kNone;  // that one is, at most,
   double far = kNone;      // and that one may be that matters
   int nearest_triangle = -1;

@@ -133,7 +133,7 @@ class FacePoints {
     double edge, apart;
   };
   struct Ordered {
-    double apart;  // of the candidate, when they were put in order [m]
+    double apart;  // of the candidate, at least, when they were put in order [m]
     int candidate, triangle;
   };
   struct Group {
@@ -141,10 +141,11 @@ class FacePoints {
     double area;                     // that it stands for [m^2]
     int first;                       // the triangle that was nearest when they were found,
     double edge;                     // and how long its edges were, on average [m]
-    bool behind;                     // the nearest, when they were found
-    // When its candidates were put in order: the ball's centre, and whether it was behind.
+    // When they were found: whether it was behind the nearest, how far from there [m], and where.
+    bool behind;
+    double apart;
     Vec3 center_W;
-    bool was_behind;
+    Vec3 ordered_W;  // Where the ball's centre was when they were put in order.
   };
 
   struct Measured {                   // of a group, at x:
@@ -155,13 +156,12 @@ class FacePoints {
   const Shape* shapeOf(const Obstacle& obstacle);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
-  void order(const Points& x, const std::vector<PlacedObstacle>& placed, Group* group) const;
+  void order(const Group& group) const;
   void orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const;
   bool disordered(const std::vector<PlacedObstacle>& placed) const;
   Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
     return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
   }
-  double wayOf(const Vec3& center, const Group& group) const;
   bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                  double within) const;
   void placeTriangles(const Points& x) const;
@@ -184,15 +184,18 @@ class FacePoints {
   mutable std::vector<Group> groups_;
   std::vector<Near> near_;
   std::vector<std::pair<int, int>> found_;  // balls and triangles
-  // What is spared: a triangle that was far when they were put in order is, if neither it nor the
-  // ball went as far since; and balls around the triangles as they are now.
+  // What is spared: a ball that was in front when it was found, if neither it nor the tissue went
+  // as far since; likewise a triangle that was far when they were put in order; and balls around
+  // the triangles as they are now.
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
   mutable std::vector<Ordered> by_distance_;  // in each group the near ones first
-  mutable Points ordered_at_;                 // x, when they were put in order
+  Points found_at_;                           // x, when they were found,
+  mutable Points ordered_at_;                 // and when they were put in order
   mutable int disordered_ = 0;                // times that they were asked for far from there
-  mutable double moved_ = 0.0;                // how far a corner is from there, at most [m]
+  mutable double moved_since_found_ = 0.0;    // how far a corner is from there, at most [m],
+  mutable double moved_ = 0.0;                // likewise, since they were put in order
   mutable Eigen::Matrix4Xd around_;  // of each triangle in use: middle and radius of a ball [m],
   mutable Points normals_;           // and unit, outward
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "palpate/contact/signed_distance.h"
 
@@ -47,6 +48,47 @@ void SampleRuns::build(const std::vector<SurfaceSample>& samples,
     enclose(samples, candidates, &run);
     triangles_.push_back(run);
   }
+  known_.assign(triangles_.size(), {0.0, Mat3::Zero(), -1});
+  poses_.clear();
+}
+
+void SampleRuns::lookAt(const std::vector<PlacedObstacle>& placed) const {
+  if (poses_.size() != placed.size()) {
+    poses_.clear();
+    for (const PlacedObstacle& obstacle : placed) poses_.push_back(obstacle.obstacle().X_WG_end);
+    places_.assign(placed.size(), places_.empty() ? 0 : places_.front() + 1);
+    return;
+  }
+  for (std::size_t b = 0; b < placed.size(); ++b) {
+    const Pose& now = placed[b].obstacle().X_WG_end;
+    if (now.matrix() == poses_[b].matrix()) continue;
+    poses_[b] = now;
+    ++places_[b];
+  }
+}
+
+// A distance changes by no more than the way; infinitely little is known of another place.
+double SampleRuns::knownGap(std::size_t triangle, const Points& x) const {
+  const Run& run = triangles_[triangle];
+  const Known& known = known_[triangle];
+  const auto obstacle = static_cast<std::size_t>(run.obstacle);
+  if (known.place != places_[obstacle]) return -std::numeric_limits<double>::infinity();
+  double squared = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    squared = std::max(squared, (x.col(run.nodes[k]) - known.at.col(k)).squaredNorm());
+  }
+  const double way = std::sqrt(squared), error = errors_[obstacle];
+  return known.least - (error > 0.0 ? kSteepest : 1.0) * way * (1.0 + kRounding) - 2.0 * error;
+}
+
+double SampleRuns::measuredGap(std::size_t triangle, const Points& x,
+                               const std::vector<PlacedObstacle>& placed) const {
+  const Run& run = triangles_[triangle];
+  Known& known = known_[triangle];
+  known.least = leastGap(run, x, placed);
+  for (int k = 0; k < 3; ++k) known.at.col(k) = x.col(run.nodes[k]);
+  known.place = places_[static_cast<std::size_t>(run.obstacle)];
+  return known.least;
 }
 
 // Between points of a triangle with weights v and w there is at most half of sum |v - w| of its

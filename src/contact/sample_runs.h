@@ -15,7 +15,8 @@ struct SampleCandidate {
 
 /// Candidates that follow one another and lie close together on a triangle: of a triangle, and of
 /// parts of it. Where the middle of such a run is far from the obstacle all of the run is, and
-/// nobody need look at its samples.
+/// nobody need look at its samples; and what was far and has not gone as far since, while the
+/// obstacle stood still, is not even asked.
 class SampleRuns {
  public:
   struct Run {
@@ -37,8 +38,10 @@ class SampleRuns {
   template <class Far, class Visit>
   void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, const Far& far,
                const Visit& visit) const {
-    for (const Run& run : triangles_) {
-      if (far(run, leastGap(run, x, placed))) continue;
+    lookAt(placed);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      const Run& run = triangles_[t];
+      if (far(run, knownGap(t, x)) || far(run, measuredGap(t, x, placed))) continue;
       for (int p = run.first_part; p < run.last_part; ++p) {
         const Run& part = parts_[static_cast<std::size_t>(p)];
         const bool whole = run.last_part - run.first_part == 1;
@@ -49,6 +52,15 @@ class SampleRuns {
   }
 
  private:
+  struct Known {  // of a triangle's run, where it was last measured
+    double least;
+    Mat3 at;    // its corners [m],
+    int place;  // and which of the obstacle's places it was
+  };
+  void lookAt(const std::vector<PlacedObstacle>& placed) const;
+  double knownGap(std::size_t triangle, const Points& x) const;
+  double measuredGap(std::size_t triangle, const Points& x,
+                     const std::vector<PlacedObstacle>& placed) const;
   double leastGap(const Run& run, const Points& x, const std::vector<PlacedObstacle>& placed) const;
   static void enclose(const std::vector<SurfaceSample>& samples,
                       const std::vector<SampleCandidate>& candidates, Run* run);
@@ -56,6 +68,9 @@ class SampleRuns {
   std::vector<Run> triangles_, parts_;
   std::vector<double> errors_;  // of the obstacles' distances, see distanceError() [m]
   double offset_ = 0.0;
+  mutable std::vector<Known> known_;
+  mutable std::vector<Pose> poses_;  // of the obstacles when they were last looked at,
+  mutable std::vector<int> places_;  // and how many others before
 };
 
 }  // namespace palpate::contact

@@ -86,7 +86,7 @@ TEST_P(FarSamples, WouldNotHaveTouched) {
     for (int k = 0; k < 25; ++k) {
       step = std::pow(10.0, -6.0 + 3.5 * u(rng));
       x += randomPoints(&rng, x.cols(), step);
-      tool.translation() += step * Vec3(u(rng) - 0.5, u(rng) - 0.5, u(rng) - 0.5);
+      if (k % 3 == 0) tool.translation() += step * Vec3(u(rng) - 0.5, u(rng) - 0.5, u(rng) - 0.5);
       if (k % 8 == 0) {
         tool.linear() = randomPose(&rng, 0.0).linear();
         tool.translation() = Vec3(0.02, 0.02, 0.018 + 0.01 * u(rng));
@@ -97,6 +97,19 @@ TEST_P(FarSamples, WouldNotHaveTouched) {
     }
   }
   EXPECT_GT(pushed, 25);
+}
+
+// The tool stands; what was far from it is so no more.
+TEST_P(FarSamples, AreAskedAgainWhereTheyCameNear) {
+  tool.translation() += Vec3(0.0, 0.0, 0.03);
+  findCandidates(0.1);
+  int pressed = 0;
+  for (int k = 0; k < 45; ++k) {
+    ASSERT_EQ(quick.value(x), plain.value(x)) << k;
+    pressed += quick.value(x) > 0.0;
+    x.row(2).array() += 1e-3;
+  }
+  EXPECT_GT(pressed, 5);
 }
 
 }  // namespace
