@@ -18,6 +18,11 @@ constexpr double kShift = 1e-6;
 // Strains at which fibres that resist tension only are taut, whichever way they go: stretched along
 // an axis or across it. What changes the stiffness by more than a part of it is such fibres.
 constexpr double kTaut = 1e-6, kTautPart = 1e-3;
+// Times w^2 of such fibres. Two steps h of an oscillator of stiffness a / h^2 and b / h^2 have a
+// matrix with the trace (2 - a) (2 - b) - 2 and the determinant 1: where a is over 2 and b below,
+// a mode that is taut in each second step grows. None is where a <= 2, half of what is stable
+// without a change; with a part of that, as of the other bound.
+constexpr double kTwoSided = 4.0 / 2.0 * CriticalStep::kSafety * CriticalStep::kSafety * 1.02;
 // [s] So short that nothing relaxes: viscous bodies are stiffest then.
 constexpr double kSudden = 1e-6;
 
@@ -90,7 +95,7 @@ void CriticalStep::begin(const Points& X) {
       multiply(noiseMode(), &gradient_);
       if ((gradient_ - at_rest).norm() <= kTautPart * at_rest.norm()) continue;
       mode_ = noiseMode();
-      const double square = lanczos(kRestSteps, multiply);
+      const double square = kTwoSided * lanczos(kRestSteps, multiply);
       least_square_ = std::max(least_square_, square);
       if (!(square > rest_square_)) continue;
       rest_square_ = square;

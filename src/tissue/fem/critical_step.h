@@ -16,7 +16,7 @@ namespace palpate::tissue {
 /// stiffness; later in a few steps on differences of elastic gradients, so that no matrix is
 /// assembled, from the last eigenvector and a bit of noise where the body has moved since: modes of
 /// elements that have just been squeezed are found there. Fibres that resist tension only, slack at
-/// rest, count as taut.
+/// rest, count as taut, and the step is so short that changing from one to the other adds nothing.
 class CriticalStep {
  public:
   /// Part of it that is taken.
