@@ -52,10 +52,11 @@ void CholmodFactor::analyze(const fem::Stiffness& A) {
 }
 
 // A quasi-definite system has as many negative pivots as pressures if and only if A is positive
-// definite [Sylvester's law of inertia].
+// definite [Sylvester's law of inertia]. CHOLMOD factors small matrices as L D L', which it finds
+// nothing wrong with for pivots of either sign.
 bool CholmodFactor::positiveDefinite() const {
   if (common_.status == CHOLMOD_NOT_POSDEF || used_->factor->minor < used_->factor->n) return false;
-  if (used_->matrix->numPressures() == 0) return true;
+  if (used_->factor->is_ll) return true;
   int negative = 0;
   const auto* start = static_cast<const int*>(used_->factor->p);
   const auto* value = static_cast<const double*>(used_->factor->x);

@@ -41,15 +41,15 @@ struct System {
   Points b;
   Eigen::MatrixXd dense;
 
-  explicit System(const std::string& element = "tet4") {
+  explicit System(const std::string& element = "tet4", int n = 3) {
     test::Random random;
     mesh::TetMesh mesh;
-    const auto body = makeCube(element, 3, &mesh);
+    const auto body = makeCube(element, n, &mesh);
     A = body->makeMatrix();
     body->hessian(mesh.points + random.points(mesh.numPoints(), 0.001), fem::Tangent::kExact, &A);
     fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
-    free.leftCols(16).setZero();
-    free(1, 20) = 0.0;
+    free.leftCols((n + 1) * (n + 1)).setZero();
+    free(1, n == 3 ? 20 : 5) = 0.0;
     A.constrain(free);
     b = random.points(mesh.numPoints(), 1.0).cwiseProduct(free);
     dense.setZero(b.size(), b.size());
@@ -222,6 +222,20 @@ TEST(CholmodSolver, SaysWhatIsWrongAndRecovers) {
   EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNonFinite);
   EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged);
   EXPECT_LT((x - s.reference()).norm(), 1e-11 * x.norm());
+}
+
+// Small matrices are factored as L D L', which is there for indefinite ones as well.
+TEST(CholmodSolver, FindsIndefiniteMatricesOfAllSizes) {
+  for (const int n : {1, 2, 3, 6}) {
+    const System s("tet4", n);
+    CholmodSolver cholmod;
+    Points x;
+    EXPECT_EQ(cholmod.solve(s.A, s.b, 0.0, &x).status, SolveStatus::kConverged) << n;
+    fem::Stiffness indefinite = s.A;
+    indefinite.blocks().block(indefinite.blocks().diagonal(s.A.numNodes() - 1)) *= -1.0;
+    EXPECT_EQ(cholmod.solve(indefinite, s.b, 0.0, &x).status, SolveStatus::kNotPositiveDefinite)
+        << n;
+  }
 }
 
 }  // namespace
