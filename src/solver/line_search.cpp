@@ -19,6 +19,8 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
   const double slope = g->cwiseProduct(d).sum();
   const double norm = freeNorm(*g, potential.free);
   const bool conservative = potential.conservative();
+  halvings_ = 0;
+  if (conservative && slope > kRoundoff * std::abs(*value)) return false;  // uphill
   double alpha = potential.maxStep(*x, d);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
     if (k > 0 && isInterrupted(interrupt)) return false;

@@ -234,6 +234,24 @@ TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
   EXPECT_GT(search.halvings(), 0);
 }
 
+// However short the step, and small what it adds to the value.
+TEST(LineSearch, TakesNoStepUphill) {
+  Pushed pushed;
+  pushed.x = pushed.mesh.points;
+  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
+  pushed.time.beginStep(kStep, &pushed.potential);
+  pushed.floor.height = 0.01;
+  Points g;
+  double value = pushed.potential.gradient(pushed.x, &g);
+  const Points before = pushed.x;
+  for (const double length : {1e-3, 1e-6, 1e-8}) {
+    const Points uphill = length / g.norm() * g.cwiseProduct(pushed.potential.free);
+    LineSearch search;
+    EXPECT_FALSE(search.run(pushed.potential, uphill, &pushed.x, &g, &value)) << length;
+    EXPECT_EQ(pushed.x, before) << length;
+  }
+}
+
 // With linear solves to 0.5 alone it would take 33 iterations to 1e-10 of the first residual.
 TEST(Newton, SolvesLinearSystemsBetterWhereItsStepsAreGood) {
   Pushed pushed;

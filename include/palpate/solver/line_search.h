@@ -15,8 +15,8 @@ double freeNorm(const Points& g, const fem::FreeMask& free);
 class LineSearch {
  public:
   /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
-  /// do, and stay where they are if there is none, or if `interrupt`, which may be null, comes
-  /// before one is found: false. `d` is zero on held components.
+  /// do, and stay where they are if there is none, as where d goes uphill, or if `interrupt`, which
+  /// may be null, comes before one is found: false. `d` is zero on held components.
   bool run(const Potential& potential, const Points& d, Points* x, Points* g, double* value,
            const Interrupt* interrupt = nullptr);
   /// Times that the last run() halved its step.
