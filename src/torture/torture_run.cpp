@@ -35,6 +35,14 @@ std::string effortOf(const sim::StepReport& report) {
   return out.str();
 }
 
+// So that tables of several machines say the same.
+std::string without(const std::string& folder, std::string text) {
+  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
+    text.erase(at, folder.size());
+  }
+  return text;
+}
+
 class Run {
  public:
   Run(const TortureScene& scene, const std::string& folder, const RunLimits& limits)
@@ -49,7 +57,7 @@ class Run {
       read.solver.threads = limits_.threads;
       simulator = std::make_unique<sim::Simulator>(read);
     } catch (const std::exception& error) {
-      outcome_.refused = error.what();
+      outcome_.refused = without(folder_ + "/", error.what());
       return outcome_;
     }
     outcome_.load_s = steadySeconds() - begin;

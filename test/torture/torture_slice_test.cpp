@@ -69,5 +69,12 @@ TEST(TortureScenes, CurlsNoCornerOver) {
   }
 }
 
+// What a scene is refused for stands in a page that others read.
+TEST(TortureScenes, AreRefusedByTheNamesOfTheirFilesAlone) {
+  const test::TempFolder folder;
+  const std::string refused = run(drawScene(1, 1536), folder.path(""), RunLimits()).refused;
+  EXPECT_EQ(refused.rfind("scene.yaml: organs[0]: no equilibrium", 0), 0u) << refused;
+}
+
 }  // namespace
 }  // namespace palpate::torture
