@@ -25,6 +25,7 @@ double ExplicitTouch::steps() const {
 void ExplicitTouch::begin() {
   update_.clear();
   limited_ = false;
+  part_ = 0.0;
   body_.sweep.place(0.0);
 }
 
@@ -39,6 +40,8 @@ bool ExplicitTouch::mayJump(const Points& way) const {
 bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
   body_.sweep.beginStep(body_.x);
   body_.sweep.place(s);
+  tool_way_ = (s - part_) * body_.sweep.longestWay();
+  part_ = s;
   limited_ = false;
   if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
   *next += body_.x;

@@ -35,6 +35,8 @@ class ExplicitTouch {
   int iterations() const { return update_.iterations(); }
   /// Norm of the forces that it left unbalanced [N].
   double residual() const { return update_.residual(); }
+  /// How far the fastest tool went in it [m].
+  double toolWay() const { return tool_way_; }
   /// Whether it held nodes back that would have gone too far at once.
   bool limited() const { return limited_; }
   /// Cube root of the volume of a node [m].
@@ -47,6 +49,7 @@ class ExplicitTouch {
   double element_size_;
   ContactUpdate update_;
   bool limited_ = false;
+  double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
 };
 
 }  // namespace palpate::tissue

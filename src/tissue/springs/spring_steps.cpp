@@ -15,7 +15,10 @@ namespace {
 
 constexpr double kSafety = 0.9;
 constexpr double kMaxSubSteps = 1e5;
-constexpr int kMaxCaution = 8;
+constexpr int kMaxCaution = 8, kCautionForGain = 2;
+// Times the energy that is known to have come in, with a part of what all springs may take, for
+// tissue that a tool is in at once: beyond it, contact made it.
+constexpr double kEnergyGain = 4.0, kOfSprings = 0.1;
 
 // By the largest sum of dampers at a point: no mode is damped at a higher rate than twice that.
 double ownDamping(const SpringArrays& springs, const Eigen::VectorXd& masses) {
@@ -25,6 +28,23 @@ double ownDamping(const SpringArrays& springs, const Eigen::VectorXd& masses) {
     sums[springs.b(s)] += springs.damping(s);
   }
   return 2.0 * sums.cwiseQuotient(masses).maxCoeff();
+}
+
+double stretched(const SpringArrays& springs) {
+  double sum = 0.0;
+  for (int s = 0; s < springs.size(); ++s) {
+    sum += 0.5 * springs.stiffness(s) * springs.length(s) * springs.length(s);
+  }
+  return sum;
+}
+
+Eigen::VectorXd forcesStretched(const SpringArrays& springs, Eigen::Index points) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(points);
+  for (int s = 0; s < springs.size(); ++s) {
+    sums[springs.a(s)] += springs.stiffness(s) * springs.length(s);
+    sums[springs.b(s)] += springs.stiffness(s) * springs.length(s);
+  }
+  return sums;
 }
 
 std::vector<int> ends(const SpringArrays& springs, bool first) {
@@ -56,7 +76,9 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
               body->surroundings.largestSquare(body->mesh.points, masses_)),
       touch_(body),
       region_(body->mesh.points, settings.radius, ends(springs->springs(), true),
-              ends(springs->springs(), false)) {
+              ends(springs->springs(), false)),
+      all_springs_(stretched(springs->springs())),
+      strong_(forcesStretched(springs->springs(), masses_.size())) {
   CriticalStep critical(body->elasticity.get(), body->free,
                         body->surroundings.largestSquare(body->mesh.points, masses_));
   critical.begin(body->mesh.points);
@@ -89,18 +111,23 @@ double SpringSteps::longestStep(double square) const {
 void SpringSteps::restart() {
   touch_.clear();
   contact_g_.setZero();
+  account_ = Account();
   region_.setAll();
   addForces(&g_);
 }
 
 void SpringSteps::save(StateWriter* out) const {
   out->put(contact_g_);
+  for (const double d : {account_.all, account_.own, account_.work}) out->put(d);
+  out->put(account_.open);
   region_.save(out);
 }
 
 void SpringSteps::restore(StateReader* in) {
   touch_.clear();
   in->getSame(&contact_g_);
+  for (double* d : {&account_.all, &account_.own, &account_.work}) in->get(d);
+  in->get(&account_.open);
   region_.restore(in);
   addForces(&g_);
 }
@@ -146,6 +173,7 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
     body_.v = begin_v_;
     StateReader before(touched_.bytes());
     body_.contact.restore(&before);
+    if (gained_ && finer >= kCautionForGain) return false;
     if (late && finer < kMaxCaution) {
       out->status = solver::SolveStatus::kDeadline;  // finer sub-steps were not tried
       return false;
@@ -159,6 +187,8 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   coefficients_ = masses_ / (h * h);
   out->sweep_stages = steps;
   touch_.begin();
+  work_ = 0.0;
+  touched_now_ = gained_ = false;
   bool late = false;
   for (int k = 1; k <= steps && !late; ++k) {
     if (!subStep(h, k / static_cast<double>(steps), out)) {
@@ -171,6 +201,11 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   // Where the tools are now the springs have not followed them.
   if (late) body_.touch.sides.doubt();
   if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
+  gained_ = !plausible();
+  if (gained_) {
+    out->status = solver::SolveStatus::kLineSearchFailed;
+    return false;
+  }
   contact_g_ = touch_.gradient();
   addForces(&g_);
   out->residual = touch_.residual();
@@ -181,6 +216,30 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
                 : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
                                                   : solver::SolveStatus::kIterationLimit;
   if (!late) settleRegion(*out);
+  return true;
+}
+
+// At x, v: with that of loads, and `own` without.
+double SpringSteps::energy(const Points& x, const Points& v, double* own) {
+  way_.setZero();
+  *own = 0.5 * v.colwise().squaredNorm().dot(masses_.transpose()) + body_.elasticity->energy(x);
+  return *own + body_.addLoads(x, &way_);
+}
+
+// Whether motion and springs have no more than they had, and tools gave, since these touch.
+bool SpringSteps::plausible() {
+  const bool counts = touched_now_ && !body_.heldMoves() && !body_.surroundings.moves();
+  Account account = counts ? account_ : Account();
+  if (counts) {
+    if (!account.open) account.all = energy(begin_x_, begin_v_, &account.own);
+    account.open = true;
+    account.work += work_;
+    double own = 0.0;
+    const double gained = energy(body_.x, body_.v, &own) - account.all;
+    const double given = account.own + account.work + kOfSprings * all_springs_;
+    if (gained > kEnergyGain * given) return false;
+  }
+  account_ = account;
   return true;
 }
 
@@ -212,6 +271,8 @@ bool SpringSteps::subStep(double h, double s, TissueStep* out) {
   }
   way_ += body_.x;
   for (const int i : touch_.nodes()) {
+    work_ += std::min(touch_.gradient().col(i).norm(), strong_[i]) * touch_.toolWay();
+    touched_now_ = true;
     way_.col(i) = next_.col(i);
     body_.v.col(i) = (next_.col(i) - body_.x.col(i)) / h;
   }

@@ -28,9 +28,9 @@ struct SpringStepSettings {
 ///
 /// TissueStep: sweep_stages is the number of sub-steps, still_points how many points were left
 /// where they are, whose unbalanced forces count as those of supports. A cycle that would end
-/// with numbers that are not finite, or carry tissue through a tool, is repeated with 2, 4 and 8
-/// times the sub-steps (time_steps), then fails. An interrupt is asked after each sub-step; the
-/// cycle then ends there, late.
+/// with numbers that are not finite, carry tissue through a tool, or gain more energy than tools
+/// give, is repeated with 2, 4 and 8 times the sub-steps (time_steps), then fails. An interrupt is
+/// asked after each sub-step; the cycle then ends there, late.
 class SpringSteps final : public StepMethod {
  public:
   /// `springs`: those of the body's elasticity. @throws std::invalid_argument, with the limit, for
@@ -53,6 +53,8 @@ class SpringSteps final : public StepMethod {
   void accelerate();
   void settleRegion(const TissueStep& out);
   void addForces(Points* g) const;
+  double energy(const Points& x, const Points& v, double* own);
+  bool plausible();
 
   FemBody& body_;
   const SpringForces& forces_;
@@ -70,6 +72,17 @@ class SpringSteps final : public StepMethod {
   StateWriter touched_;           // where the cycle began, and
   Points begin_x_, begin_v_, contact_g_;
   Eigen::VectorXd coefficients_;
+  // Since tools began to touch: energies [J] of all and of what is its own, and the tools' work.
+  struct Account {
+    double all = 0.0, own = 0.0, work = 0.0;
+    bool open = false;
+  };
+  Account account_;
+  double work_ = 0.0;  // in this cycle [J]
+  bool touched_now_ = false, gained_ = false;
+  // If each spring were stretched to twice its length: energy [J], and forces at a point [N].
+  double all_springs_;
+  Eigen::VectorXd strong_;
 };
 
 }  // namespace palpate::tissue
