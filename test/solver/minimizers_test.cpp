@@ -216,14 +216,19 @@ TEST_P(EveryMinimizer, LooksAtOnePointMoreWhenItIsAskedToEnd) {
   EXPECT_GT(seen, 5);
 }
 
+// At rest, a step begins over a floor of that height [m]: gradient and value there.
+double beginOver(double height, Pushed* pushed, Points* g) {
+  pushed->x = pushed->mesh.points;
+  pushed->time.start(pushed->x, Points::Zero(3, pushed->x.cols()));
+  pushed->time.beginStep(kStep, &pushed->potential);
+  pushed->floor.height = height;
+  return pushed->potential.gradient(pushed->x, g);
+}
+
 TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
   Pushed pushed;
-  pushed.x = pushed.mesh.points;
-  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
-  pushed.time.beginStep(kStep, &pushed.potential);
-  pushed.floor.height = 0.01;
   Points g;
-  double value = pushed.potential.gradient(pushed.x, &g);
+  double value = beginOver(0.01, &pushed, &g);
   const Points far = -1e6 * g.cwiseProduct(pushed.potential.free);
   const Points before = pushed.x;
   const Interrupt at_once = [] { return true; };
@@ -237,12 +242,8 @@ TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
 // However short the step, and small what it adds to the value.
 TEST(LineSearch, TakesNoStepUphill) {
   Pushed pushed;
-  pushed.x = pushed.mesh.points;
-  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
-  pushed.time.beginStep(kStep, &pushed.potential);
-  pushed.floor.height = 0.01;
   Points g;
-  double value = pushed.potential.gradient(pushed.x, &g);
+  double value = beginOver(0.01, &pushed, &g);
   const Points before = pushed.x;
   for (const double length : {1e-3, 1e-6, 1e-8}) {
     const Points uphill = length / g.norm() * g.cwiseProduct(pushed.potential.free);
@@ -257,12 +258,8 @@ TEST(Newton, SolvesLinearSystemsBetterWhereItsStepsAreGood) {
   Pushed pushed;
   pushed.settings.linear_tolerance = 0.5;
   const auto newton = pushed.make("implicit_pcg");
-  pushed.x = pushed.mesh.points;
-  pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
-  pushed.time.beginStep(kStep, &pushed.potential);
-  pushed.floor.height = 0.005;
   Points g;
-  pushed.potential.gradient(pushed.x, &g);
+  beginOver(0.005, &pushed, &g);
   pushed.settings.tolerance = 1e-10 * freeNorm(g, pushed.potential.free);
   const NewtonReport report = newton->minimize(pushed.potential, pushed.settings, &pushed.x);
   EXPECT_EQ(report.status, SolveStatus::kConverged);
