@@ -55,6 +55,21 @@ TEST(StateBytes, LongerThanReadAreRefused) {
   EXPECT_THROW(read(written() + "x"), std::invalid_argument);
 }
 
+TEST(StateBytes, OfAnotherSizeThanIsThereAreRefusedAndLeaveItAsItWas) {
+  StateWriter out;
+  out.put(Points(Points::Random(3, 5)));
+  const Points four = Points::Random(3, 4);
+  Points p = four;
+  StateReader in(out.bytes());
+  EXPECT_THROW(in.getSame(&p), std::invalid_argument);
+  EXPECT_EQ(p, four);
+  p = Points::Zero(3, 5);
+  StateReader again(out.bytes());
+  again.getSame(&p);
+  again.finish();
+  EXPECT_GT(p.norm(), 0.0);
+}
+
 TEST(StateBytes, HugeCountsAllocateNothing) {
   StateWriter out;
   out.put(std::numeric_limits<std::int64_t>::max());

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace palpate {
@@ -77,12 +78,13 @@ class StateReader {
     values->resize(rows, cols);
     take(values->data(), sizeof(T) * static_cast<std::size_t>(values->size()));
   }
-  /// A matrix or array of just the size that it has already.
+  /// A matrix or array of just the size that it has already, and still has where it is refused.
   template <class Values>
   void getSame(Values* values) {
-    const auto size = values->size();
-    get(values);
-    if (values->size() != size) fail();
+    Values read;
+    get(&read);
+    if (read.size() != values->size()) fail();
+    *values = std::move(read);
   }
   void get(std::string* bytes) {
     const std::int64_t size = count(1);
