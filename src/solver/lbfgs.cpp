@@ -144,7 +144,8 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
 bool Lbfgs::search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
                    NewtonReport* report) {
   const PhaseTimer timer(&report->phases, Phase::kLineSearch);
-  const bool found = line_search_.run(potential, d_, x, &g_, value, interrupt);
+  const bool found = line_search_.run(potential, d_, x, &g_, value, interrupt,
+                                      report->iterations > 0 ? 1 : kHalvingsInTime);
   report->halvings += line_search_.halvings();
   return found;
 }
@@ -172,18 +173,18 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     }
     x_begin_ = *x;
     g_begin_ = g_;
-    const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
-    bool late = false;
     while (!direction(potential, *x, &report.phases) ||
-           !search(potential, interrupt, x, &value, &report)) {
-      late = isInterrupted(interrupt);
-      if (late) break;
+           !search(potential, settings.interrupt, x, &value, &report)) {
+      if (settings.interrupted()) {
+        wasted_ = renewal_;  // the factor is renewed when there is time
+        report.status = SolveStatus::kDeadline;
+        return report;
+      }
       report.status = fresh ? SolveStatus::kLineSearchFailed : renew(potential, *x, &report.phases);
       if (report.status != SolveStatus::kConverged) return report;
       since_renewal = 0;
       fresh = true;
     }
-    if (late) continue;  // it is over
     learn(potential, *x);
     ++report.iterations;
     ++since_renewal;

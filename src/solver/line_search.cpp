@@ -15,7 +15,7 @@ constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of v
 double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
 
 bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Points* g,
-                     double* value, const Interrupt* interrupt) {
+                     double* value, const Interrupt* interrupt, int least_halvings) {
   const double slope = g->cwiseProduct(d).sum();
   const double norm = freeNorm(*g, potential.free);
   const bool conservative = potential.conservative();
@@ -23,7 +23,7 @@ bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Poi
   if (conservative && slope > kRoundoff * std::abs(*value)) return false;  // uphill
   double alpha = potential.maxStep(*x, d);
   for (int k = 0; k <= kMaxHalvings; ++k, alpha *= 0.5) {
-    if (k > 0 && isInterrupted(interrupt)) return false;
+    if (k >= least_halvings && isInterrupted(interrupt)) return false;
     halvings_ = k;
     x_trial_ = *x + alpha * d;
     const double next_value = potential.gradient(x_trial_, &g_trial_);

@@ -93,7 +93,7 @@ bool Newton::servedWell(double residual, double before) const {
 }
 
 LinearReport Newton::direction(const Potential& potential, const Points& x, double linear_tolerance,
-                               NewtonReport* report) {
+                               const Interrupt* interrupt, NewtonReport* report) {
   right_ = -g_.cwiseProduct(potential.free);
   constexpr fem::Tangent kTangents[] = {fem::Tangent::kExact, fem::Tangent::kConvexTerms,
                                         fem::Tangent::kProjected};
@@ -103,6 +103,10 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
     {
       const PhaseTimer timer(&report->phases, Phase::kAssembly);
       kept_ = assemble(potential, x, *tangent) && *tangent == fem::Tangent::kExact;
+    }
+    if (isInterrupted(interrupt)) {
+      solved.status = SolveStatus::kDeadline;
+      return solved;
     }
     const PhaseTimer timer(&report->phases, Phase::kLinearSolve);
     solved = linear_->solve(A_, right_, linear_tolerance, &d_);
@@ -137,21 +141,24 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     if (before > 0.0) {
       term = forcingTerm(settings.linear_tolerance, report.residual, before, term);
     }
-    const LinearReport solved =
-        direction(potential, *x, atTheEnd(settings, report.residual, term), &report);
+    const bool may_end = report.iterations >= settings.least_iterations;
+    const LinearReport solved = direction(potential, *x, atTheEnd(settings, report.residual, term),
+                                          may_end ? settings.interrupt : nullptr, &report);
     if (solved.status == SolveStatus::kNonFinite ||
-        solved.status == SolveStatus::kNotPositiveDefinite) {
+        solved.status == SolveStatus::kNotPositiveDefinite ||
+        (may_end && solved.status == SolveStatus::kDeadline)) {
       report.status = solved.status;
       return report;
     }
     const PhaseTimer timer(&report.phases, Phase::kLineSearch);
-    const Interrupt* interrupt = report.iterations > 0 ? settings.interrupt : nullptr;
-    const bool found = line_search_.run(potential, d_, x, &g_, &value, interrupt);
+    const bool found = line_search_.run(potential, d_, x, &g_, &value, settings.interrupt,
+                                        may_end ? 1 : kHalvingsInTime);
     report.halvings += line_search_.halvings();
     if (!found) {
       if (kept_) elastic_->drop();
-      if (kept_ || isInterrupted(interrupt)) continue;
-      report.status = SolveStatus::kLineSearchFailed;
+      const bool late = settings.interrupted();
+      if (kept_ && !late) continue;
+      report.status = late ? SolveStatus::kDeadline : SolveStatus::kLineSearchFailed;
       return report;
     }
     before = report.residual;
@@ -164,7 +171,7 @@ bool Newton::tangentStep(const Potential& potential, const Points& x, const Poin
   const double value = potential.gradient(x, &g_);
   if (!std::isfinite(value) || !g_.allFinite()) return false;
   g_ -= push;
-  const LinearReport solved = direction(potential, x, linear_tolerance, report);
+  const LinearReport solved = direction(potential, x, linear_tolerance, nullptr, report);
   if (!usable(solved.status) || !d_.allFinite()) return false;
   *d = d_;
   ++report->iterations;

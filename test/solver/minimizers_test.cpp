@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/mesh/tet_mesh.h"
@@ -9,6 +10,7 @@
 #include "palpate/solver/minimizer_list.h"
 #include "palpate/solver/newton.h"
 #include "palpate/solver/stale_pcg.h"
+#include "solver/minimizer_parts.h"
 
 namespace palpate::solver {
 namespace {
@@ -190,6 +192,47 @@ class Watch final : public fem::EnergyTerm {
   }
   void addHessian(const Points&, fem::Tangent, fem::Stiffness*) const override {}
 };
+
+// No step from there is good enough.
+class Trap final : public fem::EnergyTerm {
+ public:
+  explicit Trap(Points from) : from_(std::move(from)) {}
+  mutable int gradients = 0;
+
+  double value(const Points& x) const override { return x == from_ ? 0.0 : 1e9; }
+  double addGradient(const Points& x, Points*) const override {
+    ++gradients;
+    return value(x);
+  }
+  void addHessian(const Points&, fem::Tangent, fem::Stiffness*) const override {}
+
+ private:
+  Points from_;
+};
+
+TEST_P(EveryMinimizer, GivesUpAFirstStepThatIsHalvedTooOftenWhenItIsAskedToEnd) {
+  for (const bool late : {false, true}) {
+    Pushed pushed;
+    pushed.x = pushed.mesh.points;
+    const Trap trap(pushed.x);
+    pushed.potential.terms.push_back(&trap);
+    pushed.time.start(pushed.x, Points::Zero(3, pushed.x.cols()));
+    pushed.time.beginStep(kStep, &pushed.potential);
+    pushed.floor.height = 0.01;
+    const Interrupt asked = [late] { return late; };
+    pushed.settings.interrupt = &asked;
+    const NewtonReport report =
+        pushed.make(GetParam())->minimize(pushed.potential, pushed.settings, &pushed.x);
+    EXPECT_EQ(report.status, late ? SolveStatus::kDeadline : SolveStatus::kLineSearchFailed);
+    EXPECT_EQ(report.iterations, 0);
+    EXPECT_EQ(pushed.x, pushed.mesh.points);
+    if (late) {
+      EXPECT_LE(trap.gradients, 1 + kHalvingsInTime);
+    } else {
+      EXPECT_GT(trap.gradients, 20);
+    }
+  }
+}
 
 // From a shape that takes shortened steps to leave.
 TEST_P(EveryMinimizer, LooksAtOnePointMoreWhenItIsAskedToEnd) {

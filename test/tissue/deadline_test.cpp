@@ -60,6 +60,15 @@ TEST_P(EveryMethodThatIsLate, EndsAfterAFewIterationsWithAStateToGoOnFrom) {
   EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
 }
 
+TEST_P(EveryMethodThatIsLate, SaysThatItIsAtRestOnceThereIsTime) {
+  const solver::Interrupt at_once = [] { return true; };
+  tissue->setInterrupt(&at_once);
+  for (int k = 0; k < 5; ++k) tissue->step({}, kStep);
+  tissue->setInterrupt(nullptr);
+  for (int k = 0; k < 5; ++k) tissue->step({}, kStep);
+  EXPECT_EQ(tissue->step({}, kStep).status, solver::SolveStatus::kConverged);
+}
+
 // Following a tool that presses is an iteration: where the time is over then, no other is made.
 TEST(LateStep, FollowsAToolWithoutAnotherIteration) {
   Slab slab;

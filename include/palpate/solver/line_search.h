@@ -16,9 +16,10 @@ class LineSearch {
  public:
   /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
   /// do, and stay where they are if there is none, as where d goes uphill, or if `interrupt`, which
-  /// may be null, comes before one is found: false. `d` is zero on held components.
+  /// may be null and is asked after `least_halvings`, comes before one is found: false. `d` is zero
+  /// on held components.
   bool run(const Potential& potential, const Points& d, Points* x, Points* g, double* value,
-           const Interrupt* interrupt = nullptr);
+           const Interrupt* interrupt = nullptr, int least_halvings = 1);
   /// Times that the last run() halved its step.
   int halvings() const { return halvings_; }
 

@@ -43,7 +43,7 @@ class Newton final : public Minimizer {
   /// d = -A^-1 g on the free components, from the exact tangent if that is positive definite.
   /// Sets `kept_`.
   LinearReport direction(const Potential& potential, const Points& x, double linear_tolerance,
-                         NewtonReport* report);
+                         const Interrupt* interrupt, NewtonReport* report);
 
   bool assemble(const Potential& potential, const Points& x, fem::Tangent tangent);
   bool servedWell(double residual, double before) const;

@@ -65,6 +65,7 @@ void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance,
   for (int& k = iterations_; !nodes_.empty(); ++k) {
     residual_ = unbalanced(coefficients, *x);
     if (!(residual_ > tolerance) || k == kMaxIterations) return;
+    if (k >= kWholeSteps && solver::isInterrupted(body_.interrupt)) return;
     linearise(coefficients);
     solve(coefficients);
     go(coefficients, x);

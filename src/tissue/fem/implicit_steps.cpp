@@ -129,16 +129,16 @@ void ImplicitSteps::solveStages(double begin, double end) {
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
     const double from = s;
+    // In time the tools go as far as the tissue can follow, late they go all the way at once.
+    const bool late = from > begin && solver::isInterrupted(bodies_.interrupt());
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
-      // In time the tools go as far as the tissue can follow, late they go all the way at once.
-      const bool late = from > begin && solver::isInterrupted(bodies_.interrupt());
       s = late ? end : bodies_.nextStage(s, end);
       if (late) bodies_.doubtSides();
       ++out_->sweep_stages;
       budget_.beginStage();
     }
-    const bool followed = followTools(from, s, from == begin ? begin_x_ : bodies_.x());
+    const bool followed = followTools(from, s, from == begin ? begin_x_ : bodies_.x(), !late);
     solved.status = moveHeld(s, end);
     if (solved.status != solver::SolveStatus::kConverged) break;
     solved = solveStage(s < end, followed);
@@ -164,15 +164,16 @@ void ImplicitSteps::solveStages(double begin, double end) {
 
 // Brings the tools from part `from` of the cycle to part `to`, and what they touch with them: from
 // `x` as the tangent there says, to first order, if that is better than where the body is. It
-// spares Newton's method finding the points that stay in touch one after another. True: it was.
-bool ImplicitSteps::followTools(double from, double to, const Points& x) {
+// spares Newton's method finding the points that stay in touch one after another. True: it was. Not
+// tried where no time is left: it may be an iteration for nothing.
+bool ImplicitSteps::followTools(double from, double to, const Points& x, bool in_time) {
   const solver::Potential& potential = bodies_.potential();
   double value = 0.0;
   {
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     const bool touching = bodies_.pushTo(to, x, &push_);
     bodies_.placeTools(to);
-    if (!touching) return false;
+    if (!touching || !in_time) return false;
     value = potential.gradient(bodies_.x(), &gradient_there_);
     const double residual = solver::freeNorm(gradient_there_, potential.free);
     if (residual <= kWorthFollowing * out_->tolerance) return false;

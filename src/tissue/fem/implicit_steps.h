@@ -45,7 +45,7 @@ class ImplicitSteps {
   bool settled();
   void settle();
   bool startGuarding();
-  bool followTools(double from, double to, const Points& x);
+  bool followTools(double from, double to, const Points& x, bool in_time);
   void add(const solver::NewtonReport& report);
   solver::SolveStatus moveHeld(double s, double end);
   solver::NewtonReport solveStage(bool on_the_way, bool followed = false);

@@ -161,7 +161,9 @@ void HoneycombOrgan::solveStages() {
     }
   };
   for (double s = 0.0; s < 1.0;) {
-    s = touch_.sweep.next(x_, s, 1.0);
+    const bool late = s > 0.0 && solver::isInterrupted(interrupt_);
+    s = late ? 1.0 : touch_.sweep.next(x_, s, 1.0);
+    if (late) touch_.sides.doubt();
     touch_.place(s);
     ++out_.sweep_stages;
     solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);
