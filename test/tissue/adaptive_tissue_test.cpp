@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
 
 #include "adaptive_slab.h"
 #include "support/hold_response.h"
@@ -166,6 +169,32 @@ TEST_P(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
     EXPECT_EQ(one->positions(), rest);
     EXPECT_EQ(run(one.get()), first);
   }
+}
+
+// The only helper is busy, so that nobody makes it; then it is made, and taken.
+TEST_P(AdaptiveTissue, DoesNotWaitForTheNextMeshWhenItIsAskedToEnd) {
+  ThreadPool pool(2);
+  const auto tissue = slabFor(0.007).make(&pool);
+  const Eigen::Index coarse = tissue->positions().cols();
+  const solver::Interrupt at_once = [] { return true; };
+  tissue->setInterrupt(&at_once);
+  std::atomic<bool> open{false};
+  ThreadPool::Beside busy(&pool);
+  busy.begin([&] {
+    while (!open) std::this_thread::yield();
+  });
+  Ball ball(Vec3(0.05, 0.05, 0.065));
+  for (int k = 0; k < 12; ++k) {
+    tissue->step(ball.to(Vec3(0.05, 0.05, 0.064)), kStep);
+    EXPECT_EQ(tissue->positions().cols(), coarse);
+  }
+  open = true;
+  busy.wait();
+  for (int k = 0; k < 5000 && tissue->positions().cols() == coarse; ++k) {
+    tissue->step(ball.to(Vec3(0.05, 0.05, 0.064)), kStep);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GT(tissue->positions().cols(), coarse);
 }
 
 // Also when it was fine in a state that another process goes on from.

@@ -48,7 +48,9 @@ class AdaptiveTissue final : public OrganBodies {
       if (obstacle.owner.isInstrument()) moving_.push_back(obstacle);
     }
     next_.resume(moving_);
-    if (cycles_left_ > 0 && --cycles_left_ == 0) takeNext();
+    if (cycles_left_ == 0 || --cycles_left_ > 0) return;
+    if (isInTime()) return takeNext();
+    cycles_left_ = 1;
   }
   void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(organ_); }
 
@@ -115,6 +117,15 @@ class AdaptiveTissue final : public OrganBodies {
     cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
   }
 
+  // Where cycles are asked to end, one waits for the mesh as long as it may; those after it take it
+  // when it is there.
+  bool isInTime() {
+    const bool waits = !std::exchange(late_, false);
+    if (interrupt_ == nullptr || !*interrupt_) return true;
+    late_ = !next_.await(waits ? *interrupt_ : [] { return true; });
+    return !late_;
+  }
+
   // The tissue went on since the mesh was begun: a mesh that does not suit it any more, because
   // elements would be turned inside out, is left, and asked for again.
   void takeNext() {
@@ -146,6 +157,7 @@ class AdaptiveTissue final : public OrganBodies {
   std::unique_ptr<FemOrgan> coarse_, fine_;
   FemOrgan* organ_ = nullptr;  // one of both
   int cycles_left_ = 0;        // until the next mesh is taken; 0: none is being made
+  bool late_ = false;          // it should have been taken by now
   std::vector<std::string> notes_;
   const solver::Interrupt* interrupt_ = nullptr;
   std::uint64_t revision_ = 0;

@@ -2,6 +2,7 @@
 #include "next_mesh.h"
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "adaptive_tissue.h"
@@ -95,7 +96,15 @@ void NextMesh::restore(const std::string& bisected) {
 void NextMesh::begin(const Points& x, const ToolDistance& tools) {
   x_ = x;
   tools_ = tools;
-  beside_.begin([this] { work(); });
+  beginWork();
+}
+
+void NextMesh::beginWork() {
+  is_made_ = false;
+  beside_.begin([this] {
+    work();
+    is_made_ = true;
+  });
 }
 
 void NextMesh::work() {
@@ -108,6 +117,15 @@ void NextMesh::work() {
   result_.change = nested_.adapt(x_, size, limits);
   result_.complete = nested_.isComplete();
   if (result_.change && !nested_.isCoarse()) result_.organ = make();
+}
+
+bool NextMesh::await(const solver::Interrupt& interrupt) const {
+  if (pool_ == nullptr || pool_->size() == 1) return true;  // nobody else makes it
+  while (!is_made_) {
+    if (interrupt()) return false;
+    std::this_thread::yield();
+  }
+  return true;
 }
 
 NextMesh::Result NextMesh::take() {
@@ -134,7 +152,7 @@ void NextMesh::restoreTask(StateReader* in) {
 void NextMesh::resume(const std::vector<contact::Obstacle>& obstacles) {
   if (!std::exchange(to_resume_, false)) return;
   tools_.takeShapes(obstacles);
-  beside_.begin([this] { work(); });
+  beginWork();
 }
 
 }  // namespace palpate::tissue

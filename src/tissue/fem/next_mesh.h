@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "fem_organ.h"
 #include "palpate/base/thread_pool.h"
 #include "palpate/mesh/nested_mesh.h"
+#include "palpate/solver/interrupt.h"
 #include "palpate/tissue/adapt_settings.h"
 #include "tool_distance.h"
 
@@ -41,6 +43,9 @@ class NextMesh {
     std::unique_ptr<FemOrgan> organ;           ///< Null: it is the coarse mesh.
     bool complete = true;                      ///< Else some work was left to the next one.
   };
+  /// Whether take() need not wait for a helper of the pool: waits until so, or until `interrupt`
+  /// asks for the end.
+  bool await(const solver::Interrupt& interrupt) const;
   /// Waits for it; it is the present one now.
   Result take();
 
@@ -52,6 +57,7 @@ class NextMesh {
   void resume(const std::vector<contact::Obstacle>& obstacles);
 
  private:
+  void beginWork();
   void work();
   Surroundings surroundings() const;
 
@@ -69,6 +75,7 @@ class NextMesh {
   ToolDistance tools_;
   bool to_resume_ = false;
   Result result_;
+  std::atomic<bool> is_made_{false};
   ThreadPool::Beside beside_;  // last: ends before what it works on
 };
 
