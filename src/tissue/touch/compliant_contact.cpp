@@ -30,7 +30,7 @@ CompliantContact::Square CompliantContact::square(Eigen::Index size, std::vector
   return {memory->data(), size, size};
 }
 
-// The candidates' nodes, their compliance, and where the forces bring them.
+// The candidates' nodes, and where the forces bring them.
 void CompliantContact::gatherNodes(const Points& u0, Points* f, Points* x) {
   for (int node : nodes_) {
     local_[node] = -1;
@@ -42,23 +42,28 @@ void CompliantContact::gatherNodes(const Points& u0, Points* f, Points* x) {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   size_ = 3 * count;
   if (vectors_.rows() < size_) vectors_.resize(size_, kNumVectors);
-  Square C = square(size_, &C_memory_);
   for (Eigen::Index a = 0; a < count; ++a) {
     local_[nodes_[a]] = static_cast<int>(a);
     of(kF).segment<3>(3 * a) = f->col(nodes_[a]);
     of(kU0).segment<3>(3 * a) = u0.col(nodes_[a]);
     of(kFree).segment<3>(3 * a) = mask_.col(nodes_[a]);
-    const int row = 3 * compliance_.place[nodes_[a]];
-    for (Eigen::Index b = 0; b < count; ++b) {
-      C.block<3, 3>(3 * a, 3 * b) =
-          compliance_.matrix.block<3, 3>(row, 3 * compliance_.place[nodes_[b]]);
-    }
   }
   f->setZero();
   of(kU) = of(kU0);
-  of(kU).noalias() += C * of(kF);
+  addMotion(kF, kU);
   *x = X_ + u0;
   scatter(kU, x);
+}
+
+// u += C f: forces are few among the candidates' nodes.
+void CompliantContact::addMotion(Vector f, Vector u) {
+  for (std::size_t b = 0; b < nodes_.size(); ++b) {
+    const Vec3 force = of(f).segment<3>(3 * static_cast<Eigen::Index>(b));
+    if (force.isZero(0.0)) continue;
+    for (std::size_t a = 0; a < nodes_.size(); ++a) {
+      of(u).segment<3>(3 * static_cast<Eigen::Index>(a)) += compliance(a, b) * force;
+    }
+  }
 }
 
 void CompliantContact::scatter(Vector u, Points* x) const {
@@ -112,9 +117,10 @@ void CompliantContact::addStiffness(const contact::Touch& touch, const Mat3& sti
 // A step of u and of f = C^-1 u by Newton; false if it does not go downhill.
 bool CompliantContact::direction() {
   const auto count = static_cast<Eigen::Index>(touched_.size());
-  const Square C = square(size_, &C_memory_), H = square(3 * count, &H_memory_);
+  const Square H = square(3 * count, &H_memory_);
   of(kStepF) = -of(kR);
-  of(kStepU).noalias() = C * of(kStepF);
+  of(kStepU).setZero();
+  addMotion(kStepF, kStepU);
   // (1 + C H) of the touched nodes; H has few blocks.
   Square system = square(3 * count, &system_memory_);
   system.setIdentity();
@@ -126,7 +132,7 @@ bool CompliantContact::direction() {
       const Mat3 block = H.block<3, 3>(3 * i, 3 * j);
       if (block.isZero(0.0)) continue;
       for (Eigen::Index k = 0; k < count; ++k) {
-        system.block<3, 3>(3 * k, 3 * j) += C.block<3, 3>(3 * touched_[k], 3 * touched_[i]) * block;
+        system.block<3, 3>(3 * k, 3 * j) += compliance(touched_[k], touched_[i]) * block;
       }
     }
   }
@@ -135,7 +141,8 @@ bool CompliantContact::direction() {
     of(kStepF).segment<3>(3 * touched_[i]) -= H.middleRows<3>(3 * i).lazyProduct(right);
   }
   of(kStepF).array() *= of(kFree).array();
-  of(kStepU).noalias() = C * of(kStepF);
+  of(kStepU).setZero();
+  addMotion(kStepF, kStepU);
   return of(kStepU).allFinite() && of(kStepU).dot(of(kR)) < 0.0;
 }
 

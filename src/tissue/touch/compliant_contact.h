@@ -43,12 +43,19 @@ class CompliantContact {
   using Square = Eigen::Map<Eigen::MatrixXd>;
   static Square square(Eigen::Index size, std::vector<double>* memory);
 
+  // Of two of nodes_, by their place there [m/N].
+  auto compliance(std::size_t a, std::size_t b) const {
+    return compliance_.matrix.block<3, 3>(3 * compliance_.place[nodes_[a]],
+                                          3 * compliance_.place[nodes_[b]]);
+  }
+
   void gatherNodes(const Points& u0, Points* f, Points* x);
   void linearise(const Points& x, bool exact);
   void addStiffness(const contact::Touch& touch, const Mat3& stiffness);
   bool direction();
   bool lineSearch(Points* x);
   double energy(Vector f, Vector u, const Points& x) const;
+  void addMotion(Vector f, Vector u);
   void scatter(Vector u, Points* x) const;
 
   contact::ContactPotential& contact_;
@@ -60,7 +67,7 @@ class CompliantContact {
   std::vector<int> touched_, touched_at_;  // of nodes_; where in touched_, or -1
   Eigen::Index size_ = 0;                  // 3 nodes_.size()
   Eigen::MatrixXd vectors_ = Eigen::MatrixXd(0, kNumVectors);  // a column each
-  std::vector<double> C_memory_, H_memory_, system_memory_, right_;
+  std::vector<double> H_memory_, system_memory_, right_;
   Points step_, trial_x_;  // 3 x n
 };
 
