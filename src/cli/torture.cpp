@@ -8,12 +8,14 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command.h"
 #include "commands.h"
 #include "files.h"
 #include "palpate/base/error.h"
+#include "palpate/base/phase_times.h"
 #include "palpate/tissue/model_list.h"
 #include "palpate/torture/result_table.h"
 #include "palpate/torture/shrink.h"
@@ -59,6 +61,9 @@ class Tortures {
         running_((folder_ / ("running_" + part.name())).string()) {
     limits_.cycle = options.cycle_limit;
     limits_.scene = options.scene_limit;
+    limits_.sleep_until = [](double time) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(time - steadySeconds()));
+    };
   }
 
   // A scene in which the program ended the last time has failed.

@@ -126,11 +126,11 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
 | `crash` | the program does not end |
 | `cycle` | no cycle takes a minute: it would be ended there |
-| `deadline` | no cycle of a live run goes on for twice its deadline of 20 ms |
+| `deadline` | no cycle of a live run goes on for twice its deadline of two steps, or of 20 ms if that is longer |
 | `same` | two threads give the bits of one (every tenth scene) |
 
 `time`, `cycle` and `deadline` are wall time, and fail more often on a machine that does something else as well; what they
-cut short then goes on otherwise, and all other runs have the same bits. `deadline` is of the core's interrupt: the node cuts no step short (docs/theory.md, Deadline).
+cut short then goes on otherwise, and all other runs have the same bits. `deadline` is of the core's interrupt, which is asked as long before it as the last cycles took to come to an end; the node cuts no step short (docs/theory.md, Deadline). Live runs of meshes that adapt have two threads, and wait for their next period.
 
 A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
 is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose

@@ -13,13 +13,16 @@
 #include "palpate/base/phase_times.h"
 #include "palpate/io/replay.h"
 #include "palpate/io/state_file.h"
+#include "palpate/solver/deadline.h"
 #include "palpate/torture/criteria.h"
 
 namespace palpate::torture {
 namespace {
 
-// A live cycle ends by so many deadlines: one iteration may be under way.
+// A live cycle ends by so many deadlines: an iteration may be under way, and one is still to
+// follow.
 constexpr double kTwice = 2.0;
+constexpr double kPeriods = 2.0;  // of a live loop, the deadline of the node by default
 
 // What a cycle did with its time.
 std::string effortOf(const sim::StepReport& report) {
@@ -54,7 +57,7 @@ class Run {
     try {
       writeLearned(scene_, files_.scene, folder_);
       scene::Scene read = scene::readScene(files_.scene);
-      read.solver.threads = limits_.threads;
+      read.solver.threads = keepsTime() ? std::max(limits_.threads, 2) : limits_.threads;
       simulator = std::make_unique<sim::Simulator>(read);
     } catch (const std::exception& error) {
       outcome_.refused = without(folder_ + "/", error.what());
@@ -68,6 +71,14 @@ class Run {
   }
 
  private:
+  // Live meshes that adapt are made between the cycles of a loop that keeps time.
+  bool keepsTime() const {
+    const auto adapts = [](const TortureOrgan& organ) { return organ.adapt > 0.0; };
+    return scene_.live && std::any_of(scene_.organs.begin(), scene_.organs.end(), adapts);
+  }
+
+  double liveSeconds() const { return std::max(limits_.live, kPeriods * scene_.step); }
+
   void fail(const std::string& criterion, std::size_t row, const std::string& what) {
     if (!what.empty() && !outcome_.fails(criterion))
       outcome_.failures.push_back({criterion, row, what});
@@ -78,7 +89,12 @@ class Run {
     io::Replay replay(simulator, scene_.trajectory, files_.trajectory);
     const double begin = steadySeconds();
     double end = begin;  // of the row's time
-    simulator->setInterrupt([&end] { return steadySeconds() > end; });
+    solver::Deadline deadline(liveSeconds());
+    if (scene_.live) {
+      simulator->setInterrupt([&] { return deadline.isLate(steadySeconds()); });
+    } else {
+      simulator->setInterrupt([&] { return steadySeconds() > end; });
+    }
     while (replay.hasNext()) {
       const std::size_t row = replay.row();
       const double dt =
@@ -86,15 +102,18 @@ class Run {
       // A row may be several cycles.
       const double cycles = std::max(1.0, std::ceil(dt / scene_.step - 1e-6));
       const double began = steadySeconds();
-      end = began + (scene_.live ? cycles * limits_.live : limits_.cycle);
+      end = began + limits_.cycle;
+      deadline.begin(began, cycles);
       const sim::StepResult& result = replay.next();
       const double took = steadySeconds() - began;
+      deadline.end(began + took);
       judge({*simulator, result, row, dt, replay.parts()}, took, &all);
       if (row == 0 && scene_.start != Start::kRest) {
         writeStart(scene_, files_, simulator);
         for (NamedCriterion& one : all) one.criterion->placed(*simulator);
       }
       if (outcome_.fails("finite") || outcome_.fails("cycle")) break;
+      if (keepsTime() && limits_.sleep_until) limits_.sleep_until(began + dt);
       if (steadySeconds() - begin > limits_.scene) {
         outcome_.whole = false;
         break;
@@ -124,7 +143,7 @@ class Run {
     for (NamedCriterion& one : *all) fail(one.name, cycle.row, one.criterion->check(cycle));
     if (took > limits_.cycle) fail("cycle", cycle.row, effortOf(report));
     const double of_one = took / std::max(cycle.parts, 1);
-    if (scene_.live && of_one > kTwice * limits_.live) {
+    if (scene_.live && of_one > kTwice * liveSeconds()) {
       std::ostringstream what;
       what.precision(3);
       what << 1e3 * of_one << " ms: " << effortOf(report);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,10 @@ namespace palpate::torture {
 struct RunLimits {
   double cycle = 60.0;  ///< A cycle that takes longer is ended, and has failed [s].
   double scene = 60.0;  ///< A run that takes longer is left off and judged by what it did [s].
-  double live = 0.02;   ///< Deadline of live cycles [s].
+  double live = 0.02;   ///< Deadline of live cycles, or two steps of the scene if longer [s].
   int threads = 1;
+  /// Sleeps until this steadySeconds(), for live loops that keep time; null: they go on at once.
+  std::function<void(double)> sleep_until;
 };
 
 /// A criterion that was not met, where first.

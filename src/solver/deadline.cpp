@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/deadline.h"
+
+#include <algorithm>
+
+namespace palpate::solver {
+namespace {
+
+// Of the longest landing, after a cycle that was asked and took less.
+constexpr double kRemembers = 0.95;
+
+}  // namespace
+
+void Deadline::begin(double now, double cycles) {
+  ask_at_ = now + std::max(0.0, cycles * seconds_ - landing_);
+  asked_ = false;
+}
+
+bool Deadline::isLate(double now) {
+  if (now < ask_at_) return false;
+  asked_ = true;
+  return true;
+}
+
+void Deadline::end(double now) {
+  if (asked_) landing_ = std::max(now - ask_at_, kRemembers * landing_);
+}
+
+}  // namespace palpate::solver
