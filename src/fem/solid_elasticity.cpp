@@ -176,7 +176,9 @@ void SolidElasticity<N>::hessian(const Points& x, Tangent tangent, Stiffness* K)
       for (int q = 0; q < kPoints; ++q) {
         const RestPoint<N>& point = shape_.points[e][q];
         Mat9& at = C[batch.point(k, q)];
-        if (tangent == Tangent::kProjected) projectToPositiveSemidefinite(&at);
+        if (tangent == Tangent::kProjected) {
+          projectToPositiveSemidefinite(batch.F[batch.point(k, q)], &at);
+        }
         addElementBlocks<N>(at, point, blocks_.col(e).data());
         if (!pressure_) continue;
         Eigen::Map<Eigen::Matrix<double, 3, N>>{volume_gradients_.col(e).data() + 3 * N* q} =
