@@ -119,6 +119,7 @@ class Run {
         break;
       }
     }
+    failLate();
     const std::size_t last = replay.row() - 1;
     for (NamedCriterion& one : all) {
       // Who was left off did not come to rest.
@@ -143,12 +144,21 @@ class Run {
     for (NamedCriterion& one : *all) fail(one.name, cycle.row, one.criterion->check(cycle));
     if (took > limits_.cycle) fail("cycle", cycle.row, effortOf(report));
     const double of_one = took / std::max(cycle.parts, 1);
-    if (scene_.live && of_one > kTwice * liveSeconds()) {
-      std::ostringstream what;
-      what.precision(3);
-      what << 1e3 * of_one << " ms: " << effortOf(report);
-      fail("deadline", cycle.row, what.str());
-    }
+    if (!scene_.live || of_one <= kTwice * liveSeconds()) return;
+    ++late_;
+    if (of_one <= latest_) return;
+    latest_ = of_one;
+    latest_row_ = cycle.row;
+    latest_effort_ = effortOf(report);
+  }
+
+  // Of the cycles that broke the deadline, how many there were, and the longest one.
+  void failLate() {
+    if (late_ == 0) return;
+    std::ostringstream what;
+    what.precision(3);
+    what << 1e3 * latest_ << " ms, " << late_ << " such: " << latest_effort_;
+    fail("deadline", latest_row_, what.str());
   }
 
   const TortureScene& scene_;
@@ -157,6 +167,10 @@ class Run {
   SceneFiles files_;
   Outcome outcome_;
   std::vector<double> touching_;  // [s]
+  int late_ = 0;                  // rows that broke the deadline, and the longest of them:
+  double latest_ = 0.0;           // a cycle of it [s]
+  std::size_t latest_row_ = 0;
+  std::string latest_effort_;
 };
 
 }  // namespace
