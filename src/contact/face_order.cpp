@@ -22,11 +22,23 @@ constexpr int kPatience = 8;
 
 double withSlack(double distance) { return distance * (1.0 + kSlack) + kLeastSlack; }
 
-Vec3 normalOf(const Mat3& corners) {
-  return (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
-}
+// Flatter triangles [of the squared radius of a ball around them] have no plane to speak of; the
+// others are that near to theirs [of the radius].
+constexpr double kNoPlane = 1e-5, kOffPlane = 1e-8;
 
 }  // namespace
+
+// How far the triangle is from there, at least: it lies in the disc in which its plane cuts the
+// ball around it. Deep in the tissue the ball alone would let most of the surface be the nearest.
+double FacePoints::leastDistance(const Vec3& center, int triangle) const {
+  const auto around = around_.col(triangle);
+  const Vec3 way = center - around.head<3>();
+  const double radius = around[3];
+  const double height = planes_.col(triangle).dot(way);
+  const double across = std::sqrt(std::max(0.0, way.squaredNorm() - height * height)) - radius;
+  const double up = std::max(0.0, std::abs(height) - kOffPlane * radius);
+  return std::sqrt(up * up + std::max(0.0, across) * std::max(0.0, across));
+}
 
 // The candidates of a group by their distances.
 void FacePoints::order(const Group& group) const {
@@ -44,7 +56,7 @@ bool FacePoints::disordered(const std::vector<PlacedObstacle>& placed) const {
   return std::any_of(groups_.begin(), groups_.end(), far) && ++disordered_ > kPatience;
 }
 
-// By the balls around the triangles, which is enough.
+// By their least distances, which is enough.
 void FacePoints::orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const {
   ordered_at_ = x;
   moved_ = 0.0;
@@ -52,9 +64,7 @@ void FacePoints::orderAgain(const Points& x, const std::vector<PlacedObstacle>& 
     group.ordered_W = centerOf(placed, group);
     for (int c = group.begin; c < group.end; ++c) {
       const int triangle = candidates_[c].triangle;
-      const auto around = around_.col(triangle);
-      const double least = (group.ordered_W - around.head<3>()).norm() - around[3];
-      by_distance_[c] = {least, c, triangle};
+      by_distance_[c] = {leastDistance(group.ordered_W, triangle), c, triangle};
     }
     order(group);
   }
@@ -71,8 +81,12 @@ void FacePoints::placeTriangles(const Points& x) const {
     since_found = std::max(since_found, wayFrom(found_at_));
     since_ordered = std::max(since_ordered, wayFrom(ordered_at_));
     const Vec3 middle = at.rowwise().mean();
-    around_.col(t) << middle, std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-    normals_.col(t) = normalOf(at);
+    const double squared = (at.colwise() - middle).colwise().squaredNorm().maxCoeff();
+    around_.col(t) << middle, std::sqrt(squared);
+    const Vec3 normal = (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0));
+    normals_.col(t) = normal.normalized();
+    const bool flat = !(normal.squaredNorm() > kNoPlane * kNoPlane * squared * squared);
+    planes_.col(t) = flat ? Vec3(Vec3::Zero()) : Vec3(normals_.col(t));
   }
   moved_since_found_ = std::sqrt(since_found);
   moved_ = std::sqrt(since_ordered);
@@ -100,13 +114,15 @@ void FacePoints::findNear(const Points& x, const Vec3& center, const Group& grou
   for (int k = group.begin; k < group.end; ++k) {
     const Ordered& one = by_distance_[k];
     if (one.apart - moved > far) break;
-    const auto ball = around_.col(one.triangle);
-    const double squared = (center - ball.head<3>()).squaredNorm();
-    const double most = far + ball[3];
+    const auto around = around_.col(one.triangle);
+    const double squared = (center - around.head<3>()).squaredNorm();
+    const double most = far + around[3];
     if (squared > most * most) continue;
-    close_.emplace_back(one.candidate, std::sqrt(squared));
-    if (!(close_.back().second < nearest)) continue;
-    nearest = close_.back().second;
+    const double least = leastDistance(center, one.triangle);
+    if (least > far) continue;
+    close_.emplace_back(one.candidate, least);
+    if (!(squared < nearest * nearest)) continue;
+    nearest = std::sqrt(squared);
     nearest_triangle = one.triangle;
     if (skip_far_) far = withSlack(std::max(nearest, within));
   }
@@ -115,9 +131,7 @@ void FacePoints::findNear(const Points& x, const Vec3& center, const Group& grou
     const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
     far = std::min(far, withSlack(std::max((center - near.point).norm(), within)));
   }
-  const auto too_far = [&](const std::pair<int, double>& close) {
-    return close.second - around_(3, candidates_[close.first].triangle) > far;
-  };
+  const auto too_far = [&](const std::pair<int, double>& close) { return close.second > far; };
   close_.erase(std::remove_if(close_.begin(), close_.end(), too_far), close_.end());
   std::sort(close_.begin(), close_.end());
 }

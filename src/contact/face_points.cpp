@@ -25,6 +25,7 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
   is_used_.assign(static_cast<std::size_t>(triangles.cols()), 0);
   around_.resize(4, triangles.cols());
   normals_.resize(3, triangles.cols());
+  planes_.resize(3, triangles.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     const Mat3 at = corners(X, static_cast<int>(t));
     areas_[t] = 0.5 * (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0)).norm();

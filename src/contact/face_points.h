@@ -165,6 +165,7 @@ class FacePoints {
   bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                  double within) const;
   void placeTriangles(const Points& x) const;
+  double leastDistance(const Vec3& center, int triangle) const;
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   void forget() { measured_anywhere_ = false; }
   void measureAt(const Points& x, const std::vector<PlacedObstacle>& placed) const;
@@ -197,8 +198,9 @@ class FacePoints {
   mutable double moved_since_found_ = 0.0;    // how far a corner is from there, at most [m],
   mutable double moved_ = 0.0;                // likewise, since they were put in order
   mutable Eigen::Matrix4Xd around_;  // of each triangle in use: middle and radius of a ball [m],
-  mutable Points normals_;           // and unit, outward
-  mutable std::vector<std::pair<int, double>> close_;  // of a group, with the way to the middle
+  mutable Points normals_;           // and unit, outward,
+  mutable Points planes_;            // likewise, or zero where they are too flat
+  mutable std::vector<std::pair<int, double>> close_;  // of a group, with the least distance
   // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
   mutable bool measured_anywhere_ = false;
   mutable Points measured_at_;
