@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sticking_newton.h"
 
-#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "interruptible_matrix.h"
 #include "sparse_assembly.h"
 
 namespace palpate::tissue {
@@ -210,16 +210,21 @@ Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
   return A;
 }
 
-// The step, moves included; false if it is not finite.
+// The step, moves included; false if it is not finite. Interrupted, it is as far as the solver
+// came.
 bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
-  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> solver;
+  Eigen::BiCGSTAB<InterruptibleMatrix, InterruptibleMatrix::Diagonal> solver;
   solver.setTolerance(body_.settings.linear_tolerance);
   solver.setMaxIterations(body_.settings.max_linear_iterations);
-  solver.compute(A);
-  const Eigen::VectorXd solution =
-      solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
-  out->linear_iterations += static_cast<int>(solver.iterations());
+  const InterruptibleMatrix matrix(A, body_.interrupt);
+  solver.compute(matrix);
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(A.rows());
+  try {
+    solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
+    out->linear_iterations += static_cast<int>(solver.iterations());
+  } catch (const InterruptibleMatrix::Interrupted&) {
+  }
   step_ =
       Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());
   curvature_ = step_.cwiseProduct(right_).sum();
