@@ -23,6 +23,7 @@ class AdaptiveTissue final : public OrganBodies {
         next_(mesh, composition, surroundings, settings, adapt, pool),
         coarse_(next_.make()) {
     coarse_->settle();
+    next_.setCoarse(coarse_.get());
     notes_ = coarse_->notes();
     next_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept
     become(coarse_.get());

@@ -19,7 +19,6 @@ void ImplicitMethod::restart() {
 }
 
 void ImplicitMethod::goOnFrom(const StepMethod& old, const mesh::MeshChange& change) {
-  steps_.forget();
   motion_.goOnFrom(dynamic_cast<const ImplicitMethod&>(old).motion_, change);
 }
 

@@ -84,7 +84,10 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
 // One step of `h`, in which the tools go from `begin` to `end` of their way.
 bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (bodies_.beginStep(begin, h)) forget();
-  prepareHere();
+  {
+    const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
+    prepareHere();
+  }
   startFromPredictor(begin, end, h);
   solveStages(begin, end);
   if (!acceptable()) return false;

@@ -116,7 +116,10 @@ void NextMesh::work() {
   limits.max_bisections = kMostBisections;
   result_.change = nested_.adapt(x_, size, limits);
   result_.complete = nested_.isComplete();
-  if (result_.change && !nested_.isCoarse()) result_.organ = make();
+  if (!result_.change) return;
+  if (!nested_.isCoarse()) result_.organ = make();
+  FemOrgan& organ = result_.organ ? *result_.organ : *coarse_organ_;
+  organ.place(0, result_.change->interpolate(x_), Points::Zero(3, nested_.mesh().numPoints()));
 }
 
 bool NextMesh::await(const solver::Interrupt& interrupt) const {

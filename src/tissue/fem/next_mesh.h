@@ -15,8 +15,9 @@
 
 namespace palpate::tissue {
 
-/// Makes the next mesh of an organ that adapts, and the body on it, beside the cycles. What it
-/// makes depends on the present mesh and on what begin() got alone.
+/// Makes the next mesh of an organ that adapts, and the body on it, beside the cycles, and prepares
+/// it for where begin() was told that the tissue is: what factorises has its first factor by then.
+/// All that depends on the present mesh and on what begin() got alone.
 class NextMesh {
  public:
   NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
@@ -29,6 +30,8 @@ class NextMesh {
 
   /// A body on the present mesh, not settled and as yet anywhere.
   std::unique_ptr<FemOrgan> make() const;
+  /// That on the coarse mesh, which outlives it and is in use now or later.
+  void setCoarse(FemOrgan* organ) { coarse_organ_ = organ; }
   bool isCoarse() const { return coarse_; }
   /// The present mesh, see mesh::NestedMesh::bisected(); also while the next one is being made.
   const std::string& bisected() const { return bisected_; }
@@ -40,7 +43,7 @@ class NextMesh {
   void begin(const Points& x, const ToolDistance& tools);
   struct Result {
     std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh suits.
-    std::unique_ptr<FemOrgan> organ;           ///< Null: it is the coarse mesh.
+    std::unique_ptr<FemOrgan> organ;           ///< Null: it is that on the coarse mesh.
     bool complete = true;                      ///< Else some work was left to the next one.
   };
   /// Whether take() need not wait for a helper of the pool: waits until so, or until `interrupt`
@@ -69,6 +72,7 @@ class NextMesh {
   double coarsest_ = 0.0;  // edge length [m]
   mesh::NestedMesh nested_;
   bool coarse_ = true;
+  FemOrgan* coarse_organ_ = nullptr;
   std::string bisected_;
 
   Points x_;
