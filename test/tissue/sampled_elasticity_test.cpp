@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model_variants.h"
+#include "support/contains.h"
 #include "support/random.h"
 #include "tissue/sampled/sampled_body.h"
 
@@ -182,6 +183,19 @@ TEST(SampledElasticity, SaysThatACycleIsTooLong) {
   EXPECT_TRUE(tissue->step({}, 0.01).ok());
   EXPECT_EQ(tissue->step({}, 1e3).status, solver::SolveStatus::kIterationLimit);
   EXPECT_LT((tissue->positions() - x).norm(), 1e-6);
+}
+
+TEST(SampledElasticity, RefusesAStepThatIsAlwaysTooLong) {
+  const test::ModelVariant sampled{"sampled", "sampled_elasticity", {}, {}};
+  auto settings = test::variantSettings();
+  settings.step = 1e3;
+  try {
+    test::makeVariant(sampled, test::variantBlock(sampled), settings);
+    FAIL() << "taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(test::contains(error.what(), "solver.step = 1000 s")) << error.what();
+    EXPECT_TRUE(test::contains(error.what(), "at most 20000")) << error.what();
+  }
 }
 
 }  // namespace

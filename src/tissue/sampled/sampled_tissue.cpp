@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "palpate/base/number.h"
 #include "palpate/base/state_bytes.h"
 #include "sampled_body.h"
 #include "tissue/touch/rest.h"
@@ -59,6 +60,7 @@ class SampledTissue final : public TissueModel {
     surface_v_ = on_surface_ = Points::Zero(3, X_.cols());
     settle();
     SampledTissue::reset();
+    refuseTooManySubSteps(settings.step);
   }
 
   Shape shape(int) const override { return {x_, surface_v_, triangles_, 0}; }
@@ -154,6 +156,7 @@ class SampledTissue final : public TissueModel {
     const double d = damping_ + lag_ * own * own;
     return kSafety * (std::sqrt(d * d + 4.0 * w * w) - d) / (w * w);
   }
+  void refuseTooManySubSteps(double dt) const;
   void settle();
   bool comeToRest();
   void endAtRest();
@@ -178,6 +181,18 @@ class SampledTissue final : public TissueModel {
   const solver::Interrupt* interrupt_ = nullptr;
   TissueStep out_;
 };
+
+// Cycles would all end where they begin.
+void SampledTissue::refuseTooManySubSteps(double dt) const {
+  const double steps = std::ceil(dt / stableStep());
+  if (steps <= kMostSubSteps) return;
+  throw std::invalid_argument(
+      "model sampled_elasticity: a cycle of solver.step = " + formatNumber(dt) + " s takes " +
+      formatNumber(steps) + " sub-steps of " + formatNumber(stableStep()) + " s at rest, at most " +
+      std::to_string(kMostSubSteps) +
+      " are taken; choose a shorter step, coarser sampling, less damping, or tissue that is "
+      "softer or heavier");
+}
 
 void SampledTissue::settle() {
   for (int k = 0; k < kMostAdaptations; ++k) {
