@@ -60,7 +60,7 @@ struct OrganSketch {
       }
       return mask;
     };
-    organ.surroundings = [this, of = organ.free](const mesh::TetMesh& m) {
+    organ.surroundings = [of = organ.free](const mesh::TetMesh& m) {
       return tissue::Surroundings(of(m.points));
     };
     organ.composition = [this](const mesh::TetMesh&) { return fem::Composition{{solid}, {}, {}}; };
