@@ -46,9 +46,10 @@ TEST(InterruptibleMatrix, EndsWithWhatWasFoundByThen) {
     EXPECT_THROW(x = solver.solve(b), InterruptibleMatrix::Interrupted);
     EXPECT_EQ(asked, in_time + 1);
 
-    // Two products an iteration, and one before; the last iteration was not ended.
+    // Two products an iteration, and one before.
+    EXPECT_EQ(matrix.products(), 21 + in_time + 1);
     Eigen::BiCGSTAB<Eigen::SparseMatrix<double>> plain(A);
-    plain.setMaxIterations((20 + in_time - 1) / 2);
+    plain.setMaxIterations((21 + in_time - 1) / 2);
     EXPECT_EQ(x, plain.solve(b).eval());
     EXPECT_GT((A * x - b).norm(), 1e-6);
   }

@@ -54,6 +54,7 @@ class InterruptibleMatrix : public Eigen::EigenBase<InterruptibleMatrix> {
       const Eigen::MatrixBase<Right>& right) const {
     return {*this, right.derived()};
   }
+  int products() const { return asked_; }
   /// @throws Interrupted
   const Eigen::SparseMatrix<double>& product() const {
     if (++asked_ > kLeast && solver::isInterrupted(interrupt_)) throw Interrupted{};
@@ -61,7 +62,7 @@ class InterruptibleMatrix : public Eigen::EigenBase<InterruptibleMatrix> {
   }
 
  private:
-  static constexpr int kLeast = 20;  // products
+  static constexpr int kLeast = 21;  // products: one, and two an iteration
 
   const Eigen::SparseMatrix<double>& A_;
   mutable int asked_ = 0;

@@ -224,6 +224,10 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
     solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
     out->linear_iterations += static_cast<int>(solver.iterations());
   } catch (const InterruptibleMatrix::Interrupted&) {
+    out->linear_iterations += matrix.products() / 2 - 1;
+    // On its way it may be worse than nothing.
+    const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
+    if (!((A * solution - b).norm() <= b.norm())) solution.setZero();
   }
   step_ =
       Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());
