@@ -20,8 +20,8 @@ class AdaptiveTissue final : public OrganBodies {
                  const AdaptSettings& adapt, ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
         tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
-        next_(mesh, composition, surroundings, settings, adapt, pool),
-        coarse_(next_.make()) {
+        next_(mesh, composition, surroundings, settings, adapt, pool) {
+    coarse_ = next_.make();
     coarse_->settle();
     next_.setCoarse(coarse_.get());
     notes_ = coarse_->notes();
@@ -112,7 +112,7 @@ class AdaptiveTissue final : public OrganBodies {
   // To take the next mesh into use a fixed number of cycles later, however fast it is made, keeps
   // the results from depending on time.
   void beginNext(const Points& x, double dt) {
-    next_.begin(x, tools_);
+    next_.begin(x, tools_, dt);
     tools_.suited();
     const double cycles = std::min(std::ceil(kTimeBeside / dt - 1e-6), 1e6);
     cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
@@ -154,8 +154,8 @@ class AdaptiveTissue final : public OrganBodies {
   std::string kind_;
   std::vector<contact::Obstacle> moving_;
   ToolDistance tools_;
-  NextMesh next_;
   std::unique_ptr<FemOrgan> coarse_, fine_;
+  NextMesh next_;              // after what it works on
   FemOrgan* organ_ = nullptr;  // one of both
   int cycles_left_ = 0;        // until the next mesh is taken; 0: none is being made
   bool late_ = false;          // it should have been taken by now

@@ -81,6 +81,11 @@ void FemOrgan::place(int, const Points& positions, const Points& velocities) {
   method_->prepare(body_.settings.step);
 }
 
+void FemOrgan::prepareAt(const Points& x, double dt) {
+  put(x, Points::Zero(3, x.cols()));
+  method_->prepare(dt);
+}
+
 void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.x = positions;
   body_.v = velocities;

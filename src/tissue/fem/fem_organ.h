@@ -45,8 +45,8 @@ class FemOrgan final : public OrganBodies {
   /// @throws as makeFemTissue()
   void settle();
   /// Goes on where `old` is, which is the same body on another mesh, of which this one's came by
-  /// `change`: positions, velocities, and all memory that has a place. It was placed near there, by
-  /// which its method is prepared. What reset() goes back to stays.
+  /// `change`: positions, velocities, and all memory that has a place. What reset() goes back to
+  /// stays, and so does what prepareAt() made.
   void goOnFrom(const FemOrgan& old, const mesh::MeshChange& change);
   /// Whether it can: no element would be turned inside out, or lose half of the room that the least
   /// one of `old` has left, and the energy is finite.
@@ -61,6 +61,8 @@ class FemOrgan final : public OrganBodies {
   void place(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
+  /// Is at x, 3 x n [m], at rest, and its method ready for cycles of `dt` [s] there and nearby.
+  void prepareAt(const Points& x, double dt);
   void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(this); }
   const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double) override {
     return out_;

@@ -93,8 +93,9 @@ void NextMesh::restore(const std::string& bisected) {
   bisected_ = nested_.bisected();
 }
 
-void NextMesh::begin(const Points& x, const ToolDistance& tools) {
+void NextMesh::begin(const Points& x, const ToolDistance& tools, double dt) {
   x_ = x;
+  dt_ = dt;
   tools_ = tools;
   beginWork();
 }
@@ -119,7 +120,7 @@ void NextMesh::work() {
   if (!result_.change) return;
   if (!nested_.isCoarse()) result_.organ = make();
   FemOrgan& organ = result_.organ ? *result_.organ : *coarse_organ_;
-  organ.place(0, result_.change->interpolate(x_), Points::Zero(3, nested_.mesh().numPoints()));
+  organ.prepareAt(result_.change->interpolate(x_), dt_);
 }
 
 bool NextMesh::await(const solver::Interrupt& interrupt) const {
@@ -142,13 +143,15 @@ NextMesh::Result NextMesh::take() {
 
 void NextMesh::saveTask(StateWriter* out) const {
   out->put(x_);
+  out->put(dt_);
   tools_.saveTools(out);
 }
 
 void NextMesh::restoreTask(StateReader* in) {
   in->get(&x_);
+  in->get(&dt_);
   tools_.restoreTools(in);
-  if (x_.cols() != nested_.mesh().numPoints()) StateReader::fail();
+  if (x_.cols() != nested_.mesh().numPoints() || !(dt_ > 0.0)) StateReader::fail();
   to_resume_ = true;
 }
 

@@ -39,8 +39,9 @@ class NextMesh {
   /// @throws std::invalid_argument as mesh::NestedMesh::restore().
   void restore(const std::string& bisected);
 
-  /// Begins with the mesh that suits these tools where the points are at x, 3 x n [m].
-  void begin(const Points& x, const ToolDistance& tools);
+  /// Begins with the mesh that suits these tools where the points are at x, 3 x n [m], for cycles
+  /// of `dt` [s].
+  void begin(const Points& x, const ToolDistance& tools, double dt);
   struct Result {
     std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh suits.
     std::unique_ptr<FemOrgan> organ;           ///< Null: it is that on the coarse mesh.
@@ -76,6 +77,7 @@ class NextMesh {
   std::string bisected_;
 
   Points x_;
+  double dt_ = 0.0;
   ToolDistance tools_;
   bool to_resume_ = false;
   Result result_;

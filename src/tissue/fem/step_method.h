@@ -46,7 +46,7 @@ class StepMethod {
   /// body.x and body.v were set from outside.
   virtual void restart() = 0;
   /// The body goes on from where that of `old` is, on another mesh, and so does the method, which
-  /// is of the same name; body.x and body.v are there already. It was prepared near there. By
+  /// is of the same name; body.x and body.v are there already. What it prepared, it keeps. By
   /// default it restarts.
   virtual void goOnFrom(const StepMethod& /*old*/, const mesh::MeshChange& /*change*/) {
     restart();
