@@ -37,7 +37,7 @@ TEST_P(NextMeshOf, IsPreparedByTheTimeThatItIsTaken) {
     ToolDistance tools(1e-4, 0.01);
     Ball ball(tool);
     tools.look({ball.to(tool)}, 0.0, old.body().x, 0.0);
-    next.begin(old.body().x, tools);
+    next.begin(old.body().x, tools, kStep);
     NextMesh::Result made = next.take();
     EXPECT_NE(made.change, nullptr);
     FemOrgan& organ = made.organ ? *made.organ : *on_coarse;
@@ -47,10 +47,52 @@ TEST_P(NextMeshOf, IsPreparedByTheTimeThatItIsTaken) {
     EXPECT_GT(sizeOf(organ), sizeOf(*unprepared) + factorOf(organ));
     return std::move(made.organ);
   };
-  std::unique_ptr<FemOrgan> fine = goOn(*coarse, Vec3(0.05, 0.05, 0.06), nullptr);
+  std::unique_ptr<FemOrgan> fine = goOn(*coarse, Vec3(0.05, 0.05, 0.05), nullptr);
   ASSERT_NE(fine, nullptr);
   EXPECT_GT(fine->body().x.cols(), coarse->body().x.cols());
   EXPECT_EQ(goOn(*fine, Vec3(0.05, 0.05, 10.0), coarse.get()), nullptr);
+}
+
+// A process that goes on from a state has a coarse body that never touched anything.
+TEST_P(NextMeshOf, IsPreparedTheSameWhateverTheBodyTouched) {
+  AdaptiveSlab slab("tet4");
+  slab.settings.method = GetParam();
+  NextMesh next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
+  const std::unique_ptr<FemOrgan> touched = next.make(), other = next.make();
+  touched->settle();
+  other->settle();
+  const Vec3 above(0.05, 0.05, 0.0505);
+  Ball ball(above), later(above);
+  for (int k = 1; k < 4; ++k) {
+    touched->begin(ball.to(above - Vec3(0.0, 0.0, 0.001 * k)), kStep);
+    touched->goAlone(kStep);
+  }
+  EXPECT_FALSE(touched->report().contacts.empty());
+  const Points x = other->body().x;
+  touched->prepareAt(x, kStep);
+  other->prepareAt(x, kStep);
+  const auto obstacles = later.to(above - Vec3(0.0, 0.0, 0.002));
+  for (FemOrgan* organ : {touched.get(), other.get()}) {
+    organ->begin(obstacles, kStep);
+    organ->goAlone(kStep);
+    EXPECT_TRUE(organ->report().ok());
+  }
+  EXPECT_EQ(touched->body().x, other->body().x);
+}
+
+// While a helper makes the next mesh, or prepares the coarse one.
+TEST_P(NextMeshOf, EndsWithItsTissue) {
+  AdaptiveSlab slab("tet4");
+  slab.settings.method = GetParam();
+  ThreadPool pool(2);
+  for (int cycles = 0; cycles < 8; ++cycles) {
+    const auto tissue = slab.make(&pool);
+    const Vec3 near(0.05, 0.05, 0.052), far(0.05, 0.05, 1.0);
+    Ball ball(near);
+    const Eigen::Index coarse = tissue->positions().cols();
+    while (tissue->positions().cols() == coarse) tissue->step(ball.to(near), kStep);
+    for (int k = 0; k <= cycles; ++k) tissue->step(ball.to(far), kStep);
+  }
 }
 
 }  // namespace

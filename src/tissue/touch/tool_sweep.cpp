@@ -42,6 +42,13 @@ int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Poin
   return static_cast<int>(obstacles.size() - near_.size());
 }
 
+void ToolSweep::clear() {
+  near_.clear();
+  placed_.clear();
+  contact_.setObstacles(placed_);
+  contact_.findCandidates(Points(), {});
+}
+
 void ToolSweep::leaveOut(const std::vector<int>& numbers) {
   if (numbers.empty()) return;
   near_.erase(std::remove_if(near_.begin(), near_.end(),

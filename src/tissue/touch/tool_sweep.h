@@ -18,6 +18,8 @@ class ToolSweep {
   /// Begins a cycle with the tissue at x, 3 x n [m], of which no node goes farther than about
   /// `way` [m] if nothing pushes it. Returns how many obstacles cannot touch.
   int begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way);
+  /// There are no obstacles, until the next cycle begins.
+  void clear();
   /// Those that can touch, on their way through the cycle.
   const std::vector<contact::Obstacle>& near() const { return near_; }
   /// The obstacles with these numbers, ascending, do not touch in this cycle.

@@ -62,6 +62,7 @@ void Touch::restore(StateReader* from) {
 }
 
 void Touch::forget() {
+  sweep.clear();
   contact.forget();
   sides.forget();
   needles.forget();
