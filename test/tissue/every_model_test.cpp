@@ -24,9 +24,9 @@ Vec3 imbalance(const TissueStep& step) {
 class EveryModel : public ::testing::TestWithParam<ModelVariant> {
  protected:
   std::unique_ptr<TissueModel> make(ThreadPool* pool = nullptr) const {
-    return test::makeVariant(GetParam(), organ, test::variantSettings(), pool);
+    return test::makeVariant(GetParam(), organ_, test::variantSettings(), pool);
   }
-  test::OrganSketch organ = test::variantBlock(GetParam());
+  test::OrganSketch organ_ = test::variantBlock(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(All, EveryModel, ::testing::ValuesIn(test::modelVariants()),
                          [](const auto& of) { return of.param.name; });
@@ -65,13 +65,13 @@ TEST_P(EveryModel, KeepsItsMomentum) {
                  std::invalid_argument);
     return;
   }
-  organ = test::variantBlock(GetParam(), false);
-  organ.damping = {0.0, GetParam().stiffness_damping};
+  organ_ = test::variantBlock(GetParam(), false);
+  organ_.damping = {0.0, GetParam().stiffness_damping};
   ModelSettings settings = test::variantSettings();
   settings.gravity.setZero();
   settings.tolerance = 1e-8;
   settings.position_tolerance = 0.0;
-  const auto tissue = test::makeVariant(GetParam(), organ, settings);
+  const auto tissue = test::makeVariant(GetParam(), organ_, settings);
   Points x = tissue->positions(), v = Points::Zero(3, x.cols());
   const Vec3 middle = x.rowwise().mean();
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
@@ -138,6 +138,22 @@ TEST_P(EveryModel, GoesOnFromAStateAndAfterAReset) {
                 onTool(other->step({again.next()}, kStep)));
       ASSERT_TRUE(whole->state() == other->state()) << until << ", " << k;
     }
+  }
+}
+
+// Reset while it is touched, by a tool that is another one than the next.
+TEST_P(EveryModel, IsAsNewAfterAReset) {
+  const auto fresh = make(), used = make();
+  bool touched = false;
+  for (Visit visit; visit.time() < 0.3;) {
+    touched = !used->step({visit.next()}, kStep).contacts.empty();
+  }
+  EXPECT_TRUE(touched);
+  used->reset();
+  ASSERT_EQ(used->positions(), fresh->positions());
+  for (Visit a, b; a.time() < 0.3;) {
+    ASSERT_EQ(onTool(used->step({a.next()}, kStep)), onTool(fresh->step({b.next()}, kStep)));
+    ASSERT_EQ(used->positions(), fresh->positions()) << a.time();
   }
 }
 
