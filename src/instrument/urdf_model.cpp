@@ -4,6 +4,7 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 
@@ -44,7 +45,8 @@ class Listening {
   std::lock_guard<std::mutex> lock_;
 };
 
-/// urdfdom goes on after an error in a link, with what it had read of the link by then.
+/// urdfdom goes on after an error in a link, with what it had read of the link by then; and of what
+/// is no UTF-8 it takes bytes together that the outline does not.
 bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
   if (model.links_.size() != outline.links.size()) return false;
   if (model.joints_.size() != outline.joints.size()) return false;
@@ -53,7 +55,10 @@ bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
     if (!link) return false;
     if (link->visual_array.size() + link->collision_array.size() != outline.shapes[i]) return false;
   }
-  return true;
+  return std::all_of(outline.joints.begin(), outline.joints.end(), [&](const JointOutline& of) {
+    const auto joint = model.getJoint(of.name);
+    return joint && joint->parent_link_name == of.parent && joint->child_link_name == of.child;
+  });
 }
 
 }  // namespace
@@ -68,7 +73,10 @@ ParsedUrdf parseUrdf(const std::string& file, const UrdfOutline& outline) {
     throw InputError(file, "", "", std::string("is not a valid URDF: ") + error.what());
   }
   if (!model || !isWhole(*model, outline)) {
-    throw InputError(file, "", "", "is not a valid URDF: " + collector.text());
+    const std::string& why = collector.text();
+    throw InputError(file, "", "",
+                     "is not a valid URDF: " +
+                         (why.empty() ? "a link or joint is read as another; is it UTF-8?" : why));
   }
   for (auto& [name, link] : model->links_) link->inertial.reset();
   return {model, collector.text()};

@@ -269,6 +269,13 @@ TEST(BadUrdf, ErrorsOfTheParserBehindAreInTheMessage) {
                  "not unique");
 }
 
+// Of an unfinished character urdfdom takes the next byte as well, which here begins "&lt;".
+TEST(BadUrdf, NamesThatTheParserBehindReadsOtherwiseAreRefused) {
+  const std::string links = link("a") + link("b");
+  EXPECT_PROBLEM(robot(links + joint("j\xd1&lt;", "fixed", "a", "b")), "UTF-8");
+  EXPECT_PROBLEM(robot(links + joint("j\xd1&lt;", "prismatic", "a", "b", limit())), "UTF-8");
+}
+
 TEST(BadUrdf, AllProblemsAtOnceWithTheirLines) {
   const std::string what =
       problemOf(robot(link("a", collision("<sphere radius=\"0\"/>")) + link("b") +
