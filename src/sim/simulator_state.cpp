@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/sim/simulator_state.h"
 
+#include <cmath>
+
 #include "palpate/base/state_bytes.h"
 
 namespace palpate::sim {
@@ -25,6 +27,7 @@ SimulatorState SimulatorState::fromBytes(const std::string& bytes) {
   SimulatorState state;
   in.get(&state.scene);
   in.get(&state.time);
+  if (!std::isfinite(state.time)) StateReader::fail();
   state.models.resize(static_cast<std::size_t>(in.count(4 * sizeof(std::int64_t))));
   for (ModelState& model : state.models) {
     in.get(&model.model);
