@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "palpate/material/law_list.h"
+#include "support/law_types.h"
 #include "support/random.h"
 
 namespace palpate::fem {
@@ -41,15 +41,9 @@ bool isIsotropic(const Law& law) {
          1e-6 * energy;
 }
 
-template <class T>
-struct AsTestTypes;
-template <class... Laws>
-struct AsTestTypes<std::variant<Laws...>> {
-  using type = ::testing::Types<Laws...>;
-};
 template <class Law>
 class EveryLawProjected : public ::testing::Test {};
-TYPED_TEST_SUITE(EveryLawProjected, typename AsTestTypes<material::LawList>::type, );
+TYPED_TEST_SUITE(EveryLawProjected, test::LawTypes, );
 
 TYPED_TEST(EveryLawProjected, IsThatOfAllEigenvectors) {
   const TypeParam law{TypeParam::example()};

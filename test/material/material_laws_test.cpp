@@ -8,7 +8,7 @@
 
 #include "finite_difference.h"
 #include "kinks.h"
-#include "palpate/material/law_list.h"
+#include "support/law_types.h"
 #include "support/random.h"
 
 namespace palpate::material {
@@ -16,13 +16,6 @@ namespace {
 
 using test::nearKink;
 using test::slopeAtZero;
-
-template <class T>
-struct AsTestTypes;
-template <class... Laws>
-struct AsTestTypes<std::variant<Laws...>> {
-  using type = ::testing::Types<Laws...>;
-};
 
 // Laws whose distortional energy knows nothing of the volume.
 template <class Law>
@@ -48,7 +41,7 @@ class EveryLaw : public ::testing::Test {
   const double scale = law.moduli().mu + law.moduli().kappa;  // [Pa]
   test::Random random;
 };
-TYPED_TEST_SUITE(EveryLaw, typename AsTestTypes<LawList>::type, );
+TYPED_TEST_SUITE(EveryLaw, test::LawTypes, );
 
 TYPED_TEST(EveryLaw, RestIsEnergyAndStressFree) {
   EXPECT_NEAR(energyDensity(this->law, Mat3::Identity()), 0.0, 1e-12 * this->scale);
