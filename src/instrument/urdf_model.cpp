@@ -4,7 +4,6 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <algorithm>
 #include <exception>
 #include <mutex>
 
@@ -45,8 +44,7 @@ class Listening {
   std::lock_guard<std::mutex> lock_;
 };
 
-/// urdfdom goes on after an error in a link, with what it had read of the link by then; and of what
-/// is no UTF-8 it takes bytes together that the outline does not.
+/// urdfdom goes on after an error in a link, with what it had read of the link by then.
 bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
   if (model.links_.size() != outline.links.size()) return false;
   if (model.joints_.size() != outline.joints.size()) return false;
@@ -55,10 +53,20 @@ bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
     if (!link) return false;
     if (link->visual_array.size() + link->collision_array.size() != outline.shapes[i]) return false;
   }
-  return std::all_of(outline.joints.begin(), outline.joints.end(), [&](const JointOutline& of) {
+  return true;
+}
+
+/// Of what is no UTF-8 urdfdom takes bytes together that the outline does not.
+/// @throws InputError for a joint that has another name in the model, or joins others.
+void refuseJointsReadOtherwise(const std::string& file, const urdf::ModelInterface& model,
+                               const UrdfOutline& outline) {
+  for (const JointOutline& of : outline.joints) {
     const auto joint = model.getJoint(of.name);
-    return joint && joint->parent_link_name == of.parent && joint->child_link_name == of.child;
-  });
+    if (joint && joint->parent_link_name == of.parent && joint->child_link_name == of.child) {
+      continue;
+    }
+    throw InputError(file, of.where, "", "is read as another joint; names must be UTF-8");
+  }
 }
 
 }  // namespace
@@ -73,11 +81,9 @@ ParsedUrdf parseUrdf(const std::string& file, const UrdfOutline& outline) {
     throw InputError(file, "", "", std::string("is not a valid URDF: ") + error.what());
   }
   if (!model || !isWhole(*model, outline)) {
-    const std::string& why = collector.text();
-    throw InputError(file, "", "",
-                     "is not a valid URDF: " +
-                         (why.empty() ? "a link or joint is read as another; is it UTF-8?" : why));
+    throw InputError(file, "", "", "is not a valid URDF: " + collector.text());
   }
+  refuseJointsReadOtherwise(file, *model, outline);
   for (auto& [name, link] : model->links_) link->inertial.reset();
   return {model, collector.text()};
 }
