@@ -114,7 +114,8 @@ TEST_P(EveryMethodThatIsLate, ComesOutOfAShapeThatIsInsideOut) {
 // A hard tool leaps in, which makes forces beside which those of the tissue are nothing, and is
 // gone: solved to a part of them, the tissue would be at rest where it was pressed to.
 TEST_P(EveryMethodThatIsLate, IsNotPutToSleepByForcesThatAreGone) {
-  if (GetParam() == "newton_bicgstab") GTEST_SKIP() << "alone it fails from there, and says so";
+  if (GetParam() == "newton_bicgstab")
+    GTEST_SKIP() << "Newton's method alone fails from there, and says so";
   slab.settings.contact.stiffness = 3e12;
   slab.settings.integrator = "backward_euler";
   slab.settings.position_tolerance = 1e-7;

@@ -2,6 +2,7 @@
 #include "next_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 #include <utility>
 
@@ -151,7 +152,8 @@ void NextMesh::restoreTask(StateReader* in) {
   in->get(&x_);
   in->get(&dt_);
   tools_.restoreTools(in);
-  if (x_.cols() != nested_.mesh().numPoints() || !(dt_ > 0.0)) StateReader::fail();
+  if (x_.cols() != nested_.mesh().numPoints()) StateReader::fail();
+  if (!(dt_ > 0.0 && std::isfinite(dt_))) StateReader::fail();
   to_resume_ = true;
 }
 
