@@ -11,7 +11,7 @@
 #include "hybrid/make_hybrid.h"
 #include "neural/make_neural.h"
 #include "palpate/base/error.h"
-#include "sampled/sampled_tissue.h"
+#include "sampled/make_sampled.h"
 #include "springs/make_mass_spring.h"
 #include "tensor_mass/make_tensor_mass.h"
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where particles come to rest, and whether they can go from there.
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "palpate/base/number.h"
+#include "sampled_tissue.h"
+
+namespace palpate::tissue {
+namespace {
+
+constexpr int kMostAdaptations = 12;
+constexpr int kMostSettlingSteps = 200000;
+constexpr double kSameRest = 0.01;  // of its size: so far the parting of particles may move a rest
+
+}  // namespace
+
+// Cycles would all end where they begin.
+void SampledTissue::refuseTooManySubSteps(double dt) const {
+  const double steps = std::ceil(dt / stableStep());
+  if (steps <= kMostSubSteps) return;
+  throw std::invalid_argument(
+      "model sampled_elasticity: a cycle of solver.step = " + formatNumber(dt) + " s takes " +
+      formatNumber(steps) + " sub-steps of " + formatNumber(stableStep()) + " s at rest, at most " +
+      std::to_string(kMostSubSteps) +
+      " are taken; choose a shorter step, coarser sampling, less damping, or tissue that is "
+      "softer or heavier");
+}
+
+void SampledTissue::settle() {
+  for (int k = 0; k < kMostAdaptations; ++k) {
+    if (!comeToRest()) {
+      throw std::runtime_error("no equilibrium under gravity: it is too soft or too heavy");
+    }
+    if (!body_.adapt()) break;
+  }
+  body_.v.setZero();
+  body_.save(&settled_);
+}
+
+// All motion is stopped whenever it begins to lose energy.
+bool SampledTissue::comeToRest() {
+  body_.v.setZero();
+  Vec3 anchors;
+  const double h = kSafety * body_.longestSteps().minCoeff();
+  double kinetic = 0.0;
+  for (int k = 0; k < kMostSettlingSteps; ++k) {
+    body_.umbrella().forces(body_.d, &forces_, &anchors);
+    forces_ += gravity_ * body_.masses.transpose();
+    if (forces_.norm() <= 0.01 * tolerance_) return true;
+    body_.v += h * forces_ * body_.masses.cwiseInverse().asDiagonal();
+    const double now = body_.v.colwise().squaredNorm().dot(body_.masses.transpose());
+    if (now < kinetic) body_.v.setZero();
+    kinetic = now < kinetic ? 0.0 : now;
+    body_.d += h * body_.v;
+  }
+  return false;
+}
+
+// What it parted it joins only where that makes a difference of less than `coarsen_below`. But a
+// linear body has one rest: untouched, it ends there.
+void SampledTissue::endAtRest() {
+  const Points x = x_;
+  StateWriter parted;
+  body_.save(&parted);
+  StateReader settled(settled_.bytes());
+  body_.restore(&settled);
+  body_.v.setZero();
+  follow();
+  if ((x_ - x).cwiseAbs().maxCoeff() <= kSameRest * size_) return;
+  StateReader back(parted.bytes());
+  body_.restore(&back);
+  follow();
+}
+
+}  // namespace palpate::tissue
