@@ -1,126 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "command.h"
 #include "commands.h"
-#include "files.h"
-#include "palpate/base/error.h"
-#include "palpate/base/phase_times.h"
 #include "palpate/tissue/model_list.h"
 #include "palpate/torture/result_table.h"
-#include "palpate/torture/shrink.h"
 #include "palpate/torture/torture_report.h"
 #include "progress_line.h"
+#include "tortures.h"
 
 namespace palpate::cli {
 namespace {
-
-struct TortureOptions {
-  int count = 100, seed = 1, first = 0;
-  std::optional<int> only;
-  std::string out = "torture", part = "1/1", category, model, report;
-  double minutes = 0.0, scene_limit = 60.0, cycle_limit = 60.0, shrink = 30.0;
-  int tetrahedra = 0;
-  bool keep = false;
-};
-
-struct Part {
-  int number = 1, of = 1;
-  std::string name() const { return std::to_string(number) + "_of_" + std::to_string(of); }
-};
-
-Part readPart(const std::string& text) {
-  Part part;
-  char rest = 0;
-  const int read = std::sscanf(text.c_str(), "%d/%d%c", &part.number, &part.of, &rest);
-  if (read != 2 || part.of < 1 || part.number < 1 || part.number > part.of) {
-    throw InputError("command line", "--part", text, "must be i/n, 1 <= i <= n: 2/4");
-  }
-  return part;
-}
-
-constexpr int kAgain = 10;  // every so manieth scene runs again by two threads
-
-// What was drawn is run in a folder of its own, which stays where it failed.
-class Tortures {
- public:
-  Tortures(const TortureOptions& options, const Part& part)
-      : options_(options),
-        folder_(makeFolder(options.out)),
-        table_((folder_ / ("results_" + part.name() + ".csv")).string()),
-        running_((folder_ / ("running_" + part.name())).string()) {
-    limits_.cycle = options.cycle_limit;
-    limits_.scene = options.scene_limit;
-    limits_.sleep_until = [](double time) {
-      std::this_thread::sleep_for(std::chrono::duration<double>(time - steadySeconds()));
-    };
-  }
-
-  // A scene in which the program ended the last time has failed.
-  void noteCrash() {
-    std::ifstream in(running_);
-    int number = -1;
-    if (!(in >> number)) return;
-    in.close();
-    const torture::TortureScene scene = drawn(number);
-    torture::appendResult(table_, torture::crashLine(scene));
-    std::filesystem::remove(running_);
-  }
-
-  torture::ResultLine runOne(const torture::TortureScene& scene) {
-    std::ofstream(running_) << scene.number << "\n";
-    const std::string folder =
-        makeFolder((folder_ / ("scene_" + std::to_string(scene.number))).string());
-    torture::Outcome outcome = torture::run(scene, folder, limits_);
-    if (scene.number % kAgain == 0 && outcome.passed() && outcome.whole && !scene.live) {
-      torture::RunLimits two = limits_;
-      two.threads = 2;
-      const torture::Outcome again = torture::run(scene, folder, two);
-      // What was ended for its time goes on otherwise.
-      const bool ended = !again.whole || again.fails("cycle");
-      if (!ended && again.hashes != outcome.hashes) {
-        outcome.failures.push_back({"same", 0, "two threads give other bits"});
-      }
-    }
-    if (!outcome.failures.empty() && options_.shrink > 0.0) {
-      const torture::Failure& failure = outcome.failures.front();
-      const torture::TortureScene small =
-          torture::shrunk(scene, failure, folder, limits_, options_.shrink);
-      torture::run(small, folder, limits_);  // so that the files are those of the last that failed
-    }
-    const torture::ResultLine line = torture::resultLine(scene, outcome);
-    torture::appendResult(table_, line);
-    if (outcome.failures.empty() && !options_.keep) std::filesystem::remove_all(folder);
-    std::filesystem::remove(running_);
-    return line;
-  }
-
-  torture::TortureScene drawn(int number) const {
-    return torture::drawScene(static_cast<std::uint64_t>(options_.seed), number);
-  }
-  std::string commandOf(const torture::TortureScene& scene) const {
-    const std::string folder = (folder_ / ("scene_" + std::to_string(scene.number))).string();
-    torture::SceneFiles files{folder + "/scene.yaml", folder + "/trajectory.csv", ""};
-    if (scene.start != torture::Start::kRest) files.state = folder + "/start.state";
-    return files.command();
-  }
-
- private:
-  const TortureOptions& options_;
-  std::filesystem::path folder_;
-  std::string table_, running_;
-  torture::RunLimits limits_;
-};
 
 bool isWanted(const TortureOptions& options, const torture::TortureScene& scene) {
   if (!options.category.empty() && scene.category != options.category) return false;
@@ -129,16 +24,29 @@ bool isWanted(const TortureOptions& options, const torture::TortureScene& scene)
          scene.organs.front().mesh.numTets() <= static_cast<Eigen::Index>(options.tetrahedra);
 }
 
+// Numbers that need not be run: all that have a line, or of these those that passed.
+std::set<int> settled(const TortureOptions& options) {
+  const std::vector<torture::ResultLine> lines = torture::readResults(options.out);
+  const auto seed = static_cast<std::uint64_t>(options.seed);
+  std::set<int> done = torture::numbersDone(lines, seed);
+  if (!options.again) return done;
+  for (const int number : torture::numbersAgain(lines, seed, options.commit)) done.erase(number);
+  return done;
+}
+
 int runTortures(const TortureOptions& options) {
   if (!options.report.empty()) {
     std::cout << torture::stabilityMarkdown(torture::readResults(options.report));
     return kOk;
   }
+  if (!options.table.empty()) {
+    std::cout << torture::resultTable(torture::readResults(options.table));
+    return kOk;
+  }
   const Part part = readPart(options.part);
   Tortures all(options, part);
   all.noteCrash();
-  const std::set<int> done = torture::numbersDone(torture::readResults(options.out),
-                                                  static_cast<std::uint64_t>(options.seed));
+  const std::set<int> done = settled(options);
   const auto begin = std::chrono::steady_clock::now();
   const int first = options.only.value_or(options.first);
   const int end = options.only ? first + 1 : options.first + options.count;
@@ -194,6 +102,11 @@ void addTorture(CLI::App& app, Action& action) {
                  "Make a scene that failed plainer for so long [s]; 0: leave it");
   command.option("--report", &options->report,
                  "Write docs/stability.md of the tables in this folder, and run nothing");
+  command.option("--table", &options->table,
+                 "Write one table of those in this folder, and run nothing");
+  command.option("--commit", &options->commit, "Noted beside each scene: what it was run by");
+  command.flag("--again", &options->again,
+               "Run also what failed or was left off by another commit");
   command.flag("--keep", &options->keep, "Keep the files of all scenes");
   command.onUse([options, &action] { action = [options] { return runTortures(*options); }; });
 }

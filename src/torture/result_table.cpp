@@ -74,7 +74,7 @@ const std::vector<std::string>& ResultLine::columns() {
       "integrator", "start",      "shape",      "tetrahedra", "dihedral", "young",    "poisson",
       "density",    "contrast",   "step",       "friction",   "tools",    "pace",     "verdict",
       "criteria",   "row",        "what",       "cycles",     "unsolved", "inverted", "touching",
-      "median_ms",  "longest_ms", "peak_force", "load_s",     "run_s",    "end"};
+      "median_ms",  "longest_ms", "peak_force", "load_s",     "run_s",    "commit",   "end"};
   return kAll;
 }
 
@@ -87,7 +87,8 @@ double ResultLine::number(const std::string& column) const {
   return parseNumber(cell(column)).value_or(0.0);
 }
 
-ResultLine resultLine(const TortureScene& scene, const Outcome& outcome) {
+ResultLine resultLine(const TortureScene& scene, const Outcome& outcome,
+                      const std::string& commit) {
   ResultLine line{headCells(scene)};
   std::string verdict = "passed", criteria, what;
   if (!outcome.whole) verdict = "left";
@@ -103,17 +104,17 @@ ResultLine resultLine(const TortureScene& scene, const Outcome& outcome) {
        {verdict, criteria, std::to_string(row), what, std::to_string(outcome.cycles),
         std::to_string(outcome.unsolved), std::to_string(outcome.inverted),
         std::to_string(outcome.touching), rounded(outcome.median_ms), rounded(outcome.longest_ms),
-        rounded(outcome.peak_force), rounded(outcome.load_s), rounded(outcome.run_s),
+        rounded(outcome.peak_force), rounded(outcome.load_s), rounded(outcome.run_s), plain(commit),
         std::string("end")}) {
     line.cells.push_back(cell);
   }
   return line;
 }
 
-ResultLine crashLine(const TortureScene& scene) {
+ResultLine crashLine(const TortureScene& scene, const std::string& commit) {
   Outcome outcome;
   outcome.failures.push_back({"crash", 0, "the program ended"});
-  return resultLine(scene, outcome);
+  return resultLine(scene, outcome, commit);
 }
 
 void appendResult(const std::string& file, const ResultLine& line) {
@@ -144,13 +145,19 @@ std::vector<ResultLine> readResults(const std::string& folder) {
           line.cells.front() == ResultLine::columns().front()) {
         continue;
       }
-      lines.emplace(std::make_pair(line.number("seed"), line.number("number")), line);
+      lines.insert_or_assign(std::make_pair(line.number("seed"), line.number("number")), line);
     }
   }
   std::vector<ResultLine> all;
   all.reserve(lines.size());
   for (auto& [key, line] : lines) all.push_back(std::move(line));
   return all;
+}
+
+std::string resultTable(const std::vector<ResultLine>& lines) {
+  std::string table = joined(ResultLine::columns());
+  for (const ResultLine& line : lines) table += joined(line.cells);
+  return table;
 }
 
 std::set<int> numbersDone(const std::vector<ResultLine>& lines, std::uint64_t seed) {
@@ -161,6 +168,19 @@ std::set<int> numbersDone(const std::vector<ResultLine>& lines, std::uint64_t se
     }
   }
   return done;
+}
+
+std::set<int> numbersAgain(const std::vector<ResultLine>& lines, std::uint64_t seed,
+                           const std::string& commit) {
+  std::set<int> again;
+  for (const ResultLine& line : lines) {
+    const std::string& verdict = line.cell("verdict");
+    const bool open = verdict == "failed" || verdict == "left";
+    if (open && line.cell("seed") == std::to_string(seed) && line.cell("commit") != commit) {
+      again.insert(static_cast<int>(line.number("number")));
+    }
+  }
+  return again;
 }
 
 }  // namespace palpate::torture

@@ -71,6 +71,17 @@ std::string commandOf(const ResultLine& line) {
   return "palpate torture --seed " + line.cell("seed") + " --only " + line.cell("number");
 }
 
+// "Commit abc: 3 scenes.", a line each, as scripts/check_pages.py reads it.
+std::string commits(const std::vector<ResultLine>& lines) {
+  std::map<std::string, int> scenes;
+  for (const ResultLine& line : lines) ++scenes[line.cell("commit")];
+  std::string text;
+  for (const auto& [commit, number] : scenes) {
+    text += "Commit " + commit + ": " + std::to_string(number) + " scenes.\n";
+  }
+  return text;
+}
+
 int largest(const std::vector<ResultLine>& lines, const std::string& column) {
   double most = 0.0;
   for (const ResultLine& line : lines) most = std::max(most, line.number(column));
@@ -109,8 +120,9 @@ std::string stabilityMarkdown(const std::vector<ResultLine>& lines) {
 
 Random scenes, and whether anything blows up in them. This page is written by
 
-    scripts/torture.sh --count N --out FOLDER       # goes on where it was stopped
+    scripts/torture.sh --count N --kept             # goes on from docs/stability.csv
     palpate torture --report FOLDER > docs/stability.md
+    palpate torture --table FOLDER > docs/stability.csv
 
 `palpate torture` draws each scene from a seed and a number, writes it as files of a user's own, replays these as
 `palpate replay` does, and looks at every cycle from outside. A scene passes when none of these is broken:
@@ -142,6 +154,7 @@ where 700 rows of the time that the slowest motion is estimated to need would no
   out << summary(lines) << ". Their numbers go up to " << largest(lines, "number")
       << ", their meshes to " << largest(lines, "tetrahedra") << " tetrahedra; " << numSlow(lines)
       << " had a cycle of more than 5 s.\n\n"
+      << commits(lines) << "\n"
       << "## By what happens\n\n"
       << table(lines, "category");
   const std::pair<const char*, const char*> parts[] = {{"model", "By model"},
