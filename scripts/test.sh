@@ -144,6 +144,7 @@ if $checks; then
   check "origin of the measured pages" scripts/check_pages.py
   check "changelog" scripts/check_changelog.sh
   check "package" scripts/check_package.sh
+  check "configuring without gtest" scripts/check_configure.sh
   start=$SECONDS
   check "clang-tidy" scripts/check_tidy.sh
   echo "tidy took $((SECONDS - start)) s"
