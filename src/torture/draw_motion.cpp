@@ -40,24 +40,37 @@ Box boxOf(const TortureScene& scene) {
 
 double drawSpeed(Draw* draw) { return draw->decades(0.02, kFastest); }
 
-Way press(const Box& box, const TortureTool& tool, double speed, Draw* draw) {
+// How far away a tool begins, which it goes in a few rows [m].
+double awayOf(double speed, double dt) { return std::min(0.002, 10.0 * speed * dt); }
+
+Way press(const Box& box, const TortureTool& tool, double speed, double dt, Draw* draw) {
   const double x = draw->between(0.2, 0.8), y = draw->between(0.2, 0.8);
-  const double clear = tool.radius() + 0.002, depth = draw->between(0.05, 0.5) * box.size.z();
+  const double away = awayOf(speed, dt), depth = draw->between(0.05, 0.5) * box.size.z();
   const Vec3 top = box.at(x, y, 1.0), up = Vec3::UnitZ();
-  const Vec3 low = top + (clear - 0.002 - depth) * up;
-  return {top + clear * up, 0.3 * draw->direction(), {{low, speed}, {low, speed}}, 0.0};
+  const Vec3 low = top + (tool.radius() - depth) * up;
+  return {top + (tool.radius() + away) * up,
+          0.3 * draw->direction(),
+          {{low, speed}, {low, speed}},
+          0.0};
 }
 
-Way stroke(const Box& box, const TortureTool& tool, Draw* draw) {
+Way stroke(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
   const double speed = draw->decades(0.2, kFastest), depth = draw->between(0.1, 0.4);
   const double z = box.size.z() * (1.0 - depth) + 0.7 * tool.radius();
-  const Vec3 from = box.low + Vec3(-tool.radius() - 0.002, 0.5 * box.size.y(), z);
+  const Vec3 from = box.low + Vec3(-tool.radius() - awayOf(speed, dt), 0.5 * box.size.y(), z);
   const Vec3 to = box.low + Vec3(1.2 * box.size.x() + tool.radius(), 0.5 * box.size.y(), z);
   return {from, draw->direction(), {{to, speed}, {from, speed}}, 0.0};
 }
 
-Way jump(const Box& box, const TortureTool& tool, Draw* draw) {
-  Way way = press(box, tool, drawSpeed(draw), draw);
+// Pressed within a third of the rows, if kFastest does.
+Way pressSoon(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
+  const double speed = drawSpeed(draw);
+  const double soon = 3.0 * (0.5 * box.size.z() + 0.002) / (kMostRows * dt);
+  return press(box, tool, std::min(std::max(speed, soon), kFastest), dt, draw);
+}
+
+Way jump(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
+  Way way = pressSoon(box, tool, dt, draw);
   way.legs.push_back(
       {box.at(0.5, 0.5, 0.5) + draw->direction() * 0.3 * box.size.minCoeff(), kJump});
   way.legs.push_back({way.legs.back().to + 0.1 * draw->direction(), kJump});
@@ -70,25 +83,25 @@ Way inside(const Box& box, Draw* draw) {
   return {at, draw->direction(), {{at + 0.01 * draw->direction(), drawSpeed(draw)}}, 0.0};
 }
 
-Way pinch(const Box& box, const TortureTool& tool, int side, Draw* draw) {
+Way pinch(const Box& box, const TortureTool& tool, int side, double dt, Draw* draw) {
   const double sign = side % 2 ? 1.0 : -1.0, thick = draw->between(0.2, 0.7);
   const Vec3 middle = box.at(0.5, 0.5, 0.7);
-  const Vec3 from = middle + sign * (0.5 * box.size.x() + tool.radius() + 0.002) * Vec3::UnitX();
+  const double speed = drawSpeed(draw), away = tool.radius() + awayOf(speed, dt);
+  const Vec3 from = middle + sign * (0.5 * box.size.x() + away) * Vec3::UnitX();
   const Vec3 to = middle + sign * (0.5 * thick * box.size.x() + tool.radius()) * Vec3::UnitX();
-  const double speed = drawSpeed(draw);
   return {from, 0.1 * draw->direction(), {{to, speed}, {to, speed}, {from, speed}}, 0.0};
 }
 
-Way tear(const Box& box, const TortureTool& tool, Draw* draw) {
-  Way way = press(box, tool, drawSpeed(draw), draw);
+Way tear(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
+  Way way = pressSoon(box, tool, dt, draw);
   Vec3 out = draw->direction();
   out.z() = std::abs(out.z());
   way.legs.push_back({way.legs.back().to + 0.1 * out, kFastest});
   return way;
 }
 
-Way wander(const Box& box, const TortureTool& tool, Draw* draw) {
-  Way way = press(box, tool, drawSpeed(draw), draw);
+Way wander(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
+  Way way = pressSoon(box, tool, dt, draw);
   for (int k = 0; k < 4; ++k) {
     way.legs.push_back({box.low + draw->within(Vec3::Zero(), 1.3 * box.size), drawSpeed(draw)});
   }
@@ -101,18 +114,18 @@ Way far(int tool) {
   return {at, Vec3::Zero(), {}, 0.0};
 }
 
-Way wayOf(const TortureScene& scene, int k, Draw* draw) {
+Way wayOf(const TortureScene& scene, int k, double dt, Draw* draw) {
   const Box box = boxOf(scene);
   const TortureTool& tool = scene.tools[static_cast<std::size_t>(k)];
   const std::string& what = scene.category;
-  if (what == "stroke") return stroke(box, tool, draw);
-  if (what == "jump") return jump(box, tool, draw);
+  if (what == "stroke") return stroke(box, tool, dt, draw);
+  if (what == "jump") return jump(box, tool, dt, draw);
   if (what == "inside" && k == 0) return inside(box, draw);
-  if (what == "pinch") return pinch(box, tool, k, draw);
-  if (what == "tear") return tear(box, tool, draw);
-  if (what == "wander") return wander(box, tool, draw);
+  if (what == "pinch") return pinch(box, tool, k, dt, draw);
+  if (what == "tear") return tear(box, tool, dt, draw);
+  if (what == "wander") return wander(box, tool, dt, draw);
   if (what == "fall" || what == "start" || what == "gravity") return far(k);
-  return press(box, tool, drawSpeed(draw), draw);
+  return press(box, tool, drawSpeed(draw), dt, draw);
 }
 
 // One row further; false where it is at its end.
@@ -221,7 +234,7 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   std::vector<Way> ways;
   ways.reserve(scene->tools.size());
   for (int k = 0; k < static_cast<int>(scene->tools.size()); ++k) {
-    ways.push_back(wayOf(*scene, k, draw));
+    ways.push_back(wayOf(*scene, k, dt, draw));
   }
   const double jitter = draw->chance(0.3) ? 0.5 : 0.0;
   Rows rows(*scene);
