@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "checks.h"
@@ -32,6 +33,19 @@ std::string wrongWrench(const sim::StepResult& result) {
       return said("wrench is off the sum of contacts by", off, "N");
   }
   return "";
+}
+
+// All forces of a cycle that is converged cancel, but for what is left at its points: their sum is
+// at most that at one of them by the root of their number.
+std::string wrongSum(const Cycle& cycle) {
+  const sim::StepReport& report = cycle.result.report;
+  double forces = 0.0;
+  for (const sim::ContactPoint& point : cycle.result.contacts) forces += point.force_W.norm();
+  const double left = std::max(report.residual, report.tolerance);
+  const double bound = kTwice * std::sqrt(static_cast<double>(report.nodes)) * left;
+  if (report.imbalance <= bound + kRounding * forces + 1e-12) return "";
+  return said("forces add up to", report.imbalance, "N,") + said(" told", left, "N at the points") +
+         " after " + std::to_string(report.sweep_stages) + " stages";
 }
 
 // Of one organ of linear tetrahedra by one step of backward Euler, whose every force is known here.
@@ -67,6 +81,7 @@ class Truth : public Criterion {
       wrong =
           said("converged with a residual of", report.residual / report.tolerance, "tolerances");
     }
+    if (wrong.empty() && report.ok()) wrong = wrongSum(cycle);
     if (!known_) return wrong;
     const bool plain = report.ok() && cycle.parts == 1 && report.time_steps == 1 &&
                        report.sweep_stages == 1 && report.skipped.sleeping_organs == 0 &&

@@ -35,6 +35,9 @@ class Hand {
         return said("the hand feels", now.force.norm(), "N");
       }
       if (rate > (1.0 + 1e-6) * limits_.max_force_rate) return said("the hand feels", rate, "N/s");
+      if (now.torque.norm() > (1.0 + kRounding) * limits_.max_torque) {
+        return said("the hand feels", now.torque.norm(), "N m");
+      }
     }
     return "";
   }

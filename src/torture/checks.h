@@ -9,6 +9,7 @@ namespace palpate::torture {
 
 // One file each.
 std::unique_ptr<Criterion> checkFinite();
+std::unique_ptr<Criterion> checkBounded(const TortureScene& scene);
 std::unique_ptr<Criterion> checkInverted(const TortureScene& scene);
 std::unique_ptr<Criterion> checkTruth(const TortureScene& scene, const sim::Simulator& simulator);
 std::unique_ptr<Criterion> checkWrench(const TortureScene& scene, const sim::Simulator& simulator);

@@ -10,6 +10,7 @@ namespace palpate::torture {
 std::vector<NamedCriterion> criteria(const TortureScene& scene, const sim::Simulator& simulator) {
   std::vector<NamedCriterion> all;
   all.push_back({"finite", checkFinite()});
+  all.push_back({"bounded", checkBounded(scene)});
   all.push_back({"inverted", checkInverted(scene)});
   all.push_back({"truth", checkTruth(scene, simulator)});
   all.push_back({"wrench", checkWrench(scene, simulator)});
@@ -20,8 +21,8 @@ std::vector<NamedCriterion> criteria(const TortureScene& scene, const sim::Simul
 }
 
 std::vector<std::string> criterionNames() {
-  return {"finite", "inverted", "truth", "wrench",   "energy", "rest",
-          "time",   "crash",    "cycle", "deadline", "same"};
+  return {"finite", "bounded", "inverted", "truth", "wrench",   "energy",
+          "rest",   "time",    "crash",    "cycle", "deadline", "same"};
 }
 
 std::string said(const char* what, double value, const char* unit) {

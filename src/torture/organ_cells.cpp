@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "organ_cells.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace palpate::torture {
+namespace {
+
+// Nodes in the middle of the edges from a corner to the four, in VTK's order.
+constexpr std::array<std::array<int, 4>, 4> kMiddle = {
+    {{-1, 4, 6, 7}, {4, -1, 5, 8}, {6, 5, -1, 9}, {7, 8, 9, -1}}};
+
+// det of the derivative of position by three of the barycentric coordinates, at a corner.
+template <class Cell>
+double jacobianAt(int corner, const Points& x, const Cell& cell) {
+  const auto c = static_cast<std::size_t>(corner);
+  Eigen::Matrix<double, 3, 4> by;
+  for (int i = 0; i < 4; ++i) {
+    if (i == corner) {
+      by.col(i) = 3.0 * x.col(cell[i]);
+    } else {
+      by.col(i) = 4.0 * x.col(cell[kMiddle[c][static_cast<std::size_t>(i)]]) - x.col(cell[i]);
+    }
+  }
+  Mat3 D;
+  for (int k = 0; k < 3; ++k) D.col(k) = by.col(k + 1) - by.col(0);
+  return D.determinant();
+}
+
+}  // namespace
 
 const mesh::CellMesh& OrganCells::of(const sim::Simulator& simulator, int organ) {
   kept_.resize(static_cast<std::size_t>(simulator.numOrgans()));
@@ -25,6 +51,21 @@ double leastVolumeRatio(const mesh::CellMesh& rest, const Points& now) {
   for (Eigen::Index t = 0; t < rest.numCells(); ++t) {
     const Eigen::Vector4i tet = rest.cells.col(t);
     least = std::min(least, mesh::signedVolume(now, tet) / mesh::signedVolume(rest.points, tet));
+  }
+  return least;
+}
+
+bool areQuadraticTets(const mesh::CellMesh& cells) {
+  return cells.cells.rows() == 10 && cells.cells.cols() > 0;
+}
+
+double leastAtCorners(const mesh::CellMesh& rest, const Points& now) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index t = 0; t < rest.numCells(); ++t) {
+    const auto cell = rest.cells.col(t);
+    for (int k = 0; k < 4; ++k) {
+      least = std::min(least, jacobianAt(k, now, cell) / jacobianAt(k, rest.points, cell));
+    }
   }
   return least;
 }

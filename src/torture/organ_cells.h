@@ -27,4 +27,11 @@ bool areLinearTets(const mesh::CellMesh& cells);
 /// Of each tetrahedron the volume now by that at rest, the smallest.
 double leastVolumeRatio(const mesh::CellMesh& rest, const Points& now);
 
+/// Whether they have a node in the middle of each edge.
+bool areQuadraticTets(const mesh::CellMesh& cells);
+
+/// Of these det F at the corners, the smallest: of a cubic in position, which may be least there
+/// [Johnen, Remacle, Geuzaine 2013].
+double leastAtCorners(const mesh::CellMesh& rest, const Points& now);
+
 }  // namespace palpate::torture

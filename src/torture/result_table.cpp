@@ -70,11 +70,12 @@ std::vector<std::string> headCells(const TortureScene& scene) {
 
 const std::vector<std::string>& ResultLine::columns() {
   static const std::vector<std::string> kAll = {
-      "seed",       "number",     "category",   "model",      "element",  "law",      "method",
-      "integrator", "start",      "shape",      "tetrahedra", "dihedral", "young",    "poisson",
-      "density",    "contrast",   "step",       "friction",   "tools",    "pace",     "verdict",
-      "criteria",   "row",        "what",       "cycles",     "unsolved", "inverted", "touching",
-      "median_ms",  "longest_ms", "peak_force", "load_s",     "run_s",    "commit",   "end"};
+      "seed",       "number",   "category",  "model",      "element",    "law",      "method",
+      "integrator", "start",    "shape",     "tetrahedra", "dihedral",   "young",    "poisson",
+      "density",    "contrast", "step",      "friction",   "tools",      "pace",     "verdict",
+      "criteria",   "row",      "what",      "cycles",     "unsolved",   "inverted", "touching",
+      "put_back",   "curled",   "median_ms", "longest_ms", "peak_force", "load_s",   "run_s",
+      "commit",     "end"};
   return kAll;
 }
 
@@ -103,7 +104,8 @@ ResultLine resultLine(const TortureScene& scene, const Outcome& outcome,
   for (const std::string& cell :
        {verdict, criteria, std::to_string(row), what, std::to_string(outcome.cycles),
         std::to_string(outcome.unsolved), std::to_string(outcome.inverted),
-        std::to_string(outcome.touching), rounded(outcome.median_ms), rounded(outcome.longest_ms),
+        std::to_string(outcome.touching), std::to_string(outcome.put_back),
+        std::to_string(outcome.curled), rounded(outcome.median_ms), rounded(outcome.longest_ms),
         rounded(outcome.peak_force), rounded(outcome.load_s), rounded(outcome.run_s), plain(commit),
         std::string("end")}) {
     line.cells.push_back(cell);

@@ -88,6 +88,20 @@ int largest(const std::vector<ResultLine>& lines, const std::string& column) {
   return static_cast<int>(most);
 }
 
+// Scenes in which tools were to touch something, and did not.
+std::ptrdiff_t numIdle(const std::vector<ResultLine>& lines) {
+  return std::count_if(lines.begin(), lines.end(), [](const ResultLine& line) {
+    const std::string& what = line.cell("category");
+    const bool without_tools = what == "fall" || what == "start" || what == "gravity";
+    return !without_tools && line.cell("verdict") == "passed" && line.number("touching") == 0.0;
+  });
+}
+
+std::ptrdiff_t numCurled(const std::vector<ResultLine>& lines) {
+  return std::count_if(lines.begin(), lines.end(),
+                       [](const ResultLine& line) { return line.number("curled") > 0.0; });
+}
+
 std::ptrdiff_t numSlow(const std::vector<ResultLine>& lines) {
   return std::count_if(lines.begin(), lines.end(),
                        [](const ResultLine& line) { return line.number("longest_ms") > kSlow; });
@@ -130,10 +144,11 @@ Random scenes, and whether anything blows up in them. This page is written by
 | criterion | what must hold |
 |---|---|
 | `finite` | no number of points, wrenches, contacts and figures is NaN or infinite, and no status is `non_finite` |
-| `inverted` | no shape with a tetrahedron of det F <= 0, computed anew from its corners, is `converged` |
-| `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
+| `bounded` | no point is ten times the scene's size away from where organs rest and begin and tools go (and fly, where thrown), and no force on a tool that is told to be converged is above 1e4 times that of the modulus on the size squared, plus that of all the mass within a step; laws of exponentials have no such bound |
+| `inverted` | no shape with a tetrahedron of det F <= 0, computed anew from the corners of linear ones and told of the integration points of quadratic ones, is `converged` |
+| `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, all forces of tools, supports, weight and inertia add up to what is told to be left at the points, and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
 | `wrench` | a force has a contact, none stays when the tools are gone, no tissue is carried along farther than its size, and what the node's filter makes of it stays within the limits of force and rate |
-| `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one |
+| `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one; of organs thrown at organs or bone it stays below that of their speed; forces that are told not to be balanced may have added as much again |
 | `rest` | when the tools are gone, a damped organ that is held is back within 1e-4 of its size, and balanced, if its last cycle was not cut short by a live deadline; laws and springs with rest states that are inside out may stay in one, if told, and sheets may stay crumpled |
 | `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
 | `crash` | the program does not end |
@@ -146,14 +161,18 @@ cut short then goes on otherwise, and all other runs have the same bits. `deadli
 
 A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
 is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
-guard against turning inside out is an energy beside their law's. Energy is not judged of several organs, of viscous ones, of elements with middle nodes and of `neural`
+guard against turning inside out is an energy beside their law's. Energy is not judged of viscous organs, of elements with middle nodes and of `neural`
 under gravity, and not across a cycle that put an organ back to rest; return to rest not of organs that fly, and not
 where 700 rows of the time that the slowest motion is estimated to need would not do: all get three times that.
 
 )";
   out << summary(lines) << ". Their numbers go up to " << largest(lines, "number")
       << ", their meshes to " << largest(lines, "tetrahedra") << " tetrahedra; " << numSlow(lines)
-      << " had a cycle of more than 5 s.\n\n"
+      << " had a cycle of more than 5 s. In " << numIdle(lines)
+      << " that passed no tool touched anything; in " << numCurled(lines)
+      << " a cycle told to be converged had a quadratic element with det F <= 0 at a corner, "
+         "between "
+         "its integration points.\n\n"
       << commits(lines) << "\n"
       << "## By what happens\n\n"
       << table(lines, "category");
@@ -174,6 +193,7 @@ where 700 rows of the time that the slowest motion is estimated to need would no
       << worst(lines, "peak_force", "largest force on a tool, before limits [N]")
       << worst(lines, "unsolved", "most cycles not solved")
       << worst(lines, "inverted", "most cycles told inverted")
+      << worst(lines, "put_back", "most cycles that put an organ back to rest or froze it")
       << worst(lines, "load_s", "longest loading [s]");
   out << "\n## What fails\n\n| scene | criteria | what | made of |\n|---|---|---|---|\n";
   for (const ResultLine& line : lines) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "learned_files.h"
+#include "organ_cells.h"
 #include "palpate/base/error.h"
 #include "palpate/base/percentiles.h"
 #include "palpate/base/phase_times.h"
@@ -134,6 +135,8 @@ class Run {
     outcome_.unsolved += !solver::balanced(report.status);
     outcome_.inverted += report.status == solver::SolveStatus::kInverted;
     outcome_.touching += report.contacts > 0;
+    outcome_.curled += report.ok() && hasCurledCorners(cycle.simulator);
+    outcome_.put_back += report.recovery >= static_cast<int>(tissue::Recovery::kPutBack);
     outcome_.points = report.nodes;
     outcome_.longest_ms = std::max(outcome_.longest_ms, 1e3 * took);
     if (report.contacts > 0) touching_.push_back(took);
@@ -152,6 +155,16 @@ class Run {
     latest_effort_ = effortOf(report);
   }
 
+  bool hasCurledCorners(const sim::Simulator& simulator) {
+    for (int i = 0; i < simulator.numOrgans(); ++i) {
+      const mesh::CellMesh& cells = cells_.of(simulator, i);
+      if (areQuadraticTets(cells) && leastAtCorners(cells, simulator.positions(i)) <= 0.0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   // Of the cycles that broke the deadline, how many there were, and the longest one.
   void failLate() {
     if (late_ == 0) return;
@@ -165,6 +178,7 @@ class Run {
   const RunLimits& limits_;
   std::string folder_;
   SceneFiles files_;
+  OrganCells cells_;
   Outcome outcome_;
   std::vector<double> touching_;  // [s]
   int late_ = 0;                  // rows that broke the deadline, and the longest of them:

@@ -13,6 +13,7 @@
 #include "support/temp_folder.h"
 #include "torture/checks.h"
 #include "torture/draw_body.h"
+#include "torture/organ_cells.h"
 
 namespace palpate::torture {
 namespace {
@@ -140,6 +141,59 @@ TEST_F(Criteria, SeeAWrenchThatIsNotTheSumOfItsContacts) {
   result = lockstep->result();
   result.instruments[0].X_WC.translation().z() = 0.2;
   EXPECT_NE(told("wrench", result), "");
+}
+
+TEST_F(Criteria, SeeForcesThatDoNotCancel) {
+  sim::StepResult result = play(10);
+  result.report.imbalance = 1e-3;
+  EXPECT_NE(told("truth", result), "");
+  result.report.status = solver::SolveStatus::kIterationLimit;
+  EXPECT_EQ(told("truth", result), "");
+}
+
+TEST_F(Criteria, SeeForcesAndPointsBeyondAllBounds) {
+  sim::StepResult result = play(10);
+  result.instruments[0].solved.force = Vec3(0.0, 0.0, 1e9);
+  EXPECT_NE(told("bounded", result), "");
+  result.report.status = solver::SolveStatus::kIterationLimit;  // which is told
+  EXPECT_EQ(told("bounded", result), "");
+  Points x = simulator->positions(0);
+  x.col(x.cols() - 1) += Vec3(12.0 * scene.size(), 0.0, 0.0);
+  simulator->place(0, x, Points::Zero(3, x.cols()));
+  EXPECT_NE(told("bounded", result), "");
+}
+
+// What is thrown has the energy of its speed, and never more, in touch or not.
+TEST_F(Criteria, SeeEnergyThatAFallMakes) {
+  scene.start = Start::kThrown;
+  scene.thrown = 0.5;
+  scene.leave = 0;
+  const auto energy = checkEnergy(scene, *simulator);
+  energy->placed(*simulator);
+  const double thrown = 0.5 * 1000.0 * scene.organs.front().size.prod() * 0.25;  // [J]
+  sim::StepResult result = lockstep->result();
+  result.report.kinetic_energy = 0.9 * thrown;
+  result.contacts.resize(1);
+  EXPECT_EQ(energy->check(cycle(result)), "");
+  EXPECT_EQ(energy->finish(), "");
+  result.report.elastic_energy = 0.2 * thrown;
+  energy->check(cycle(result));
+  EXPECT_NE(energy->finish(), "");
+}
+
+// A middle node that is pulled past a corner turns the element over there; its volume stays
+// positive.
+TEST(QuadraticCorners, AreSeenWhereTheyCurl) {
+  mesh::TetMesh linear;
+  linear.points = (Points(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished();
+  linear.tets = Eigen::Vector4i(0, 1, 2, 3);
+  const mesh::CellMesh rest = mesh::cellsOf(mesh::toQuadratic(linear));
+  ASSERT_TRUE(areQuadraticTets(rest));
+  Points x = 2.0 * rest.points;
+  EXPECT_NEAR(leastAtCorners(rest, x), 8.0, 1e-12);
+  x = rest.points;
+  x(0, rest.cells(4, 0)) = 0.2;  // of the edge from 0 to 1: det F at 0 is 4 * 0.2 - 1
+  EXPECT_NEAR(leastAtCorners(rest, x), -0.2, 1e-12);
 }
 
 TEST_F(Criteria, SeeEnergyThatGrows) {

@@ -41,6 +41,7 @@ struct NamedCriterion {
 /// All of them, for a run of `scene` by a simulator that made no step yet:
 ///
 ///   finite    no number is NaN or infinite, and no status non_finite
+///   bounded   no point is ten sizes away, and no force more than tissue of that stiffness has
 ///   inverted  no shape with a tetrahedron of det F <= 0, as computed from its corners, is
 ///   converged truth     status, residual and wrench are what follows from points and contacts
 ///   wrench    forces come from what touches, and what reaches the hand is within the limits

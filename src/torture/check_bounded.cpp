@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "checks.h"
+
+namespace palpate::torture {
+namespace {
+
+constexpr double kAway = 10.0;  // sizes: what a tool drags along is stretched by one or two
+
+// Tissue that is stretched tenfold has, by a law that is cubic in stretch, a thousand times the
+// stress of its modulus; ten times that on all of its cross-section is no force of tissue. Laws of
+// exponentials, and those that resist compression without bound, have none.
+constexpr double kStretched = 1e4;
+constexpr double kInertia = 10.0;
+
+// Forces that no finite stretch bounds: exponentials of stretch.
+bool isExponential(const std::string& law) {
+  constexpr std::array<const char*, 5> kLaws = {"veronda_westmann", "demiray", "guccione",
+                                                "holzapfel_gasser_ogden", "holzapfel_ogden"};
+  return std::find(kLaws.begin(), kLaws.end(), law) != kLaws.end();
+}
+
+// Of small strains without contraction to the sides [Pa].
+double waveModulus(const TortureOrgan& organ) {
+  const double nu = organ.poisson;
+  return organ.contrast * organ.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+}
+
+struct Box {
+  Vec3 low, high;
+  void take(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  double distance(const Vec3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
+};
+
+class Bounded : public Criterion {
+ public:
+  explicit Bounded(const TortureScene& scene)
+      : scene_(scene),
+        box_{scene.organs.front().low, scene.organs.front().low + scene.organs.front().size} {
+    for (const TortureOrgan& organ : scene.organs) {
+      box_.take(organ.low);
+      box_.take(organ.low + organ.size);
+      const double area = scene.size() * scene.size();
+      stiffness_force_ = std::max(stiffness_force_, waveModulus(organ) * area);
+      mass_ += organ.density * organ.size.prod();
+      exponential_ = exponential_ || isExponential(organ.law);
+    }
+    const Eigen::MatrixXd& q = scene.trajectory.values;
+    for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(scene.leave); ++row) {
+      for (Eigen::Index k = 0; k + 2 < q.rows(); k += 6) box_.take(q.col(row).segment<3>(k));
+    }
+  }
+
+  void placed(const sim::Simulator& simulator) override {
+    for (int i = 0; i < simulator.numOrgans(); ++i) {
+      const Points& x = simulator.positions(i);
+      for (Eigen::Index k = 0; k < x.cols(); ++k) box_.take(x.col(k));
+    }
+  }
+
+  std::string check(const Cycle& cycle) override {
+    flown_ += scene_.thrown * cycle.dt;
+    const double bound = kAway * scene_.size() + flown_;
+    for (int i = 0; i < cycle.simulator.numOrgans(); ++i) {
+      const Points& x = cycle.simulator.positions(i);
+      for (Eigen::Index k = 0; k < x.cols(); ++k) {
+        const double away = box_.distance(x.col(k));
+        if (!(away <= bound)) return said("a point is", away, "m away");
+      }
+    }
+    // Of what is told to be unsolved a force is none of the tissue's.
+    return exponential_ || !cycle.result.report.ok() ? "" : wrongForce(cycle);
+  }
+
+ private:
+  std::string wrongForce(const Cycle& cycle) const {
+    const double h = std::min(cycle.dt, cycle.result.report.step);
+    if (!(h > 0.0)) return "";
+    // All of the organ brought along within a step.
+    const double inertia = kInertia * mass_ * scene_.size() / (h * h);
+    const double bound = kStretched * stiffness_force_ + inertia;
+    for (const sim::InstrumentResult& tool : cycle.result.instruments) {
+      const double force = tool.solved.force.norm();
+      if (tool.live && !(force <= bound)) {
+        return said("a tool feels", force, "N,") + said(" at most", bound, "N");
+      }
+    }
+    return "";
+  }
+
+  const TortureScene& scene_;
+  Box box_;  // of rest, start and the tools' way
+  double stiffness_force_ = 0.0, mass_ = 0.0, flown_ = 0.0;
+  bool exponential_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Criterion> checkBounded(const TortureScene& scene) {
+  return std::make_unique<Bounded>(scene);
+}
+
+}  // namespace palpate::torture
