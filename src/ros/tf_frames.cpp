@@ -13,7 +13,6 @@ namespace {
 // Chains of frames and trees of static ones are shorter than this by far.
 constexpr std::size_t kMostFrames = 100, kMostOthers = 10000, kLongestName = 1000;
 constexpr double kForever = 1.0e9;  // [s]
-constexpr double kMemory = 10.0;    // [s] of the buffer: what is older, time went back to
 constexpr double kClosest = 5e-4;   // [s] between two transforms of a frame
 // Beyond, sums of stamps and times overflow.
 constexpr std::uint32_t kLatest = 0x7fffffff;
@@ -49,7 +48,9 @@ std::string TfFrames::take(const Transform& transform, bool is_static, const Sou
   if (child.size() > kLongestName || parent.size() > kLongestName) return "";
   const auto found = wanted_.find(child);
   if (found == wanted_.end()) {
-    if (is_static && others_.size() < kMostOthers) others_[child] = {transform, source};
+    if (is_static && others_.size() < kMostOthers) {
+      others_[child] = {transform, source.connection, source.name, source.time};
+    }
     return "";
   }
   const std::string problem = fault(transform);
@@ -61,19 +62,23 @@ std::string TfFrames::take(const Transform& transform, bool is_static, const Sou
   }
   if (is_static != frame.is_static) return "frame " + child + " moves and is said to be static";
   if (!frame.publisher->takes(source.connection, source.name, source.time)) return "";
-  if (!is_static && !inOrder(&frame, transform.header.stamp)) return "";
+  if (!is_static) {
+    const double way = wayTo(&frame, transform.header.stamp);
+    if (way < 0.0) return "the transform of " + child + " is older than its last one";
+    if (way < kClosest) return "";
+    frame.newest = transform.header.stamp;
+  }
   buffer_.setTransform(transform, source.name, is_static);
   want(parent);
   return "";
 }
 
-// A stamp far back is that of another clock, or of another publisher.
-bool TfFrames::inOrder(Frame* frame, const ros::Time& stamp) {
+// From the newest stamp to another one [s]. One far back is that of another clock, or of another
+// publisher: all goes on from there.
+double TfFrames::wayTo(Frame* frame, const ros::Time& stamp) {
   const double way = secondsBetween(frame->newest, stamp);
-  if (way <= -kMemory) forget();
-  if (way > -kMemory && way < kClosest && !frame->newest.isZero()) return false;
-  frame->newest = stamp;
-  return true;
+  if (!frame->newest.isZero() && way <= -patience_) forget();
+  return frame->newest.isZero() ? kForever : way;
 }
 
 void TfFrames::want(const std::string& name) {
@@ -82,7 +87,7 @@ void TfFrames::want(const std::string& name) {
   if (kept == others_.end()) return;
   const Kept known = kept->second;
   others_.erase(kept);
-  take(known.transform, true, known.source);
+  take(known.transform, true, {known.connection.lock(), known.name, known.time});
 }
 
 void TfFrames::forget() {

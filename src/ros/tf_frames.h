@@ -27,7 +27,8 @@ class TfFrames {
     Steady::time_point time;
   };
 
-  /// `patience` [s]: so long a silence ends the turn of a publisher of what moves.
+  /// `patience` [s]: so long a silence ends the turn of a publisher of what moves, and so far back
+  /// a stamp is that of another clock.
   TfFrames(const std::vector<std::string>& frames, double patience, tf2::BufferCore* buffer);
 
   /// Returns "", or why a transform of a frame that counts is ignored.
@@ -45,11 +46,13 @@ class TfFrames {
   };
   struct Kept {
     Transform transform;
-    Source source;
+    boost::weak_ptr<const void> connection;  // which ends, however long its transform is kept
+    std::string name;
+    Steady::time_point time;
   };
 
   void want(const std::string& name);
-  bool inOrder(Frame* frame, const ros::Time& stamp);
+  double wayTo(Frame* frame, const ros::Time& stamp);
 
   double patience_;
   tf2::BufferCore& buffer_;

@@ -104,6 +104,32 @@ TEST_F(TfFramesTest, OfTwoPublishersOfAFrameOneCounts) {
   EXPECT_EQ(height(), 0.75);
 }
 
+// A publisher of what is static is started again: it sends all once, and what is not wanted of what
+// its first run sent is kept all the while.
+TEST_F(TfFramesTest, APublisherOfStaticFramesMayStartAgain) {
+  OnePublisher::Connection first = boost::make_shared<int>(3);
+  const auto sends = [&](const OnePublisher::Connection& who, const std::string& frame, double z) {
+    frames_.take(transform("world", frame, z), true, {who, "/state_publisher", start_});
+  };
+  moving(transform("base", "tip", 0.5));
+  sends(first, "base", 1.0);
+  sends(first, "camera", 1.0);
+  first.reset();
+  sends(other_, "base", 2.0);
+  EXPECT_EQ(height(), 2.5);
+  EXPECT_EQ(frames_.conflict(start_), "");
+}
+
+// A clock that is put back by less than what a buffer remembers.
+TEST_F(TfFramesTest, GoesOnFromStampsThatWentBack) {
+  moving(transform("world", "tip", 0.5));
+  EXPECT_EQ(moving(transform("world", "tip", 0.5), 0.01), "");
+  EXPECT_NE(moving(transform("world", "tip", 9.0, kNow - ros::Duration(0.1)), 0.02), "");
+  EXPECT_EQ(height(), 0.5);
+  EXPECT_EQ(moving(transform("world", "tip", 0.75, kNow - ros::Duration(3.0)), 0.03), "");
+  EXPECT_EQ(height(), 0.75);
+}
+
 TEST_F(TfFramesTest, ForgetsWhatMovedWhenTimeGoesBack) {
   fixed(transform("world", "base", 1.0));
   moving(transform("base", "tip", 0.5));
