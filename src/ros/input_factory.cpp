@@ -50,7 +50,7 @@ Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulato
     LatestValue<HandPose>* const hand = &channels->hands[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
       if (!tf_) tf_ = std::make_unique<Tf>(handle, simulator);
-      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, tf_->listener, simulator, i, hand));
+      inputs.push_back(std::make_unique<TfInput>(tf_->buffer, &tf_->listener, simulator, i, hand));
     } else {
       inputs.push_back(std::make_unique<JointInput>(handle, jointTopic(config), config.name,
                                                     simulator, i, hand, &channels->arrivals));

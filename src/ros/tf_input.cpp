@@ -6,10 +6,10 @@
 
 namespace palpate::node {
 
-TfInput::TfInput(const tf2::BufferCore& buffer, const TfListener& listener,
+TfInput::TfInput(const tf2::BufferCore& buffer, TfListener* listener,
                  const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand)
     : buffer_(buffer),
-      listener_(listener),
+      listener_(*listener),
       lookup_(simulator.instrument(index),
               simulator.scene().instruments[static_cast<std::size_t>(index)]),
       control_(static_cast<std::size_t>(simulator.controlLink(index))),
@@ -36,8 +36,11 @@ bool TfInput::poll(InputSample* sample) {
   return true;
 }
 
-// The listener empties its buffer by itself when time goes back.
-void TfInput::forget() { last_ = ros::Time(); }
+// What was heard before is in the buffer until the next message, if the listener is not asked.
+void TfInput::forget() {
+  listener_.checkClock();
+  last_ = ros::Time();
+}
 
 std::string TfInput::source() const {
   return std::string("tf frames ") + kWorldFrame + " -> " + joinNames(lookup_.frames());

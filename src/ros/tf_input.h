@@ -16,9 +16,9 @@ namespace palpate::node {
 /// Link poses from tf. The buffer is filled by a listener; poll() never waits for it.
 class TfInput : public Input {
  public:
-  /// Where the hand is goes to `hand` with each poll(). The references outlive this.
-  TfInput(const tf2::BufferCore& buffer, const TfListener& listener,
-          const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand);
+  /// Where the hand is goes to `hand` with each poll(). The references and `listener` outlive this.
+  TfInput(const tf2::BufferCore& buffer, TfListener* listener, const sim::Simulator& simulator,
+          int index, LatestValue<HandPose>* hand);
 
   bool poll(InputSample* sample) override;
   void forget() override;
@@ -28,7 +28,7 @@ class TfInput : public Input {
 
  private:
   const tf2::BufferCore& buffer_;
-  const TfListener& listener_;
+  TfListener& listener_;
   TfLookup lookup_;
   std::size_t control_;
   LatestValue<HandPose>& hand_;

@@ -20,11 +20,20 @@ std::string TfListener::conflict() const {
   return frames_.conflict(Steady::now());
 }
 
-void TfListener::receive(const Event& event, bool is_static) {
+void TfListener::checkClock() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  forgetWhenTimeGoesBack();
+}
+
+void TfListener::forgetWhenTimeGoesBack() {
   const ros::Time now = ros::Time::now();
   if (ros::Time::isSimTime() && now < last_now_) frames_.forget();
   last_now_ = now;
+}
+
+void TfListener::receive(const Event& event, bool is_static) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  forgetWhenTimeGoesBack();
   const TfFrames::Source source{event.getConnectionHeaderPtr(), event.getPublisherName(),
                                 Steady::now()};
   std::string problem;

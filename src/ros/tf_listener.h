@@ -24,6 +24,8 @@ class TfListener {
 
   /// Which two publish one of the frames; "" if no two do.
   std::string conflict() const;
+  /// Forgets what moved, where simulated time went back and no message has told so yet.
+  void checkClock();
 
  private:
   using Event = ros::MessageEvent<const tf2_msgs::TFMessage>;
@@ -31,6 +33,7 @@ class TfListener {
   void receiveMoving(const Event& event) { receive(event, false); }
   void receiveStatic(const Event& event) { receive(event, true); }
   void receive(const Event& event, bool is_static);
+  void forgetWhenTimeGoesBack();  // under the mutex
 
   mutable std::mutex mutex_;  // of the frames
   TfFrames frames_;

@@ -98,6 +98,7 @@ class SimTime(unittest.TestCase):
             self.goes_on(0.3)
 
     def test_a_clock_that_goes_back_a_little_resets_once(self):
+        self.assertIsNotNone(self.reports.wait(lambda m: m.time > 0.5, 5.0))
         self.hand.stop()
         time.sleep(0.05)
         self.set_clock(speed=0.0)
