@@ -45,7 +45,7 @@ if $kept && ! compgen -G "$out/results*.csv" >/dev/null; then cp docs/stability.
 commit=$(git rev-parse --short=12 HEAD 2>/dev/null || echo -)
 if [ -n "$(git status --porcelain -- . ':!docs' 2>/dev/null)" ]; then commit+=-dirty; fi
 
-# One core's part; where the program ended (127 and above) it is started again, and notes that.
+# One core's part; where the program ended by itself it is started again, and notes that.
 part() {
   local status
   while true; do
@@ -53,6 +53,7 @@ part() {
     "$program" torture --count "$count" --seed "$seed" --out "$out" --part "$1" --commit "$commit" \
       "${@:2}" || status=$?
     if [ "$status" -lt 126 ]; then return "$status"; fi
+    if [ "$status" = 130 ] || [ "$status" = 143 ]; then return "$status"; fi  # it was asked to
   done
 }
 export -f part
