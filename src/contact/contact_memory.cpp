@@ -28,13 +28,13 @@ void ContactPotential::beginStep(const Points& x) {
 
 bool ContactPotential::settled(const Points& x) {
   if (!response_->remembers()) return true;
-  gatherLearnable(x, 1.0);
+  gather(x);  // what is held as well: it does not yield, and rubs
   return response_->settled(touches_);
 }
 
 void ContactPotential::settle(const Points& x) {
   if (!response_->remembers()) return;
-  gatherLearnable(x, 1.0);
+  gather(x);
   response_->settle(touches_);
 }
 

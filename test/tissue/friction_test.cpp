@@ -101,6 +101,40 @@ TEST(Friction, LetsABlockSlideDownASlopeAsFarAsTheClosedFormSays) {
   EXPECT_NEAR(Slope(kMu).slide(kTangent, 200), expected, 0.01 * expected);
 }
 
+// Nodes that are held do not yield, but friction on them ends as well where nothing presses any
+// more, and what holds them feels what the tool does.
+TEST(Friction, OnHeldTissueIsWhatItsSupportsFeel) {
+  const mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.04, 0.04, 0.02), Eigen::Vector3i(3, 3, 2));
+  fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
+  for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
+    if (mesh.points(2, i) == 0.0 || mesh.points(2, i) == 0.02) free.col(i).setZero();
+  }
+  const auto law =
+      material::makeMaterial("neo_hookean", {{"young_modulus", {10e3}}, {"poisson_ratio", {0.4}}});
+  const auto tissue =
+      makeFemTissue(mesh, fem::Composition::uniform(law, 1000.0), free, settingsWith({1.0, 0.8}));
+  const instrument::Geometry ball = instrument::Sphere{0.006};
+  Vec3 at(0.015, 0.02, 0.027);
+  double most = 0.0;
+  const std::pair<Vec3, int> legs[] = {
+      {Vec3(0.0, 0.0, -0.0002), 10}, {Vec3(0.0004, 0.0, 0.0), 10}, {Vec3(0.001, 0.0, 0.0005), 10}};
+  for (const auto& [way, steps] : legs) {
+    for (int k = 0; k < steps; ++k) {
+      const Vec3 next = at + way;
+      const contact::Obstacle tool{&ball, 0, poseFromXyzRpy(at, Vec3::Zero()),
+                                   poseFromXyzRpy(next, Vec3::Zero())};
+      at = next;
+      const TissueStep& step = tissue->step({tool}, 0.01);
+      ASSERT_TRUE(step.ok());
+      const Vec3 sum = step.support_force + step.gravity_force + step.inertia_force - onTool(step);
+      // In a step friction may exceed Coulomb's by a part of 1e-4 of what presses.
+      EXPECT_LE(sum.norm(), 1e-4 * onTool(step).norm() + 1e-6) << at.transpose();
+      most = std::max(most, onTool(step).norm());
+    }
+  }
+  EXPECT_GT(most, 0.1);
+}
+
 // A plate pressed on the glued block and drawn aside.
 struct Drag {
   std::unique_ptr<TissueModel> tissue;
