@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "limits.h"
+#include "palpate/haptics/velocity_estimate.h"
 
 namespace palpate::haptics {
 
@@ -38,9 +39,12 @@ void PassivityController::observe(const Vec3& p, const Sent& sent) {
   if (way == Vec3::Zero()) return;
   p_ = p;
   if (time_ == 0.0) return;  // it has not felt anything yet
-  out_ += impulse_.dot(way) / time_;
-  dissipated_ -= damping_impulse_.dot(way) / time_;
-  largest_ = std::max(largest_, out_);
+  // Of a leap no hand did the work, and none has felt it.
+  if (!VelocityEstimate::leaps(way, time_)) {
+    out_ += impulse_.dot(way) / time_;
+    dissipated_ -= damping_impulse_.dot(way) / time_;
+    largest_ = std::max(largest_, out_);
+  }
   impulse_.setZero();
   damping_impulse_.setZero();
   time_ = 0.0;

@@ -94,6 +94,27 @@ TEST(Passivity, CountsTheSameForADeviceThatReportsEachTenthTick) {
   EXPECT_NEAR(slow.watched_out, fast.watched_out, 0.1 * fast.watched_out);
 }
 
+// A pose that leaps into the tissue, as that of another publisher may, is no credit; out of it no
+// debt.
+TEST(Passivity, CountsNoLeapAsWork) {
+  const Vec3 force(0.0, 0.0, 2.0);
+  for (const double leap : {-0.05, 0.05}) {
+    PassivityController controller;
+    const Vec3 v(0.0, 0.0, 0.1);
+    Vec3 p = Vec3::Zero();
+    controller.update(p, Vec3::Zero(), force, force, kTick);
+    p.z() += leap;
+    controller.update(p, Vec3::Zero(), force, force, kTick);
+    EXPECT_EQ(controller.largestOut(), 0.0);
+    for (int k = 0; k < 20; ++k) {
+      p += kTick * v;  // along the force: energy comes out
+      controller.update(p, v, force, force, kTick);
+    }
+    EXPECT_NEAR(controller.largestOut(), 20 * kTick * 0.1 * 2.0, 1e-9) << leap;
+    EXPECT_GT(controller.damping(), 0.0);
+  }
+}
+
 TEST(Passivity, KeepsToItsLimitAndDampsOnlyWhereSomethingTouches) {
   PassivitySettings settings;
   settings.max_damping = 1.5;

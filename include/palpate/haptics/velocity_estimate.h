@@ -15,6 +15,12 @@ class VelocityEstimate {
   static constexpr double kSmoothing = 0.004;  ///< Time constant [s].
   static constexpr double kFastest = 2.0;      ///< What goes faster leaps [m/s].
 
+  /// Whether a device that went `way` [m] within `time` [s], since it last reported another place,
+  /// was put there: no hand goes so.
+  static bool leaps(const Vec3& way, double time) {
+    return way.norm() > kFastest * std::min(time, kStill);
+  }
+
   /// A tick of `dt` > 0 [s] begins with the device at `p` [m].
   void update(const Vec3& p, double dt) {
     if (!begun_) p_ = p;
@@ -27,7 +33,7 @@ class VelocityEstimate {
       return;
     }
     const double time = std::min(time_, kStill);  // it may have begun to move just now
-    if (way.norm() > kFastest * time) {
+    if (leaps(way, time_)) {
       v_.setZero();
       since_leap_ = 0.0;
     } else {
