@@ -11,15 +11,15 @@ namespace {
 constexpr double kAway = 10.0;  // sizes: what a tool drags along is stretched by one or two
 
 // Tissue that is stretched tenfold has, by a law that is cubic in stretch, a thousand times the
-// stress of its modulus; ten times that on all of its cross-section is no force of tissue. Laws of
-// exponentials, and those that resist compression without bound, have none.
+// stress of its modulus; ten times that on all of its cross-section is no force of tissue.
 constexpr double kStretched = 1e4;
 constexpr double kInertia = 10.0;
 
-// Forces that no finite stretch bounds: exponentials of stretch.
-bool isExponential(const std::string& law) {
-  constexpr std::array<const char*, 5> kLaws = {"veronda_westmann", "demiray", "guccione",
-                                                "holzapfel_gasser_ogden", "holzapfel_ogden"};
+// Stresses that rise faster than the cube of stretch: exponentials, and higher powers.
+bool isSteep(const std::string& law) {
+  constexpr std::array<const char*, 7> kLaws = {
+      "veronda_westmann", "demiray", "guccione", "holzapfel_gasser_ogden",
+      "holzapfel_ogden",  "ogden",   "yeoh"};
   return std::find(kLaws.begin(), kLaws.end(), law) != kLaws.end();
 }
 
@@ -49,7 +49,7 @@ class Bounded : public Criterion {
       const double area = scene.size() * scene.size();
       stiffness_force_ = std::max(stiffness_force_, waveModulus(organ) * area);
       mass_ += organ.density * organ.size.prod();
-      exponential_ = exponential_ || isExponential(organ.law);
+      steep_ = steep_ || isSteep(organ.law);
     }
     const Eigen::MatrixXd& q = scene.trajectory.values;
     for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(scene.leave); ++row) {
@@ -75,7 +75,7 @@ class Bounded : public Criterion {
       }
     }
     // Of what is told to be unsolved a force is none of the tissue's.
-    return exponential_ || !cycle.result.report.ok() ? "" : wrongForce(cycle);
+    return steep_ || !cycle.result.report.ok() ? "" : wrongForce(cycle);
   }
 
  private:
@@ -97,7 +97,7 @@ class Bounded : public Criterion {
   const TortureScene& scene_;
   Box box_;  // of rest, start and the tools' way
   double stiffness_force_ = 0.0, mass_ = 0.0, flown_ = 0.0;
-  bool exponential_ = false;
+  bool steep_ = false;
 };
 
 }  // namespace
