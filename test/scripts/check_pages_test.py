@@ -16,6 +16,8 @@ PROGRAM = SOURCES / "scripts" / "check_pages.py"
 sys.path.insert(0, str(SOURCES / "benchmarks"))
 import provenance  # noqa: E402
 
+PAGES = ("accuracy", "benchmarks", "hands", "models", "stability")
+
 
 class Pages(unittest.TestCase):
     def setUp(self):
@@ -50,7 +52,7 @@ class Pages(unittest.TestCase):
             state = provenance.State.now(self.root)
             with mock.patch.dict(os.environ, {"PALPATE_NO_BUILD": ""}):
                 text = provenance.sentence(state, provenance.State.now(self.root))
-        for page in ("accuracy", "benchmarks", "hands", "models"):
+        for page in PAGES:
             self.write(f"docs/{page}.md", f"# Page\n\n## Made with\n\n{text}; a processor; 1 minute.\n")
         self.commit()
 
@@ -62,7 +64,7 @@ class Pages(unittest.TestCase):
     def test_of_the_present_sources(self):
         status, said = self.check()
         self.assertEqual(status, 0, said)
-        self.assertEqual(said.count("nothing that decides its figures has changed since"), 4)
+        self.assertEqual(said.count("nothing that decides its figures has changed since"), len(PAGES))
         self.assertEqual(self.check(options=["--release"])[0], 0)
 
     def test_changes_are_counted_and_are_no_failure(self):
@@ -86,7 +88,7 @@ class Pages(unittest.TestCase):
         for first, second in ((old, new), (new, old)):
             self.made_from(f"Commit {first}; a processor\n\n## Part\n\nCommit {second}")
             status, said = self.check()
-            self.assertEqual((status, said.count(f"is of {old}; 1 commits")), (0, 4), said)
+            self.assertEqual((status, said.count(f"is of {old}; 1 commits")), (0, len(PAGES)), said)
         self.made_from(f"Commit {new}\n\n## Part\n\nCommit 0123456789ab")
         self.assertEqual(self.check()[0], 1)
 
@@ -96,7 +98,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(state.changed, ("src/fem/one.cpp",))
         self.made_from(provenance.sentence(state, state))
         status, said = self.check()
-        self.assertEqual((status, said.count("WARNING"), said.count("changes that are in no commit")), (0, 4, 4))
+        self.assertEqual((status, said.count("WARNING"), said.count("changes that are in no commit")), (0, len(PAGES), len(PAGES)))
         self.assertEqual(self.check(options=["--release"])[0], 1)
 
     def test_sources_that_change_meanwhile_are_not_released(self):
@@ -116,12 +118,12 @@ class Pages(unittest.TestCase):
         self.git("checkout", "-q", "-")
         self.made_from(f"Commit {other}")
         status, said = self.check()
-        self.assertEqual((status, said.count("does not come from")), (1, 4), said)
+        self.assertEqual((status, said.count("does not come from")), (1, len(PAGES)), said)
         self.made_from("Commit 0123456789ab")
         self.assertEqual(self.check()[0], 1)
         self.made_from("Made from sources without a commit")
         status, said = self.check()
-        self.assertEqual((status, said.count("names no commit")), (1, 4), said)
+        self.assertEqual((status, said.count("names no commit")), (1, len(PAGES)), said)
 
     def test_a_shallow_clone_and_an_export_cannot_tell(self):
         self.write("src/fem/one.cpp", "// later\n")
@@ -129,11 +131,11 @@ class Pages(unittest.TestCase):
         shallow = self.top / "shallow"
         self.git("clone", "-q", "--depth", "1", self.root.as_uri(), str(shallow), cwd=self.top)
         status, said = self.check(shallow)
-        self.assertEqual((status, said.count("too shallow")), (0, 4), said)
+        self.assertEqual((status, said.count("too shallow")), (0, len(PAGES)), said)
         export = self.top / "export"
         shutil.copytree(self.root, export, ignore=shutil.ignore_patterns(".git"))
         status, said = self.check(export)
-        self.assertEqual((status, said.count("this is no clone")), (0, 4), said)
+        self.assertEqual((status, said.count("this is no clone")), (0, len(PAGES)), said)
         self.assertIsNone(provenance.State.now(export).commit)
 
     def test_an_export_within_a_repository_is_an_export(self):
@@ -142,7 +144,7 @@ class Pages(unittest.TestCase):
         shutil.copytree(self.root / "scripts", export / "scripts")
         self.commit()
         status, said = self.check(export)
-        self.assertEqual((status, said.count("this is no clone")), (0, 4), said)
+        self.assertEqual((status, said.count("this is no clone")), (0, len(PAGES)), said)
 
     def test_a_room_that_nobody_sorted_fails(self):
         self.write("scripts/rooms.txt", (SOURCES / "scripts/rooms.txt").read_text() + "magnets:\n")
