@@ -9,7 +9,7 @@ import time
 import roslib.packages
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import WrenchStamped
+from geometry_msgs.msg import TransformStamped, WrenchStamped
 from palpate.msg import StepReport
 from sensor_msgs.msg import JointState
 
@@ -68,6 +68,16 @@ def joint_state(z, stamp=None, names=None, positions=None):
     m.name = list(JOINTS) if names is None else names
     m.position = [0.0, 0.0, z, 0.0, 0.6, 0.0] if positions is None else positions
     return m
+
+
+def transform(parent, child, z, stamp=None):
+    """Turned as joint_state() turns the probe."""
+    t = TransformStamped()
+    t.header.stamp = rospy.Time.now() if stamp is None else stamp
+    t.header.frame_id, t.child_frame_id = parent, child
+    t.transform.translation.z = z
+    t.transform.rotation.y, t.transform.rotation.w = math.sin(0.3), math.cos(0.3)
+    return t
 
 
 class Hand:

@@ -10,23 +10,13 @@ import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import TransformStamped
 from rosgraph_msgs.msg import Log
 from tf2_msgs.msg import TFMessage
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from helpers import (  # noqa: E402
-    Ear, bytes_of, diagnostics_ear, force, memory, numbers, report_ear, status, wrench_ear)
+    Ear, bytes_of, diagnostics_ear, force, memory, numbers, report_ear, status, transform, wrench_ear)
 from tcpros import Speaker, slave  # noqa: E402
-
-
-def transform(parent, child, z, stamp=None):
-    t = TransformStamped()
-    t.header.stamp = rospy.Time.now() if stamp is None else stamp
-    t.header.frame_id, t.child_frame_id = parent, child
-    t.transform.translation.z = z
-    t.transform.rotation.y, t.transform.rotation.w = math.sin(0.3), math.cos(0.3)
-    return t
 
 
 class Tf(unittest.TestCase):
