@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "box.h"
 #include "checks.h"
 
 namespace palpate::torture {
@@ -28,15 +29,6 @@ double waveModulus(const TortureOrgan& organ) {
   const double nu = organ.poisson;
   return organ.contrast * organ.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
 }
-
-struct Box {
-  Vec3 low, high;
-  void take(const Vec3& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  double distance(const Vec3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
-};
 
 class Bounded : public Criterion {
  public:

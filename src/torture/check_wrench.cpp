@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "box.h"
 #include "checks.h"
 #include "palpate/haptics/wrench_filter.h"
 
@@ -14,11 +15,6 @@ constexpr double kRounding = 1e-9;  // of limits
 
 // Tissue that is stretched by its own size and still on a tool is carried, not touched.
 constexpr double kCarried = 1.0;
-
-struct Box {
-  Vec3 low, high;
-  double distance(const Vec3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
-};
 
 class Hand {
  public:
