@@ -123,9 +123,23 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
   if (settings.position_tolerance == 0.0) least_force_ = settings.tolerance * force_floor;
 }
 
-double FemBody::tolerance() const {
-  const double forces = std::max({weight_norm_, contact_force, support_force});
-  return std::max(settings.tolerance * forces, least_force_);
+double FemBody::leastTolerance() const {
+  return std::max(settings.tolerance * weight_norm_, least_force_);
+}
+
+double FemBody::tolerance() const { return toleranceBeside(contact_force, support_force); }
+
+double FemBody::toleranceBeside(double touching, double support) const {
+  return std::max(settings.tolerance * std::max(touching, support), leastTolerance());
+}
+
+double FemBody::toleranceAt(const Points& at, const Points& gradient, double others) {
+  nodal_.setZero(3, at.cols());
+  contact.addGradient(at, &nodal_);
+  touch.needles.addGradient(at, &nodal_);
+  const double touching = std::hypot(nodal_.norm(), others);
+  findSupport(at, gradient, &nodal_);
+  return toleranceBeside(touching, nodal_.norm());
 }
 
 mesh::CellMesh FemBody::cells() const {
@@ -153,13 +167,17 @@ bool FemBody::heldWay(double s, Points* way) const {
   return !way->isZero(0.0);
 }
 
+// What holds the nodes, and what surrounds them.
+void FemBody::findSupport(const Points& at, const Points& gradient, Points* forces) {
+  *forces = gradient.array() * (1.0 - free.array());
+  if (around_.empty()) return;
+  around_gradient_.setZero(3, at.cols());
+  for (const fem::EnergyTerm* term : around_) term->addGradient(at, &around_gradient_);
+  *forces -= around_gradient_;
+}
+
 void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
-  support_forces = gradient.array() * (1.0 - free.array());
-  if (!around_.empty()) {
-    around_gradient_.setZero(3, x.cols());
-    for (const fem::EnergyTerm* term : around_) term->addGradient(x, &around_gradient_);
-    support_forces -= around_gradient_;
-  }
+  findSupport(x, gradient, &support_forces);
   out->support_force = support_forces.rowwise().sum();
   out->cavity_pressure = surroundings.largestPressure(x);
   support_force = support_forces.norm();

@@ -39,6 +39,11 @@ struct FemBody {
   /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
   /// cycle.
   double tolerance() const;
+  /// The same from the forces at `at`, where the potential has `gradient`, 3 x n [N]; `others`: the
+  /// nodal norm of what other bodies exert there [N].
+  double toleranceAt(const Points& at, const Points& gradient, double others);
+  /// What both are at least [N].
+  double leastTolerance() const;
   /// Collects the contacts at x into `out`, and their nodal norm.
   void reportContacts(TissueStep* out);
   /// Energy of gravity, the loads and the surroundings at `at` [J]; g += its gradient, 3 x n [N].
@@ -96,10 +101,13 @@ struct FemBody {
   Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
 
  private:
+  double toleranceBeside(double touching, double support) const;
+  void findSupport(const Points& at, const Points& gradient, Points* forces);
+
   double weight_norm_;                          // of the nodal forces of gravity and loads [N]
   double least_force_;                          // worth being balanced [N]
   std::vector<const fem::EnergyTerm*> around_;  // the surroundings' terms
-  Points around_gradient_;
+  Points around_gradient_, nodal_;
 };
 
 /// The equilibrium under the body's gravity and surroundings, 3 x n [m].

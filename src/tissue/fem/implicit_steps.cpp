@@ -16,6 +16,8 @@ constexpr int kMaxSearches = 4;
 // Solutions in a step that contact asks for after the first, without friction and with it.
 constexpr int kMaxSettlings = 3;
 constexpr int kMaxSettlingsOfFriction = 6;
+// So many times beyond the tolerance of the forces that there are, a solution is none.
+constexpr double kGone = 10.0;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
 // step or two.
 constexpr double kWorthFollowing = 100.0;
@@ -149,12 +151,13 @@ void ImplicitSteps::solveStages(double begin, double end) {
     if (s < end) continue;
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
-      if (settled()) break;
+      const bool content = settled();
+      if (content && !outlivesForces(solved.residual)) break;
       if (budget_.left() <= 0) {  // it keeps the contact that x was solved for
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
       }
-      settle();
+      if (!content) settle();
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -214,6 +217,17 @@ solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
 bool ImplicitSteps::settled() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   return bodies_.settled();
+}
+
+// Whether this much out of balance is within the tolerance only because that is a part of forces
+// that are gone, with a tool that leapt away: it is of those that there are from now on.
+bool ImplicitSteps::outlivesForces(double residual) {
+  if (residual <= bodies_.leastTolerance()) return false;
+  const PhaseTimer timer(&out_->phases, Phase::kContact);
+  const double here = bodies_.toleranceHere(minimizer_->gradient());
+  if (residual <= kGone * here) return false;
+  out_->tolerance = here;
+  return true;
 }
 
 void ImplicitSteps::settle() {

@@ -69,6 +69,26 @@ double MovingBodies::tolerance() const {
   return least;
 }
 
+double MovingBodies::leastTolerance() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyMotion* member : members_) {
+    least = std::min(least, member->body().leastTolerance());
+  }
+  return least;
+}
+
+double MovingBodies::toleranceHere(const Points& gradient) {
+  sumInteractionForces();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    FemBody& body = members_[k]->body();
+    if (joint_) body.x = part(k, x_);
+    least = std::min(least, body.toleranceAt(body.x, joint_ ? part(k, gradient) : gradient,
+                                             interaction_forces_[k].norm));
+  }
+  return least;
+}
+
 void MovingBodies::beginCycle() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->beginCycle();

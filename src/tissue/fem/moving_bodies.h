@@ -47,6 +47,11 @@ class MovingBodies {
   /// Newton's tolerance [N]: the least of the members', so that each of them is solved as well as
   /// it would be alone.
   double tolerance() const;
+  /// The same by the forces at x instead of the last cycle's [N]; `gradient` of the potential
+  /// there, 3 x n [N].
+  double toleranceHere(const Points& gradient);
+  /// What they are at least [N].
+  double leastTolerance() const;
   void beginCycle();
   void goBack();
   void endCycle();
