@@ -275,15 +275,16 @@ struct RandomBall {
   }
 };
 
-TEST(Friction, NeverLeavesItsCone) {
+TEST_P(EveryMethodWithFriction, NeverLeavesItsConeAndBalances) {
   constexpr double kMu = 0.3;
   FemSettings settings = settingsWith({kMu, kMu});
   settings.sample_spacing = 0.003;
+  settings.method = GetParam();
   const auto tissue = block(settings, true);
   RandomBall ball;
   int contacts = 0, sliding = 0;
   double worst = 0.0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const TissueStep& step = tissue->step({ball.next(0.01)}, 0.01);
     ASSERT_TRUE(solver::usable(step.status)) << k;
     for (const TissueContact& c : step.contacts) {
@@ -296,7 +297,7 @@ TEST(Friction, NeverLeavesItsCone) {
     }
     worst = std::max(worst, test::imbalance(step).norm() / std::max(onTool(step).norm(), 0.01));
   }
-  EXPECT_GT(contacts, 3000);
+  EXPECT_GT(contacts, 1000);
   EXPECT_GT(sliding, contacts / 20);
   EXPECT_LT(sliding, contacts);
   EXPECT_LT(worst, 1e-3);

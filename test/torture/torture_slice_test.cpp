@@ -22,10 +22,6 @@ const std::set<int>& slowOnes() {
   return kNumbers;
 }
 
-// 64 is named in docs/stability.md: the friction that tled reports is not all that its sub-steps
-// had, 1.3 mN of it.
-bool isKnownToFail(int number) { return number == 64; }
-
 std::string failuresOf(const Outcome& outcome) {
   static const std::set<std::string> kOfTheMachine = {"time", "cycle", "deadline"};
   std::string all = outcome.refused.empty() ? "" : "refused: " + outcome.refused;
@@ -47,7 +43,6 @@ TEST_P(TortureSlice, FailsNowhere) {
   for (int number = 0; number < kEach * static_cast<int>(categories().size()); ++number) {
     const TortureScene scene = drawScene(1, number);
     if (scene.category != GetParam() || scene.live || slowOnes().count(number)) continue;
-    if (isKnownToFail(number)) continue;
     if (scene.organs.front().mesh.numTets() > kMostTets) continue;
     const test::TempFolder folder;
     const Outcome outcome = run(scene, folder.path(""), limits);

@@ -10,6 +10,8 @@ namespace {
 constexpr double kMaxLeapSteps = 256.0;
 // Contact moves no node farther in a step than this part of an element.
 constexpr double kContactWay = 0.5;
+// Answers in a step that friction asks for after the first.
+constexpr int kMaxSettlings = 6;
 
 }  // namespace
 
@@ -48,11 +50,28 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
   if (!body_.sweep.candidatesHold(*next)) body_.sweep.search(*next);
   if (!body_.contact.hasCandidates()) {
     update_.clear();
+    iterations_ = 0;
     return true;
   }
-  update_.apply(coefficients, body_.tolerance(), next);
+  answer(coefficients, next);
   limited_ = !update_.limit(coefficients, body_.x, kContactWay * element_size_, next);
   return true;
+}
+
+// What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for it: the
+// law takes that back when the step ends, and a force that has moved tissue would be told by
+// nobody.
+void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
+  const bool rubs = body_.contact.hasFriction();
+  if (rubs) untouched_ = *next;
+  update_.apply(coefficients, body_.tolerance(), next);
+  iterations_ = update_.iterations();
+  for (int k = 0; rubs && k < kMaxSettlings && !body_.contact.settled(*next); ++k) {
+    body_.contact.settle(*next);
+    *next = untouched_;
+    update_.apply(coefficients, body_.tolerance(), next);
+    iterations_ += update_.iterations();
+  }
 }
 
 }  // namespace palpate::tissue

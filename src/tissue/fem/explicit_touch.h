@@ -32,7 +32,7 @@ class ExplicitTouch {
   /// Minus the contact's forces, 3 x n [N].
   const Points& gradient() const { return update_.gradient(); }
   /// That the last go() took.
-  int iterations() const { return update_.iterations(); }
+  int iterations() const { return iterations_; }
   /// Norm of the forces that it left unbalanced [N].
   double residual() const { return update_.residual(); }
   /// How far the fastest tool went in it [m].
@@ -44,10 +44,13 @@ class ExplicitTouch {
 
  private:
   bool mayJump(const Points& way) const;
+  void answer(const Eigen::VectorXd& coefficients, Points* next);
 
   FemBody& body_;
   double element_size_;
   ContactUpdate update_;
+  Points untouched_;  // where friction may ask for another answer
+  int iterations_ = 0;
   bool limited_ = false;
   double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
 };
