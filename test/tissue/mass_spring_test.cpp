@@ -149,6 +149,9 @@ TEST(MassSpring, RefusesWhatSpringsCannotBe) {
   const std::string too_long = refusal(with("symplectic_euler", 0.5), nothing);
   EXPECT_TRUE(says(too_long, "springs.step = 0.5") && says(too_long, "is stable up to"))
       << too_long;
+  const std::string too_many = refusal(with("symplectic_euler", 1e-8), nothing);
+  EXPECT_TRUE(says(too_many, "solver.step = 0.01") && says(too_many, "of its steps of 1e-08 s"))
+      << too_many;
   for (const char* name : {"forward_euler", "trapezoidal_euler"}) {
     const std::string undamped = refusal(with(name, 0.0), [](test::OrganSketch* organ) {
       organ->damping = {0.0, 0.0};

@@ -96,6 +96,12 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
   }
   longest_ = kSafety * longestStep(square_);
   if (settings.step > 0.0) longest_ = std::min(longest_, settings.step);
+  if (const double longest = body->settings.step; !(longest <= kMaxSubSteps * longest_)) {
+    throw std::invalid_argument(
+        "springs.scheme = " + name + ": solver.step = " + inSeconds(longest) + " takes more than " +
+        inSeconds(kMaxSubSteps) + " of its steps of " + inSeconds(longest_) +
+        " s; shorten solver.step, damp more, or choose symplectic_euler or implicit");
+  }
   body->method = name;
   body->method_note = name + " in steps of " + inSeconds(longest_) + " s; at rest those up to " +
                       inSeconds(at_rest) + " s are stable";
