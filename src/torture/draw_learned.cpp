@@ -44,7 +44,7 @@ void drawPrescribed(TortureScene* scene) {
       scene->bone || scene->tools.size() != 1 || organ.model != "fem") {
     return;
   }
-  scene->prescribed = true;
+  scene->contact = "prescribed";
   scene->friction = 0.0;
   organ.adapt = 0.0;
   if (organ.element != "tet4") organ.element = "anp";
@@ -52,6 +52,11 @@ void drawPrescribed(TortureScene* scene) {
   const double length = std::max(0.005, tool.size.maxCoeff());
   tool.shape = "cylinder";
   tool.size = Vec3(std::min(0.001, tool.size.x()), 0.0, length);
+}
+
+void drawPenalty(TortureScene* scene) {
+  Draw draw = ownDraw(*scene, 0x9e2a17fULL);
+  if (draw.chance(0.15) && scene->contact != "prescribed") scene->contact = "penalty";
 }
 
 }  // namespace palpate::torture

@@ -13,4 +13,7 @@ void drawLearning(TortureScene* scene);
 /// one organ of linear tetrahedra.
 void drawPrescribed(TortureScene* scene);
 
+/// Makes others ones of contact.model penalty.
+void drawPenalty(TortureScene* scene);
+
 }  // namespace palpate::torture

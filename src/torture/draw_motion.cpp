@@ -83,13 +83,15 @@ Way inside(const Box& box, Draw* draw) {
   return {at, draw->direction(), {{at + 0.01 * draw->direction(), drawSpeed(draw)}}, 0.0};
 }
 
+// Tools are upright, so that half their width is between their axes and the organ.
 Way pinch(const Box& box, const TortureTool& tool, int side, double dt, Draw* draw) {
   const double sign = side % 2 ? 1.0 : -1.0, thick = draw->between(0.2, 0.7);
   const Vec3 middle = box.at(0.5, 0.5, 0.7);
-  const double speed = drawSpeed(draw), away = tool.radius() + awayOf(speed, dt);
+  const double speed = drawSpeed(draw), tilt = 0.1, half = tool.size.x() + tilt * tool.size.z();
+  const double away = half + awayOf(speed, dt);
   const Vec3 from = middle + sign * (0.5 * box.size.x() + away) * Vec3::UnitX();
-  const Vec3 to = middle + sign * (0.5 * thick * box.size.x() + tool.radius()) * Vec3::UnitX();
-  return {from, 0.1 * draw->direction(), {{to, speed}, {to, speed}, {from, speed}}, 0.0};
+  const Vec3 to = middle + sign * (0.5 * thick * box.size.x() + half) * Vec3::UnitX();
+  return {from, tilt * draw->direction(), {{to, speed}, {to, speed}, {from, speed}}, 0.0};
 }
 
 Way tear(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
@@ -124,7 +126,8 @@ Way wayOf(const TortureScene& scene, int k, double dt, Draw* draw) {
   if (what == "pinch") return pinch(box, tool, k, dt, draw);
   if (what == "tear") return tear(box, tool, dt, draw);
   if (what == "wander") return wander(box, tool, dt, draw);
-  if (what == "fall" || what == "start" || what == "gravity") return far(k);
+  if (what == "fall") return far(k);
+  if ((what == "start" || what == "gravity") && draw->chance(0.6)) return far(k);
   return press(box, tool, drawSpeed(draw), dt, draw);
 }
 

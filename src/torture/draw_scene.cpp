@@ -181,6 +181,7 @@ TortureScene drawScene(std::uint64_t seed, int number) {
   drawLearning(&scene);
   drawTools(&draw, &scene);
   drawPrescribed(&scene);
+  drawPenalty(&scene);
   drawMotion(draw.decades(1e-4, 0.05), &draw, &scene);
   scene.live = number % 6 == 5;
   return scene;
@@ -188,6 +189,7 @@ TortureScene drawScene(std::uint64_t seed, int number) {
 
 std::string describe(const TortureScene& scene) {
   const TortureOrgan& o = scene.organs.front();
+  const std::string usual = contact::ResponseSettings().model;
   char text[512];
   std::snprintf(text, sizeof text,
                 "%s: %s%s%s %s E=%.3g nu=%g rho=%.3g, %s of %td tetrahedra (%.3g deg), %s %s, step "
@@ -196,7 +198,8 @@ std::string describe(const TortureScene& scene) {
                 o.model == "fem" ? o.element.c_str() : "", o.law.c_str(), o.young, o.poisson,
                 o.density, o.shape.c_str(), o.mesh.numTets(), o.min_dihedral, scene.method.c_str(),
                 scene.integrator.c_str(), scene.step, scene.tools.size(), scene.friction,
-                toString(scene.start), scene.prescribed ? ", prescribed" : "");
+                toString(scene.start),
+                scene.contact == usual ? "" : (", " + scene.contact).c_str());
   return text;
 }
 

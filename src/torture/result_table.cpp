@@ -63,6 +63,8 @@ std::vector<std::string> headCells(const TortureScene& scene) {
           rounded(scene.step),
           rounded(scene.friction),
           std::to_string(scene.tools.size()),
+          scene.contact,
+          o.model == "mass_spring" || o.model == "cloth" ? o.scheme : "-",
           scene.live ? "live" : "replay"};
 }
 
@@ -70,12 +72,12 @@ std::vector<std::string> headCells(const TortureScene& scene) {
 
 const std::vector<std::string>& ResultLine::columns() {
   static const std::vector<std::string> kAll = {
-      "seed",       "number",   "category",  "model",      "element",    "law",      "method",
-      "integrator", "start",    "shape",     "tetrahedra", "dihedral",   "young",    "poisson",
-      "density",    "contrast", "step",      "friction",   "tools",      "pace",     "verdict",
-      "criteria",   "row",      "what",      "cycles",     "unsolved",   "inverted", "touching",
-      "put_back",   "curled",   "median_ms", "longest_ms", "peak_force", "load_s",   "run_s",
-      "commit",     "end"};
+      "seed",       "number",   "category", "model",      "element",   "law",        "method",
+      "integrator", "start",    "shape",    "tetrahedra", "dihedral",  "young",      "poisson",
+      "density",    "contrast", "step",     "friction",   "tools",     "contact",    "scheme",
+      "pace",       "verdict",  "criteria", "row",        "what",      "cycles",     "unsolved",
+      "inverted",   "touching", "put_back", "curled",     "median_ms", "longest_ms", "peak_force",
+      "load_s",     "run_s",    "commit",   "end"};
   return kAll;
 }
 

@@ -148,9 +148,10 @@ SceneFiles writeScene(const TortureScene& scene, const std::string& folder) {
   out << "instruments:\n";
   for (const TortureTool& tool : scene.tools) out << writeTool(tool, folder);
   out << boneText(scene, folder);
-  if (scene.prescribed) out << "contact: {model: prescribed, organs: false}\n";
+  out << "contact:\n  model: " << scene.contact << "\n";
+  if (scene.contact == "prescribed") out << "  organs: false\n";
   if (scene.friction > 0.0) {
-    out << "contact:\n  friction: {static: " << formatNumber(scene.friction)
+    out << "  friction: {static: " << formatNumber(scene.friction)
         << ", kinetic: " << formatNumber(0.8 * scene.friction) << "}\n";
   }
   out << "solver:\n  method: " << scene.method << "\n";

@@ -181,6 +181,8 @@ where 700 rows of the time that the slowest motion is estimated to need would no
                                                        {"law", "By law"},
                                                        {"method", "By method"},
                                                        {"integrator", "By integrator"},
+                                                       {"contact", "By contact"},
+                                                       {"scheme", "By the scheme of springs"},
                                                        {"poisson", "By Poisson's ratio"},
                                                        {"start", "By the start"},
                                                        {"shape", "By mesh"},

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "palpate/contact/contact_models.h"
 #include "palpate/material/material.h"
 #include "palpate/mesh/quality.h"
 #include "palpate/scene/scene.h"
@@ -62,7 +63,7 @@ TEST(DrawnScene, IsThatOfItsSeedAndNumber) {
 
 TEST(DrawnScenes, HaveAllThatThereIs) {
   std::set<std::string> categories_seen, models, elements, laws, methods, integrators, tools,
-      starts;
+      starts, contacts, schemes;
   for (int number = 0; number < kMany; ++number) {
     const TortureScene scene = drawScene(1, number);
     categories_seen.insert(scene.category);
@@ -70,6 +71,7 @@ TEST(DrawnScenes, HaveAllThatThereIs) {
       models.insert(organ.model);
       elements.insert(organ.element);
       laws.insert(organ.law);
+      schemes.insert(organ.scheme);
       EXPECT_GE(organ.poisson, 0.0);
       EXPECT_LE(organ.poisson, 0.4999);
       EXPECT_GE(organ.young, 1e2);
@@ -81,6 +83,7 @@ TEST(DrawnScenes, HaveAllThatThereIs) {
     integrators.insert(scene.integrator);
     for (const TortureTool& tool : scene.tools) tools.insert(tool.shape);
     starts.insert(toString(scene.start));
+    contacts.insert(scene.contact);
     EXPECT_GE(scene.step, 1e-4);
     EXPECT_LE(scene.step, 0.1);
     EXPECT_LE(scene.trajectory.t.size(), 90u + 10u + 3u * 700u);  // go, leave and rest
@@ -93,6 +96,8 @@ TEST(DrawnScenes, HaveAllThatThereIs) {
   EXPECT_EQ(integrators.size(), 3u);
   EXPECT_EQ(tools.size(), toolShapes().size());
   EXPECT_EQ(starts.size(), 8u);
+  EXPECT_EQ(contacts.size(), contact::contactModelNames().size());
+  EXPECT_EQ(schemes.size(), 4u);
 }
 
 TEST(DrawnMeshes, AreWholeAndAsFlatAsTheySay) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/base/types.h"
+#include "palpate/contact/response_settings.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/material/constants.h"
 #include "palpate/mesh/surface_mesh.h"
@@ -66,7 +67,7 @@ struct TortureScene {
   bool bone = false;            ///< A block below.
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   double friction = 0.0;
-  bool prescribed = false;  ///< Contact as of a segment that the tissue sticks to.
+  std::string contact = contact::ResponseSettings().model;  ///< What answers where tissue touches.
   std::string method = solver::StepSettings().method;
   std::string integrator = solver::StepSettings().integrator;
   double step = solver::StepSettings().step;  ///< Longest [s].
