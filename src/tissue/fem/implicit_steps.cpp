@@ -225,7 +225,7 @@ bool ImplicitSteps::outlivesForces(double residual) {
   if (residual <= bodies_.leastTolerance()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   const double here = bodies_.toleranceHere(minimizer_->gradient());
-  if (residual <= kGone * here) return false;
+  if (residual <= kGone * here || here >= out_->tolerance) return false;
   out_->tolerance = here;
   return true;
 }
