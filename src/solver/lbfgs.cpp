@@ -141,11 +141,11 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
   num_pairs_ = std::min(num_pairs_ + 1, kPairs);
 }
 
-bool Lbfgs::search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
-                   NewtonReport* report) {
+bool Lbfgs::search(const Potential& potential, const NewtonSettings& settings, Points* x,
+                   double* value, NewtonReport* report) {
   const PhaseTimer timer(&report->phases, Phase::kLineSearch);
-  const bool found = line_search_.run(potential, d_, x, &g_, value, interrupt,
-                                      report->iterations > 0 ? 1 : kHalvingsInTime);
+  const bool found = line_search_.run(potential, d_, x, &g_, value, settings.interrupt,
+                                      report->iterations > 0 ? 1 : settings.least_halvings);
   report->halvings += line_search_.halvings();
   return found;
 }
@@ -174,7 +174,7 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     x_begin_ = *x;
     g_begin_ = g_;
     while (!direction(potential, *x, &report.phases) ||
-           !search(potential, settings.interrupt, x, &value, &report)) {
+           !search(potential, settings, x, &value, &report)) {
       if (settings.interrupted()) {
         wasted_ = renewal_;  // the factor is renewed when there is time
         report.status = SolveStatus::kDeadline;

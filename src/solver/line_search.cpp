@@ -7,7 +7,6 @@ namespace palpate::solver {
 namespace {
 
 constexpr double kSufficientDecrease = 1e-4;
-constexpr int kMaxHalvings = 30;
 constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
 
 }  // namespace

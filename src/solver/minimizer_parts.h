@@ -7,9 +7,6 @@ namespace palpate::solver {
 
 // What all methods of minimising do alike.
 
-/// So often a first step is halved before an interrupt is asked: what is shorter moves little.
-inline constexpr int kHalvingsInTime = 8;
-
 /// Whether no further iteration is to begin where the potential has this value and the gradient g;
 /// report->residual receives its norm, report->status why it ends.
 bool isOver(double value, const Points& g, const fem::FreeMask& free,

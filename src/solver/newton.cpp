@@ -152,7 +152,7 @@ NewtonReport Newton::minimize(const Potential& potential, const NewtonSettings& 
     }
     const PhaseTimer timer(&report.phases, Phase::kLineSearch);
     const bool found = line_search_.run(potential, d_, x, &g_, &value, settings.interrupt,
-                                        may_end ? 1 : kHalvingsInTime);
+                                        may_end ? 1 : settings.least_halvings);
     report.halvings += line_search_.halvings();
     if (!found) {
       if (kept_) elastic_->drop();

@@ -10,7 +10,6 @@
 #include "palpate/solver/minimizer_list.h"
 #include "palpate/solver/newton.h"
 #include "palpate/solver/stale_pcg.h"
-#include "solver/minimizer_parts.h"
 
 namespace palpate::solver {
 namespace {
@@ -227,7 +226,7 @@ TEST_P(EveryMinimizer, GivesUpAFirstStepThatIsHalvedTooOftenWhenItIsAskedToEnd) 
     EXPECT_EQ(report.iterations, 0);
     EXPECT_EQ(pushed.x, pushed.mesh.points);
     if (late) {
-      EXPECT_LE(trap.gradients, 1 + kHalvingsInTime);
+      EXPECT_LE(trap.gradients, 1 + NewtonSettings().least_halvings);
     } else {
       EXPECT_GT(trap.gradients, 20);
     }

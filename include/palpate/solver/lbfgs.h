@@ -47,7 +47,7 @@ class Lbfgs final : public Minimizer {
   SolveStatus renew(const Potential& potential, const Points& x, PhaseTimes* phases);
   bool scaleFactor(const Potential& potential, const Points& x);
   bool direction(const Potential& potential, const Points& x, PhaseTimes* phases);
-  bool search(const Potential& potential, const Interrupt* interrupt, Points* x, double* value,
+  bool search(const Potential& potential, const NewtonSettings& settings, Points* x, double* value,
               NewtonReport* report);
   void learn(const Potential& potential, const Points& x);
   /// The k-th newest pair.

@@ -14,6 +14,8 @@ double freeNorm(const Points& g, const fem::FreeMask& free);
 /// differences of the value drown in rounding. Keeps its scratch memory between calls.
 class LineSearch {
  public:
+  static constexpr int kMaxHalvings = 30;
+
   /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
   /// do, and stay where they are if there is none, as where d goes uphill, or if `interrupt`, which
   /// may be null and is asked after `least_halvings`, comes before one is found: false. `d` is zero

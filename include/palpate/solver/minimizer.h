@@ -21,6 +21,8 @@ struct NewtonSettings {
   const Interrupt* interrupt = nullptr;
   /// So many iterations are done before it is asked: 1, or 0 where x is a step ahead already.
   int least_iterations = 1;
+  /// So often their steps are halved before it is asked: what is shorter moves little.
+  int least_halvings = 8;
 
   bool interrupted() const { return isInterrupted(interrupt); }
 };

@@ -27,11 +27,13 @@ constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does n
 
 void ImplicitSteps::save(StateWriter* out) const {
   out->put(prepared_);
+  out->put(stalled_);
   minimizer_->save(out);
 }
 
 void ImplicitSteps::restore(StateReader* in) {
   in->get(&prepared_);
+  in->get(&stalled_);
   minimizer_->restore(in);
 }
 
@@ -80,6 +82,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     break;
   }
   bodies_.endCycle();
+  stalled_ = out->status == solver::SolveStatus::kDeadline && out->newton_iterations == 0;
   return solved;
 }
 
@@ -252,6 +255,9 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
     settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
   }
   settings.interrupt = bodies_.interrupt();
+  // What was not found in time once is not found the next time either: without them it would stay
+  // where it is for good.
+  if (stalled_) settings.least_halvings = solver::LineSearch::kMaxHalvings + 1;
   settings.least_iterations = followed ? 0 : 1;
   settings.max_iterations = budget_.ofNextSolve(on_the_way);
   solver::NewtonReport solved;

@@ -55,6 +55,7 @@ class ImplicitSteps {
   MovingBodies& bodies_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
+  bool stalled_ = false;   // the last cycle was late, and without an iteration
   CycleBudget budget_;
 
   Points begin_x_, predicted_, gradient_there_, push_, way_;
