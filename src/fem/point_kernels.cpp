@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "kernels/tet_batch.h"
 #include "palpate/material/law_list.h"
 
 namespace palpate::fem {
@@ -93,6 +94,10 @@ void distortionalStresses(const material::Material& material, int count, const M
   material::visitLaw(
       [&](const auto& law) {
         for (int i = 0; i < count; ++i) {
+          if (!(F[i].determinant() > kNoStress)) {
+            S[i].setZero();
+            continue;
+          }
           const Mat3 product = F[i].inverse() * law.distortionalStress(F[i]);
           S[i] = 0.5 * (product + product.transpose());
         }

@@ -31,7 +31,7 @@ void stresses(const material::Material& law, const PointBatch& batch, double* ps
 /// d vec P / d vec F [Pa], and d theta/dF where it is asked for.
 void tangents(const material::Material& law, const PointBatch& batch, Mat9* C,
               Mat3* theta_gradient);
-/// Second Piola-Kirchhoff stress of the distortional energy, factor 1 [Pa].
+/// Second Piola-Kirchhoff stress of the distortional energy, factor 1 [Pa]; zero up to kNoStress.
 void distortionalStresses(const material::Material& law, int count, const Mat3* F, Mat3* S);
 
 }  // namespace palpate::fem

@@ -22,6 +22,8 @@ namespace palpate::fem {
 /// exact for an S that changes linearly over the step. It is the gradient of factor * psi + 1/2 H :
 /// (C - I) with what this class gives, so that a viscous step, too, minimises a potential.
 ///
+/// A point that is flat or inside out has no S, see kNoStress.
+///
 /// The points of viscous solids lie in batches of eight, component by component, as kernels want
 /// them; solids that are not viscous take no room.
 class PronyHistory {

@@ -126,6 +126,27 @@ TEST_P(ViscousKernels, AreTheDerivativesOfTheEnergy) {
   }
 }
 
+// Flat and turned inside out, S would be of any size and sign: the next step's energy would fall
+// without bound as the body grows.
+TEST_P(ViscousKernels, RememberNoStressOfWhatIsInsideOut) {
+  for (const double flat : {1e-6, -1e-6, -0.01, -0.5}) {
+    Points inside_out = mesh.points;
+    inside_out.row(2) *= flat;
+    forBoth([&](Elasticity* body) {
+      body->beginStep(0.01);
+      body->endStep(inside_out);
+      body->beginStep(0.01);
+    });
+    compare(moved(1e-3));
+    double before = packed->energy(mesh.points);
+    for (const double grown : {2.0, 10.0, 100.0}) {
+      const double energy = packed->energy(grown * mesh.points);
+      EXPECT_GT(energy, before) << flat << ", by " << grown;
+      before = energy;
+    }
+  }
+}
+
 TEST_P(ViscousKernels, MemoryIsGivenBack) {
   const Points end = moved(1e-3), other = moved(1e-3), x = moved(1e-3);
   packed->beginStep(0.02);

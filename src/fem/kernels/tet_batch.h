@@ -43,6 +43,10 @@ struct alignas(64) SymmetricBatch {
   double component[6][kBatchSize];
 };
 
+/// Det F of a point up to which S = F^-1 P is taken to be zero: towards 0 it grows without bound,
+/// and what an element that is inside out had of it would pull without bound in the steps after.
+constexpr double kNoStress = 1e-3;
+
 /// Laws that the kernels know.
 enum class TetLaw { kNeoHookean, kStableNeoHookean };
 

@@ -47,15 +47,18 @@ inline void forDistortional(const TetRun& run, const Visit& visit) {
 
 // Second Piola-Kirchhoff stress: with J C^-1 = cof(F)^T cof(F)/J, F^-1 (f F + c cof F) =
 // f I + c/J cof(F)^T cof(F).
+// Zero up to kNoStress.
 template <class Law>
 inline void storeDistortional(const Law& law, const Mat& F, int lane, double (*out)[kBatchSize]) {
   const Mat cof = cofactor(F);
   const Lanes J = dot(F.col[0], cof.col[0]);
   const auto point = law.at(squaredNorm(F), J, Lanes{});
-  const Lanes c = point.c / J;
+  const Lanes none{};
+  const LaneBits any = J > Lanes{} + kNoStress;
+  const Lanes f = select(any, point.f, none), c = select(any, point.c / J, none);
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    store(out[i] + lane, point.f + c * dot(cof.col[i], cof.col[i]));
+    store(out[i] + lane, f + c * dot(cof.col[i], cof.col[i]));
     store(out[3 + i] + lane, c * dot(cof.col[i], cof.col[j]));
   }
 }
