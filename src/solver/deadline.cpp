@@ -23,7 +23,9 @@ bool Deadline::isLate(double now) {
 }
 
 void Deadline::end(double now) {
-  if (asked_) landing_ = std::max(now - ask_at_, kRemembers * landing_);
+  if (!asked_) return;
+  // No more than all there is, or cycles that are quick again would be cut at once for as long.
+  landing_ = std::min(std::max(now - ask_at_, kRemembers * landing_), seconds_);
 }
 
 }  // namespace palpate::solver

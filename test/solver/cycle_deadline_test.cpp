@@ -54,6 +54,15 @@ TEST(Deadline, AsksAtOnceWhereThereIsNotTimeEnough) {
   EXPECT_TRUE(deadline.isLate(now));
 }
 
+// As on a mesh that was fine for a while.
+TEST(Deadline, ForgetsSoonHowLongCyclesWere) {
+  Deadline deadline(kSeconds);
+  double now = 0.0;
+  cycle(1.0, 10.0 * kSeconds, &now, &deadline);
+  for (int k = 0; k < 5; ++k) cycle(0.004, 1e-3, &now, &deadline);
+  EXPECT_NEAR(cycle(0.004, 1.0, &now, &deadline), 0.004, 1e-9);
+}
+
 TEST(Deadline, LeavesCyclesAloneThatAreInTime) {
   Deadline deadline(kSeconds);
   double now = 0.0;
