@@ -15,7 +15,8 @@
 namespace palpate::cli {
 namespace {
 
-constexpr int kAgain = 10;  // every so manieth scene runs again by two threads
+constexpr int kAgain = 10;  // every so manieth scene runs again by two threads,
+constexpr int kCut = 5;     // and those with this remainder with cycles that are cut
 
 }  // namespace
 
@@ -58,6 +59,7 @@ torture::ResultLine Tortures::runOne(const torture::TortureScene& scene) {
   if (scene.number % kAgain == 0 && hasOtherBitsByTwoThreads(scene, folder, outcome)) {
     outcome.failures.push_back({"same", 0, "two threads give other bits"});
   }
+  if (scene.number % kAgain == kCut) runCut(scene, folder, &outcome);
   if (!outcome.failures.empty() && options_.shrink > 0.0) {
     const torture::Failure& failure = outcome.failures.front();
     const torture::TortureScene small =
@@ -81,6 +83,16 @@ bool Tortures::hasOtherBitsByTwoThreads(const torture::TortureScene& scene,
   // What was ended for its time goes on otherwise.
   const bool ended = !again.whole || again.fails("cycle");
   return !ended && again.hashes != outcome.hashes;
+}
+
+void Tortures::runCut(const torture::TortureScene& scene, const std::string& folder,
+                      torture::Outcome* outcome) const {
+  if (!outcome->passed() || !outcome->whole || scene.live) return;
+  torture::RunLimits cut = limits_;
+  cut.cuts = 1;
+  for (const torture::Failure& failure : torture::run(scene, folder, cut).failures) {
+    outcome->failures.push_back({"cut", failure.row, failure.criterion + ": " + failure.what});
+  }
 }
 
 torture::TortureScene Tortures::drawn(int number) const {

@@ -48,6 +48,8 @@ class Tortures {
  private:
   bool hasOtherBitsByTwoThreads(const torture::TortureScene& scene, const std::string& folder,
                                 const torture::Outcome& outcome) const;
+  void runCut(const torture::TortureScene& scene, const std::string& folder,
+              torture::Outcome* outcome) const;
 
   const TortureOptions& options_;
   std::filesystem::path folder_;

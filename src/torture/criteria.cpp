@@ -21,8 +21,8 @@ std::vector<NamedCriterion> criteria(const TortureScene& scene, const sim::Simul
 }
 
 std::vector<std::string> criterionNames() {
-  return {"finite", "bounded", "inverted", "truth", "wrench",   "energy",
-          "rest",   "time",    "crash",    "cycle", "deadline", "same"};
+  return {"finite", "bounded", "inverted", "truth",    "wrench", "energy", "rest",
+          "time",   "crash",   "cycle",    "deadline", "same",   "cut"};
 }
 
 std::string said(const char* what, double value, const char* unit) {

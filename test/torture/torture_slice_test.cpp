@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kEach = 8, kMostTets = 600;
 constexpr int kAgain = 10;  // every so manieth by two threads
+constexpr int kCut = 3;     // and with cycles that are cut
 
 // Too slow for a test: 54, 63, 90 have cycles of more than five seconds; 1 and 84 take more than
 // twenty in all.
@@ -48,6 +49,12 @@ TEST_P(TortureSlice, FailsNowhere) {
     const Outcome outcome = run(scene, folder.path(""), limits);
     EXPECT_EQ(failuresOf(outcome), "") << number << ": " << describe(scene);
     ++judged;
+    if (number % kCut == 1) {
+      RunLimits cut = limits;
+      cut.cuts = 1;
+      EXPECT_EQ(failuresOf(run(scene, folder.path(""), cut)), "")
+          << number << " with cuts: " << describe(scene);
+    }
     if (number % kAgain != 0) continue;
     RunLimits two = limits;
     two.threads = 2;

@@ -52,7 +52,7 @@ std::vector<NamedCriterion> criteria(const TortureScene& scene, const sim::Simul
 
 /// Their names, and those of what a run itself can do: crash, cycle (one took too long and was
 /// ended), deadline (a live one went on after it), same (another number of threads gave other
-/// bits).
+/// bits), cut (with cycles that end before their time something else was not met).
 std::vector<std::string> criterionNames();
 
 }  // namespace palpate::torture

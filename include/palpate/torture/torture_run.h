@@ -17,6 +17,9 @@ struct RunLimits {
   double scene = 60.0;  ///< A run that takes longer is left off and judged by what it did [s].
   double live = 0.02;   ///< Deadline of live cycles, or two steps of the scene if longer [s].
   int threads = 1;
+  /// A pattern by which cycles are asked to end after a number of questions, without a clock, until
+  /// half of the rest after the tools is over; 0: they are not.
+  int cuts = 0;
   /// Sleeps until this steadySeconds(), for live loops that keep time; null: they go on at once.
   std::function<void(double)> sleep_until;
 };
