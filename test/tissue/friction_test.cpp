@@ -282,11 +282,12 @@ TEST_P(EveryMethodWithFriction, NeverLeavesItsConeAndBalances) {
   settings.method = GetParam();
   const auto tissue = block(settings, true);
   RandomBall ball;
-  int contacts = 0, sliding = 0;
+  int contacts = 0, sliding = 0, sub_steps = 0;
   double worst = 0.0;
   for (int k = 0; k < 1000; ++k) {
     const TissueStep& step = tissue->step({ball.next(0.01)}, 0.01);
     ASSERT_TRUE(solver::usable(step.status)) << k;
+    sub_steps += step.sweep_stages;
     for (const TissueContact& c : step.contacts) {
       const Vec3 n = (c.p_W - ball.X.translation()).normalized();  // into the tissue
       const double pressing = -n.dot(c.force_W);
@@ -301,6 +302,9 @@ TEST_P(EveryMethodWithFriction, NeverLeavesItsConeAndBalances) {
   EXPECT_GT(sliding, contacts / 20);
   EXPECT_LT(sliding, contacts);
   EXPECT_LT(worst, 1e-3);
+  if (GetParam() == "tled") {
+    EXPECT_GT(sub_steps, 4 * 1000);  // it did not give up: implicit steps take one or two
+  }
 }
 
 // By backward Euler of what is nearly convex, the tool does all the work that is stored, and more.

@@ -58,19 +58,21 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
   return true;
 }
 
-// What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for it: the
-// law takes that back when the step ends, and a force that has moved tissue would be told by
-// nobody.
+// What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for a
+// solution: the law takes that back when the step ends, and a force that has moved tissue would be
+// told by nobody.
 void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
   const bool rubs = body_.contact.hasFriction();
+  const double tolerance = body_.tolerance();
   if (rubs) untouched_ = *next;
-  update_.apply(coefficients, body_.tolerance(), next);
+  update_.apply(coefficients, tolerance, next);
   iterations_ = update_.iterations();
-  for (int k = 0; rubs && k < kMaxSettlings && !body_.contact.settled(*next); ++k) {
+  for (int k = 0; rubs && k < kMaxSettlings && update_.residual() <= tolerance; ++k) {
+    if (body_.contact.settled(*next) || solver::isInterrupted(body_.interrupt)) return;
     body_.contact.settle(*next);
     *next = untouched_;
-    update_.apply(coefficients, body_.tolerance(), next);
-    iterations_ += update_.iterations();
+    update_.apply(coefficients, tolerance, next);
+    iterations_ = std::max(iterations_, update_.iterations());
   }
 }
 

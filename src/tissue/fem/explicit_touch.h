@@ -31,7 +31,7 @@ class ExplicitTouch {
   const std::vector<int>& nodes() const { return update_.nodes(); }
   /// Minus the contact's forces, 3 x n [N].
   const Points& gradient() const { return update_.gradient(); }
-  /// That the last go() took.
+  /// That the last go() took for one answer of the contacts, at most.
   int iterations() const { return iterations_; }
   /// Norm of the forces that it left unbalanced [N].
   double residual() const { return update_.residual(); }

@@ -20,6 +20,7 @@ void ImplicitMethod::restart() {
 
 void ImplicitMethod::goOnFrom(const StepMethod& old, const mesh::MeshChange& change) {
   motion_.goOnFrom(dynamic_cast<const ImplicitMethod&>(old).motion_, change);
+  steps_.forgetCycle();
 }
 
 void ImplicitMethod::save(StateWriter* out) const {

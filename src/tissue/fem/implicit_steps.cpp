@@ -58,6 +58,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
   out_->factor_waits = minimizer_->waits() - waits;
   bodies_.beginCycle();
   budget_.beginCycle();
+  iterations_ = 0;
   const int most = bodies_.settings().max_time_steps;
   bool solved = false;
   for (int steps = 1; steps <= most && !solved; steps *= 2) {
@@ -82,13 +83,14 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     break;
   }
   bodies_.endCycle();
-  stalled_ = out->status == solver::SolveStatus::kDeadline && out->newton_iterations == 0;
+  const bool nowhere = iterations_ == 0 || !solved;
+  stalled_ = out->status == solver::SolveStatus::kDeadline && nowhere;
   return solved;
 }
 
 // One step of `h`, in which the tools go from `begin` to `end` of their way.
 bool ImplicitSteps::timeStep(double begin, double end, double h) {
-  if (bodies_.beginStep(begin, h)) forget();
+  if (bodies_.beginStep(begin, h)) forgetLearnt();
   {
     const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
     prepareHere();
@@ -264,6 +266,7 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
   for (int search = 0; search < kMaxSearches; ++search) {
     solved = minimizer_->minimize(bodies_.potential(), settings, &bodies_.x());
     add(solved);
+    iterations_ += solved.iterations;
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     if (bodies_.candidatesHold() || solved.status == solver::SolveStatus::kDeadline) break;
     bodies_.search();

@@ -26,11 +26,13 @@ class ImplicitSteps {
   bool advance(double dt, TissueStep* out);
   /// As StepMethod::prepare().
   void prepare(double dt);
-  /// Forgets what the minimiser learnt.
+  /// Forgets what the minimiser learnt, and the last cycle.
   void forget() {
-    prepared_ = false;
-    minimizer_->restart();
+    forgetLearnt();
+    forgetCycle();
   }
+  /// The bodies did not come to where they are by the last cycle.
+  void forgetCycle() { stalled_ = false; }
   /// Of the potential where the last step ended, 3 x n [N].
   const Points& gradient() const { return minimizer_->gradient(); }
 
@@ -38,6 +40,10 @@ class ImplicitSteps {
   void restore(StateReader* in);
 
  private:
+  void forgetLearnt() {
+    prepared_ = false;
+    minimizer_->restart();
+  }
   void prepareHere();
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
@@ -55,7 +61,8 @@ class ImplicitSteps {
   MovingBodies& bodies_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
-  bool stalled_ = false;   // the last cycle was late, and without an iteration
+  bool stalled_ = false;   // the last cycle was late, and led nowhere
+  int iterations_ = 0;     // of the minimiser in the cycle, without those that followed tools
   CycleBudget budget_;
 
   Points begin_x_, predicted_, gradient_there_, push_, way_;
