@@ -12,7 +12,8 @@ constexpr double kRemembers = 0.95;
 }  // namespace
 
 void Deadline::begin(double now, double cycles) {
-  ask_at_ = now + std::max(0.0, cycles * seconds_ - landing_);
+  given_ = cycles * seconds_;
+  ask_at_ = now + std::max(0.0, given_ - landing_);
   asked_ = false;
 }
 
@@ -25,7 +26,7 @@ bool Deadline::isLate(double now) {
 void Deadline::end(double now) {
   if (!asked_) return;
   // No more than all there is, or cycles that are quick again would be cut at once for as long.
-  landing_ = std::min(std::max(now - ask_at_, kRemembers * landing_), seconds_);
+  landing_ = std::min(std::max(now - ask_at_, kRemembers * landing_), given_);
 }
 
 }  // namespace palpate::solver

@@ -24,7 +24,7 @@ class Deadline {
 
  private:
   double seconds_, landing_;
-  double ask_at_ = 0.0;
+  double ask_at_ = 0.0, given_ = 0.0;
   bool asked_ = false;
 };
 

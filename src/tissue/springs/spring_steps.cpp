@@ -100,7 +100,8 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
     throw std::invalid_argument(
         "springs.scheme = " + name + ": solver.step = " + inSeconds(longest) + " takes more than " +
         inSeconds(kMaxSubSteps) + " of its steps of " + inSeconds(longest_) +
-        " s; shorten solver.step, damp more, or choose symplectic_euler or implicit");
+        " s; shorten solver.step, lengthen springs.step where it is given, damp more, or choose " +
+        (name == "symplectic_euler" ? "implicit" : "symplectic_euler or implicit"));
   }
   body->method = name;
   body->method_note = name + " in steps of " + inSeconds(longest_) + " s; at rest those up to " +
