@@ -130,7 +130,8 @@ class Truth : public Criterion {
     }
     const sim::StepReport& report = cycle.result.report;
     const double found = forces.norm();
-    if (found <= kTwice * std::max(report.residual, report.tolerance) + kRounding * sum) return "";
+    const double part = scene_.friction > 0.0 ? kOfFriction : kRounding;
+    if (found <= kTwice * std::max(report.residual, report.tolerance) + part * sum) return "";
     return said("computed anew", found, "N are unbalanced,") +
            said(" told", report.residual, "N of") + said(" at most", report.tolerance, "N");
   }

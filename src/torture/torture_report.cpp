@@ -155,7 +155,7 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `cycle` | no cycle takes a minute: it would be ended there |
 | `deadline` | no cycle of a live run goes on for twice its deadline of two steps, or of 20 ms if that is longer |
 | `same` | two threads give the bits of one (every tenth scene) |
-| `cut` | all but `time` holds as well when cycles are asked to end after a number of questions that is drawn for each, until half of the rest is over (every tenth replay; energy not by `newton_bicgstab`, which looks for a root of forces) |
+| `cut` | all but `time` holds as well when cycles are asked to end after a number of questions that is drawn for each, until half of the rest is over (every tenth scene; energy not by `newton_bicgstab`, which looks for a root of forces) |
 
 `time`, `cycle` and `deadline` are wall time, and fail more often on a machine that does something else as well; what they
 cut short then goes on otherwise, and all other runs have the same bits. `deadline` is of the core's interrupt, which is asked as long before it as the last cycles took to come to an end; the node cuts no step short (docs/theory.md, Deadline). Live runs of meshes that adapt have two threads, and wait for their next period.

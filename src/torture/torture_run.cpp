@@ -115,7 +115,7 @@ class Run {
     solver::Deadline deadline(liveSeconds());
     Cuts cuts(scene_, limits_.cuts);
     if (limits_.cuts > 0) {
-      simulator->setInterrupt([&] { return cuts.isNow(); });
+      simulator->setInterrupt([&] { return cuts.isNow() || steadySeconds() > end; });
     } else if (scene_.live) {
       simulator->setInterrupt([&] { return deadline.isLate(steadySeconds()); });
     } else {
