@@ -112,6 +112,17 @@ TEST_P(EveryModel, EndsAStepWhenItIsAskedTo) {
   EXPECT_LT((tissue->positions() - never->positions()).cwiseAbs().maxCoeff(), 0.01 * size);
 }
 
+// Asleep after cycles that were cut, it would be told as cut for good.
+TEST_P(EveryModel, SaysThatItIsAtRestOnceThereIsTime) {
+  const solver::Interrupt at_once = [] { return true; };
+  const auto tissue = make();
+  tissue->setInterrupt(&at_once);
+  for (int k = 0; k < 5; ++k) tissue->step({}, kStep);
+  tissue->setInterrupt(nullptr);
+  for (int k = 0; k < 100; ++k) tissue->step({}, kStep);
+  EXPECT_EQ(tissue->step({}, kStep).status, solver::SolveStatus::kConverged);
+}
+
 TEST_P(EveryModel, GivesTheSameBitsForAnyNumberOfThreads) {
   ThreadPool pool(3);
   const auto one = make(), three = make(&pool);

@@ -205,7 +205,6 @@ void FemOrgan::reportSolved() {
 // It neither moves nor would begin to if it were stopped here. The cycle's tolerance is of the
 // forces of the one before, which may have been those of a tool that is gone.
 bool FemOrgan::cameToRest() {
-  if (out_.status == solver::SolveStatus::kDeadline) return false;  // it was not brought to its end
   if (!rest_.isStill(body_.x, body_.touch, out_)) return false;
   if (method_->unbalancedForce() > out_.tolerance) return false;
   TissueStep now;

@@ -6,6 +6,8 @@
 namespace palpate::tissue {
 
 bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) const {
+  // What was cut was not brought to its end, and would be told as that from now on.
+  if (out.status == solver::SolveStatus::kDeadline) return false;
   return allowed_ && out.newton_iterations == 0 && !touch.possibleByTools() &&
          (x - x_begin_).cwiseAbs().maxCoeff() <= motion_;
 }
