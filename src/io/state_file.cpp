@@ -15,8 +15,9 @@
 namespace palpate::io {
 namespace {
 
-constexpr char kFormat[] = "palpate state 4";
-constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2", "palpate state 3"};
+constexpr char kFormat[] = "palpate state 5";
+constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2", "palpate state 3",
+                                       "palpate state 4"};
 constexpr char kPayload[] = "payload: ";
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
