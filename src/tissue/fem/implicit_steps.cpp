@@ -227,7 +227,7 @@ bool ImplicitSteps::settled() {
 // Whether this much out of balance is within the tolerance only because that is a part of forces
 // that are gone, with a tool that leapt away: it is of those that there are from now on.
 bool ImplicitSteps::outlivesForces(double residual) {
-  if (residual <= bodies_.leastTolerance()) return false;
+  if (residual <= kGone * bodies_.leastTolerance()) return false;  // no forces need be summed
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   const double here = bodies_.toleranceHere(minimizer_->gradient());
   if (residual <= kGone * here || here >= out_->tolerance) return false;
