@@ -83,14 +83,18 @@ void Integrator::stop() {
 }
 
 void Integrator::goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
-                          const std::function<Points(const Points&)>& carry) {
+                          const std::function<Points(const Points&)>& carry,
+                          const std::function<Points(const Points&)>& elastic_gradient) {
   h_old_ = old.h_old_;
   if (h_old_ == 0.0) return;
   // The past by its difference to the present, so that this and what the present lost or got when
   // it was carried over do not become an acceleration.
   x_old_ = x_ + carry(old.x_old_ - old.x_);
   v_old_ = v_ + carry(old.v_old_ - old.v_).cwiseProduct(free);
-  if (needsElasticGradient()) g_old_ = g_ + carry(old.g_old_ - old.g_);
+  if (!needsElasticGradient()) return;
+  // Forces on nodes are no field: carried like one they would add up to a force.
+  g_old_ = elastic_gradient(x_old_);
+  if (!g_old_.allFinite()) g_old_ = g_;
 }
 
 void Integrator::save(StateWriter* out) const {

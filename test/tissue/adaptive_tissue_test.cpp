@@ -149,6 +149,33 @@ TEST_P(AdaptiveTissue, BalancesForcesInEveryCycle) {
   }
 }
 
+// Steps of BDF2 with damping in proportion to stiffness know the elastic forces of two steps
+// before, on a mesh that is gone: the ball presses and lifts while a second one passes, whose mesh
+// is made.
+TEST_P(AdaptiveTissue, BalancesForcesOfTwoStepsBefore) {
+  AdaptiveSlab slab = slabFor();
+  slab.settings.integrator = "bdf2";
+  slab.settings.stiffness_damping = 2e-3;
+  const auto tissue = slab.make();
+  Ball ball(Vec3(0.03, 0.05, 0.06)), other(Vec3(0.2, 0.05, 0.06));
+  int changes = 0;
+  std::uint64_t before = tissue->shape(0).revision;
+  for (int k = 0; k < 60; ++k) {
+    const Vec3 at(0.03, 0.05, 0.048 + 0.004 * std::cos(0.3 * k));
+    const Vec3 near(std::abs(0.2 - 0.0025 * k) + 0.075, 0.05, 0.06);
+    const TissueStep& step = tissue->step({ball.to(at)[0], other.to(near)[0]}, kStep);
+    const auto nodes = static_cast<double>(tissue->positions().cols());
+    ASSERT_TRUE(step.ok()) << k;
+    EXPECT_LE((step.support_force + step.inertia_force - onTool(step)).norm(),
+              2.0 * std::sqrt(nodes) * std::max(step.residual, step.tolerance) + 1e-9)
+        << k;
+    const std::uint64_t now = tissue->shape(0).revision;
+    changes += now != before && !step.contacts.empty();
+    before = now;
+  }
+  EXPECT_GT(changes, 2);
+}
+
 // Viscous memory is made beside as well, with the threads of the cycles.
 TEST_P(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
   ThreadPool pool(2);

@@ -66,10 +66,12 @@ class Integrator {
   void inertiaForces(const Points& x, Points* f) const { inertia_.forces(x, f); }
 
   /// Goes on from the x and v of the last start() with the past of `old`, an integrator of the same
-  /// name and body on another mesh; `carry` brings a field of its nodes to these, and components
-  /// that are not `free`, 3 x n, have no velocity.
+  /// name and body on another mesh; `carry` brings a field of its nodes to these, components that
+  /// are not `free`, 3 x n, have no velocity, and `elastic_gradient` is that of this body at x, 3 x
+  /// n [N], asked only if needsElasticGradient().
   void goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
-                const std::function<Points(const Points&)>& carry);
+                const std::function<Points(const Points&)>& carry,
+                const std::function<Points(const Points&)>& elastic_gradient);
 
   /// All memory between two steps.
   void save(StateWriter* out) const;

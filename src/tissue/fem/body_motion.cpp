@@ -25,8 +25,12 @@ void BodyMotion::restart() {
 
 void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change) {
   restart();
-  integrator_.goOnFrom(old.integrator_, body_.surroundings.movable(body_.free),
-                       [&](const Points& p) { return change.interpolate(p); });
+  const auto carry = [&](const Points& p) { return change.interpolate(p); };
+  const auto gradient = [&](const Points& x) {
+    body_.elasticity->gradient(x, &elastic_gradient_);
+    return elastic_gradient_;
+  };
+  integrator_.goOnFrom(old.integrator_, body_.surroundings.movable(body_.free), carry, gradient);
 }
 
 void BodyMotion::beginCycle() {
