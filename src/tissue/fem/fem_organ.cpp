@@ -12,6 +12,9 @@ namespace {
 constexpr double kKeptVolume = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
+// Elastic forces that no tissue has, and whose squares and fourth powers leave what numbers there
+// are [N].
+constexpr double kNoForce = 1e30;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -220,8 +223,16 @@ bool FemOrgan::isCrushed() {
   return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
 }
 
-// Its law has no energy here, so that no step leads away: where it was placed, not where it went.
-bool FemOrgan::isOutsideOfLaw() const { return !std::isfinite(body_.elasticity->energy(body_.x)); }
+// Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
+// where it was placed, not where it went.
+bool FemOrgan::isOutsideOfLaw() const {
+  if (out_.status != solver::SolveStatus::kNonFinite) {
+    return !std::isfinite(body_.elasticity->energy(body_.x));
+  }
+  Points g;
+  const double energy = body_.elasticity->gradient(body_.x, &g);
+  return !std::isfinite(energy) || !(g.norm() <= kNoForce);
+}
 
 // No step leads away from where it is, or all fail with no tool near.
 void FemOrgan::beginAnew() {
