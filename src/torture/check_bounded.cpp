@@ -9,7 +9,8 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kAway = 10.0;  // sizes: what a tool drags along is stretched by one or two
+// Sizes: what a tool drags along is stretched by one or two.
+constexpr double kAway = 10.0;
 
 // Tissue that is stretched tenfold has, by a law that is cubic in stretch, a thousand times the
 // stress of its modulus; ten times that on all of its cross-section is no force of tissue.
@@ -34,6 +35,7 @@ class Bounded : public Criterion {
  public:
   explicit Bounded(const TortureScene& scene)
       : scene_(scene),
+        size_(scene.size()),
         box_{scene.organs.front().low, scene.organs.front().low + scene.organs.front().size} {
     for (const TortureOrgan& organ : scene.organs) {
       box_.take(organ.low);
@@ -53,12 +55,15 @@ class Bounded : public Criterion {
     for (int i = 0; i < simulator.numOrgans(); ++i) {
       const Points& x = simulator.positions(i);
       for (Eigen::Index k = 0; k < x.cols(); ++k) box_.take(x.col(k));
+      // What begins ten times as large has the energy to throw a part as many times as far.
+      const Vec3 extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
+      size_ = std::max(size_, extent.norm());
     }
   }
 
   std::string check(const Cycle& cycle) override {
     flown_ += scene_.thrown * cycle.dt;
-    const double bound = kAway * scene_.size() + flown_;
+    const double bound = kAway * size_ + flown_;
     for (int i = 0; i < cycle.simulator.numOrgans(); ++i) {
       const Points& x = cycle.simulator.positions(i);
       for (Eigen::Index k = 0; k < x.cols(); ++k) {
@@ -87,6 +92,7 @@ class Bounded : public Criterion {
   }
 
   const TortureScene& scene_;
+  double size_;
   Box box_;  // of rest, start and the tools' way
   double stiffness_force_ = 0.0, mass_ = 0.0, flown_ = 0.0;
   bool steep_ = false;

@@ -144,7 +144,7 @@ Random scenes, and whether anything blows up in them. This page is written by
 | criterion | what must hold |
 |---|---|
 | `finite` | no number of points, wrenches, contacts and figures is NaN or infinite, and no status is `non_finite` |
-| `bounded` | no point is ten times the scene's size away from where organs rest and begin and tools go (and fly, where thrown), and no force on a tool that is told to be converged is above 1e4 times that of the modulus on the size squared, plus that of all the mass within a step; laws whose stress rises faster than the cube of stretch have no such bound |
+| `bounded` | no point is farther from where organs rest and begin and tools go (and fly, where thrown) than ten times the size of the scene, or of an organ as it begins, and no force on a tool that is told to be converged is above 1e4 times that of the modulus on the size squared, plus that of all the mass within a step; laws whose stress rises faster than the cube of stretch have no such bound |
 | `inverted` | no shape with a tetrahedron of det F <= 0, computed anew from the corners of linear ones and told of the integration points of quadratic ones, is `converged` |
 | `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, all forces of tools, supports, weight and inertia add up to what is told to be left at the points (and to 1e-4 of what touches, where there is friction), and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
 | `wrench` | a force has a contact, none stays when the tools are gone, no tissue is carried along farther than its size, and what the node's filter makes of it stays within the limits of force and rate |
