@@ -148,14 +148,14 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `inverted` | no shape with a tetrahedron of det F <= 0, computed anew from the corners of linear ones and told of the integration points of quadratic ones, is `converged` |
 | `truth` | `converged` has a residual below its tolerance, wrenches are the sums of their contacts, all forces of tools, supports, weight and inertia add up to what is told to be left at the points (and to 1e-4 of what touches, where there is friction), and for one organ of `tet4` by backward Euler all forces on its points, summed anew, are as balanced as told |
 | `wrench` | a force has a contact, none stays when the tools are gone, no tissue is carried along farther than its size, and what the node's filter makes of it stays within the limits of force and rate |
-| `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one, 4.74 and 6.64 by the forward and trapezoidal Euler steps of springs; of organs thrown at organs or bone it stays below that of their speed; forces that are told not to be balanced may have added as much again |
+| `energy` | without tools it does not grow beyond the integrator's bound: 1 by backward Euler and static, 2 by BDF2, 1 / (1 - 0.9^2) in explicit steps of nine tenths of the stable one, 4.74 and 6.64 by the forward and trapezoidal Euler steps of springs; that of motion not of quasi-static steps, which have none; of organs thrown at organs or bone it stays below that of their speed; forces that are told not to be balanced may have added as much again |
 | `rest` | when the tools are gone, a damped organ that is held is back within 1e-4 of its size, and balanced, if its last cycle was not cut short by a live deadline; laws and springs with rest states that are inside out may stay in one, if told, and sheets may stay crumpled |
 | `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
 | `crash` | the program does not end |
 | `cycle` | no cycle takes a minute: it would be ended there |
 | `deadline` | no cycle of a live run goes on for twice its deadline of two steps, or of 20 ms if that is longer |
 | `same` | two threads give the bits of one (every tenth scene) |
-| `cut` | all but `time` holds as well when cycles are asked to end after a number of questions that is drawn for each, until half of the rest is over (every tenth scene; energy not by `newton_bicgstab`, which looks for a root of forces) |
+| `cut` | all but `time` holds as well when cycles are asked to end after a number of questions that is drawn for each, until half of the rest is over (every tenth scene) |
 
 `time`, `cycle` and `deadline` are wall time, and fail more often on a machine that does something else as well; what they
 cut short then goes on otherwise, and all other runs have the same bits. `deadline` is of the core's interrupt, which is asked as long before it as the last cycles took to come to an end; the node cuts no step short (docs/theory.md, Deadline). Live runs of meshes that adapt have two threads, and wait for their next period.

@@ -108,7 +108,10 @@ class Run {
 
   void replay(sim::Simulator* simulator) {
     std::vector<NamedCriterion> all = criteria(scene_, *simulator);
-    if (limits_.cuts > 0) dropWhatCutsMayDo(&all);
+    if (limits_.cuts > 0) {
+      const auto isTime = [](const NamedCriterion& one) { return one.name == "time"; };
+      all.erase(std::remove_if(all.begin(), all.end(), isTime), all.end());
+    }
     io::Replay replay(simulator, scene_.trajectory, files_.trajectory);
     const double begin = steadySeconds();
     double end = begin;  // of the row's time
@@ -153,16 +156,6 @@ class Run {
       if (replay.hasNext() && one.name == "rest") continue;
       fail(one.name, last, one.criterion->finish());
     }
-  }
-
-  // What looks for the root of forces alone has no energy that falls from iteration to iteration.
-  void dropWhatCutsMayDo(std::vector<NamedCriterion>* all) const {
-    const bool rises = scene_.method == "newton_bicgstab";
-    all->erase(std::remove_if(all->begin(), all->end(),
-                              [&](const NamedCriterion& one) {
-                                return one.name == "time" || (rises && one.name == "energy");
-                              }),
-               all->end());
   }
 
   void judge(const Cycle& cycle, double took, std::vector<NamedCriterion>* all) {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "liver_slab.h"
 #include "support/contains.h"
@@ -135,6 +137,53 @@ TEST(NewtonBicgstab, DoesNotSqueezeAnExponentialLawBeyondReturn) {
     EXPECT_LT(step.residual, step.ok() ? 1.0 : 1e6) << k << ": " << solver::toString(step.status);
     EXPECT_LT(step.elastic_energy, 1e5) << k;  // of a slab pressed to a sixth: 2e3
   }
+}
+
+// Newton's steps look for a root of forces, which may be higher than where they began, or a saddle.
+TEST(NewtonBicgstab, NeitherClimbsNorRestsOnASaddle) {
+  int put_back = 0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    Slab slab("newton_bicgstab", Eigen::Vector3i(4, 4, 2), "tet4");
+    slab.settings.gravity.setZero();
+    const auto tissue = slab.make();
+    const Points rest = tissue->positions();
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const double most = 0.002 * seed;  // of edges of 25 mm
+    std::uniform_real_distribution<double> way(-most, most);
+    Points x = rest;
+    for (double& c : x.reshaped()) c += way(random);
+    x = rest + (x - rest).cwiseProduct(slab.free);
+    tissue->place(0, x, Points::Zero(3, x.cols()));
+    double energy = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 120; ++k) {
+      const Points before = tissue->positions();
+      const TissueStep& step = tissue->step({}, kStep);
+      if (step.recovery == static_cast<int>(Recovery::kPutBack)) ++put_back;
+      const double left = step.ok() ? step.residual * (tissue->positions() - before).norm() : 0.0;
+      ASSERT_LE(step.elastic_energy, energy * (1.0 + 1e-6) + left + 1e-12) << seed << " " << k;
+      energy = step.elastic_energy;
+    }
+    EXPECT_LT((tissue->positions() - rest).cwiseAbs().maxCoeff(), 1e-4) << seed;
+  }
+  EXPECT_LT(put_back, 8);
+}
+
+// What it pulls at is let go by a solution; where there never is one it must be as well.
+TEST(NewtonBicgstab, CarriesNothingAlongThatNeverConverges) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), "tet4");
+  slab.settings.max_newton_iterations = 1;
+  slab.settings.gravity.setZero();
+  const auto tissue = slab.make();
+  const LargeBall ball;
+  const auto depth = [](int k) { return 0.002 * (k < 6 ? k : 12 - k); };
+  int touched = 0;
+  for (int k = 0; k < 40; ++k) {
+    const TissueStep& step = tissue->step({ball.move(depth(k), depth(k + 1))}, kStep);
+    touched += !step.contacts.empty();
+    if (k < 30) continue;
+    EXPECT_TRUE(step.contacts.empty()) << k << ", " << -depth(k + 1) << " m above";
+  }
+  EXPECT_GT(touched, 5);
 }
 
 TEST(NewtonBicgstab, RelaxesUnderAHeldTool) {

@@ -138,7 +138,10 @@ void FemOrgan::goAlone(double dt) {
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
     if (cameToRest()) {
-      if (isCrushed()) return unfold();
+      if (isCrushed()) return leaveRest(solver::SolveStatus::kInverted);
+      if (!method_->restsInMinimum()) {
+        return leaveRest(solver::SolveStatus::kNotPositiveDefinite);
+      }
       fallAsleep();
     }
     method_->reportForces(&out_);
@@ -252,8 +255,8 @@ void FemOrgan::beginAnew() {
   out_.status = outside ? solver::SolveStatus::kInverted : figures.status;
 }
 
-// What had come to rest was no shape of a body: it begins anew.
-void FemOrgan::unfold() {
+// What had come to rest was no shape of a body, or would not have stayed there: it begins anew.
+void FemOrgan::leaveRest(solver::SolveStatus why) {
   const StepFigures figures = out_;
   put(settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
@@ -262,7 +265,7 @@ void FemOrgan::unfold() {
   reportSolved();
   body_.surroundings.endCycle();
   reportState();
-  out_.status = solver::SolveStatus::kInverted;
+  out_.status = why;
 }
 
 void FemOrgan::fallAsleep() {

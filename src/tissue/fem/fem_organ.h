@@ -123,7 +123,7 @@ class FemOrgan final : public OrganBodies {
   bool isCrushed();
   bool isOutsideOfLaw() const;
   void beginAnew();
-  void unfold();
+  void leaveRest(solver::SolveStatus why);
   void fallAsleep();
   void fail();
   void stop();

@@ -28,6 +28,7 @@ class PrescribedContact final : public PrescribedDisplacements {
   bool release(const Points& x, const Points& gradient) override;
   void moves(const Points& x, Points* move) const override;
 
+  bool holds() const override { return !holds_.empty(); }
   const fem::FreeMask& free() const override { return held_; }
   double nodalNorm(const Points& gradient) const override;
   void report(const Points& x, const Points& gradient, TissueStep* out) const override;

@@ -37,6 +37,8 @@ class PrescribedDisplacements {
   /// The way that the holds ask of x; zero where nothing is held.
   virtual void moves(const Points& x, Points* move) const = 0;
 
+  /// Whether anything is held.
+  virtual bool holds() const = 0;
   /// 1 where neither the supports nor a tool hold a component, else 0.
   virtual const fem::FreeMask& free() const = 0;
   /// Norm of the gradient where nothing is held [N].

@@ -40,6 +40,7 @@ class SegmentContact final : public PrescribedDisplacements {
   bool release(const Points& x, const Points& gradient) override;
   void moves(const Points& x, Points* move) const override;
 
+  bool holds() const override { return hold_.has_value(); }
   const fem::FreeMask& free() const override { return body_.free; }
   double unbalanced(const Points& gradient) const override;
   double nodalNorm(const Points& gradient) const override { return tie_.nodalNorm(gradient); }

@@ -27,6 +27,9 @@ class StepMethod {
   virtual void reportForces(TissueStep* out) = 0;
   /// Norm of the forces that would begin to move the body if it were stopped here [N].
   virtual double unbalancedForce() = 0;
+  /// Whether the least push would not have it leave where it came to rest; asked then, of methods
+  /// that look for a root of forces.
+  virtual bool restsInMinimum() { return true; }
   /// Kinetic energy is computed with these, n [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
   /// At body.x [J], of a method with another elasticity than the body's own.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "interruptible_matrix.h"
+#include "palpate/solver/cholmod_solver.h"
 #include "sparse_assembly.h"
 
 namespace palpate::tissue {
@@ -19,6 +20,8 @@ constexpr int kMaxChanges = 30;
 // laws leave forces that no iteration comes back from.
 constexpr double kTrustsTangent = 100.0;
 constexpr double kOfEnergy = 1e-6;  // an increase that is none: roundoff
+constexpr double kNoForce = 1e30;   // that no tissue has [N]
+constexpr double kNoPush = 1e-6;    // stiffness that counts as none, of the mean
 // Of the body's size: where a held point counts as being on the tool.
 constexpr double kOnSurface = 1e-9;
 
@@ -61,13 +64,14 @@ double StickingNewton::energy(const Points& x) {
 
 bool StickingNewton::advance(double dt, TissueStep* out) {
   x_begin_ = body_.x;
+  const bool held = contact_->holds();
   out->tolerance = body_.tolerance();
   contact_->keep();
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(dt);
   for (int parts = 1; parts <= kMaxParts; parts *= 2) {
     out->time_steps = parts;
-    if (sweep(parts, out)) {
+    if (sweep(parts, out) && isPlausible(held, *out)) {
       if (body_.elasticity->viscous()) body_.elasticity->endStep(body_.x);
       body_.v = (body_.x - x_begin_) / dt;
       out->residual = residual_;
@@ -81,11 +85,41 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
   }
   body_.elasticity->restoreViscousState(viscous.get());
   contact_->addWork(out);
+  const bool late = out->status == solver::SolveStatus::kDeadline;
+  if (!late && solver::usable(out->status)) {
+    out->status = solver::SolveStatus::kNotPositiveDefinite;
+  }
   return false;
+}
+
+// Untouched, Newton's steps may lead up to another root of the forces, and with tools to forces
+// that are none.
+bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
+  if (!(contact_->nodalNorm(g_) <= kNoForce)) return false;
+  if (held || contact_->holds() || body_.surroundings.moves()) return true;
+  const double unbalanced = out.ok() ? residual_ * (body_.x - x_begin_).norm() : 0.0;
+  return value_ - *value_begin_ <= unbalanced + kOfEnergy * std::abs(*value_begin_);
+}
+
+bool StickingNewton::restsInMinimum() {
+  TissueStep unused;
+  contact_->moves(body_.x, &move_);
+  assemble(&unused);
+  std::vector<Mat3> blocks;
+  stiffness_.diagonal(&blocks);
+  double trace = 0.0;
+  for (const Mat3& block : blocks) trace += block.trace();
+  // Of what can move as a whole the tangent has no more than rounding.
+  const auto n = static_cast<double>(blocks.size());
+  for (int i = 0; i < body_.x.cols(); ++i) stiffness_.addToDiagonal(i, kNoPush * trace / n);
+  solver::CholmodSolver solver;
+  const solver::LinearReport solved = solver.solve(stiffness_, g_, 1e-3, &trial_);
+  return solved.status != solver::SolveStatus::kNotPositiveDefinite;
 }
 
 // The tools' way in at least `parts` parts.
 bool StickingNewton::sweep(int parts, TissueStep* out) {
+  value_begin_.reset();
   out->sweep_stages = 0;
   body_.sweep.place(0.0);
   for (double s = 0.0; s < 1.0;) {
@@ -112,8 +146,13 @@ void StickingNewton::solveStage(double begin, TissueStep* out) {
   }
   for (int change = 0;; ++change) {
     newton(out);
-    if (!out->ok()) return;
     const PhaseTimer timer(&out->phases, Phase::kContact);
+    if (!out->ok()) {
+      // Tissue that tools pull at would never converge, and be carried along for good.
+      const bool gave_up = out->status == solver::SolveStatus::kIterationLimit;
+      if (gave_up && contact_->release(body_.x, g_)) residual_ = gradient();
+      return;
+    }
     if (!body_.sweep.candidatesHold(body_.x)) body_.sweep.search(body_.x);
     const bool released = contact_->release(body_.x, g_);
     const bool held = !released && contact_->holdWhatPenetrates(body_.x);
@@ -133,6 +172,7 @@ void StickingNewton::newton(TissueStep* out) {
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
+      if (!value_begin_) value_begin_ = value_;
       if (k > 0 && !std::isfinite(residual_)) shorten(std::numeric_limits<double>::max());
       contact_->moves(body_.x, &move_);
       if (body_.heldWay(part_, &held_way_)) move_ += held_way_;

@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 
 #include "prescribed_displacements.h"
 #include "step_method.h"
@@ -19,7 +20,8 @@ namespace palpate::tissue {
 /// their model says whether the tool is a segment, as the source has it (SegmentContact), or
 /// surface points inside any shape are put on it (PrescribedContact).
 ///
-/// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts.
+/// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts. One in which
+/// nothing is held, and the energy grows, fails.
 class StickingNewton final : public StepMethod {
  public:
   /// @throws std::invalid_argument for element p1p1.
@@ -28,6 +30,7 @@ class StickingNewton final : public StepMethod {
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;
   double unbalancedForce() override { return residual_; }
+  bool restsInMinimum() override;
   const Eigen::VectorXd& masses() const override { return body_.elasticity->masses(); }
   void restart() override;
   void stop() override {}
@@ -38,6 +41,7 @@ class StickingNewton final : public StepMethod {
   bool sweep(int parts, TissueStep* out);
   void solveStage(double begin, TissueStep* out);
   void newton(TissueStep* out);
+  bool isPlausible(bool held, const TissueStep& out);
   void shorten(double most);
   bool iterate(TissueStep* out);
   Eigen::SparseMatrix<double> assemble(TissueStep* out);
@@ -52,8 +56,9 @@ class StickingNewton final : public StepMethod {
   Points held_way_, unused_;
   double part_ = 0.0;  // of the cycle, where the tools are
   double residual_ = 0.0;
-  double value_ = 0.0;      // energy at x [J]
-  double curvature_ = 0.0;  // step . K step [J]
+  double value_ = 0.0;                 // energy at x [J]
+  std::optional<double> value_begin_;  // where the sweep began
+  double curvature_ = 0.0;             // step . K step [J]
 };
 
 }  // namespace palpate::tissue
