@@ -24,14 +24,14 @@ Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p) {
   const Nearest on_plane{plane, hull.normals.col(deepest), Feature::kFace, Vec3::Zero()};
   if (!(plane > kOnSurface)) return on_plane;
 
-  // The nearest feature belongs to a triangle whose plane is between p and the hull, and a
-  // triangle is never nearer than its plane.
+  // The hull lies behind all planes: nothing of it is nearer than the farthest one, and what is
+  // nearest belongs to a triangle that p is in front of, which is never nearer than its plane.
   double best = std::numeric_limits<double>::infinity();
   TrianglePoint nearest{p, Vec3::Zero(), Feature::kFace, 0};
   Eigen::Index triangle = deepest;
   const auto consider = [&](Eigen::Index t) {
     const double h = hull.normals.col(t).dot(p) - hull.offsets[t];
-    if (h < -plane || h >= best) return;
+    if (!(h > 0.0) || h >= best) return;
     const Eigen::Vector3i corner = hull.surface.triangles.col(t);
     const Points& x = hull.surface.points;
     const TrianglePoint candidate =
@@ -44,8 +44,10 @@ Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p) {
     }
   };
   consider(deepest);
-  for (Eigen::Index t = 0; t < hull.offsets.size(); ++t) {
-    if (t != deepest) consider(t);
+  if (nearest.feature != Feature::kFace) {
+    for (Eigen::Index t = 0; t < hull.offsets.size(); ++t) {
+      if (t != deepest) consider(t);
+    }
   }
   if (!(best > kOnSurface)) return on_plane;
 
