@@ -51,6 +51,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   const PlacedObstacle& placed = placed_[obstacle];
   const instrument::Geometry& geometry = *placed.obstacle().geometry;
   const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
+  const double error = distanceError(geometry);
   for (const Patch& patch : patches_) {
     if (skip_distant_) {
       // The distance changes by at most the way: skip triangles that are too far as a whole.
@@ -66,9 +67,16 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
       coarse = coarse || faces_->meets(obstacle, spacing);
       if (faces_->meetsAlone(obstacle, spacing)) continue;
     }
-    for (int s = patch.begin; s < patch.end; ++s) {
-      if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
-      candidates_.push_back({s, obstacle});
+    const Mat3 corners = x(Eigen::all, patch.nodes);
+    const bool in_parts = skip_distant_ && patch.last_part - patch.first_part > 1;
+    for (int p = patch.first_part; p < patch.last_part; ++p) {
+      const SamplePart& part = parts_[static_cast<std::size_t>(p)];
+      const SampleBall& around = part.ball;
+      if (in_parts && around.leastGap(corners, largest_offset_, placed, error) > reach) continue;
+      for (int s = part.begin; s < part.end; ++s) {
+        if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
+        candidates_.push_back({s, obstacle});
+      }
     }
   }
   return coarse;

@@ -10,8 +10,14 @@
 #include "contact_candidates.h"
 #include "face_points.h"
 #include "palpate/contact/signed_distance.h"
+#include "sample_ball.h"
 
 namespace palpate::contact {
+namespace {
+
+constexpr int kPart = 16;  // samples
+
+}  // namespace
 
 ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
                                    std::unique_ptr<Response> response)
@@ -20,9 +26,18 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
       runs_(std::make_unique<SampleRuns>()) {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (patches_.empty() || samples_[s].nodes != patches_.back().nodes) {
-      patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0, -1});
+      patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0, -1, 0, 0});
     }
     patches_.back().end = static_cast<int>(s) + 1;
+  }
+  const auto weights = [this](int s) -> const Vec3& { return samples_[s].weights; };
+  for (Patch& patch : patches_) {
+    patch.first_part = static_cast<int>(parts_.size());
+    for (int begin = patch.begin; begin < patch.end; begin += kPart) {
+      const int end = std::min(begin + kPart, patch.end);
+      parts_.push_back({begin, end, SampleBall::around(begin, end, weights)});
+    }
+    patch.last_part = static_cast<int>(parts_.size());
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "palpate/contact/surface_samples.h"
-#include "palpate/contact/touch.h"
+#include "sample_ball.h"
 
 namespace palpate::contact {
 
@@ -24,8 +24,7 @@ class SampleRuns {
     int obstacle;
     int begin, end;             ///< Of its candidates.
     int first_part, last_part;  ///< Of a triangle, [first, last).
-    Vec3 middle;                ///< Barycentric.
-    double spread;              ///< Around it, at most, of the triangle's longest edge.
+    SampleBall ball;
   };
 
   /// Of these candidates; `largest_offset` [m]: of a sample from its triangle.
@@ -62,8 +61,6 @@ class SampleRuns {
   double measuredGap(std::size_t triangle, const Points& x,
                      const std::vector<PlacedObstacle>& placed) const;
   double leastGap(const Run& run, const Points& x, const std::vector<PlacedObstacle>& placed) const;
-  static void enclose(const std::vector<SurfaceSample>& samples,
-                      const std::vector<SampleCandidate>& candidates, Run* run);
 
   std::vector<Run> triangles_, parts_;
   std::vector<double> errors_;  // of the obstacles' distances, see distanceError() [m]

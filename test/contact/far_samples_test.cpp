@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/contact/contact_potential.h"
+#include "palpate/contact/signed_distance.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "test_shapes.h"
 
@@ -97,6 +98,34 @@ TEST_P(FarSamples, WouldNotHaveTouched) {
     }
   }
   EXPECT_GT(pushed, 25);
+}
+
+// Candidates are all samples within reach, and no others.
+TEST_P(FarSamples, AreNoCandidates) {
+  ContactPotential samples(sampleSurface(x, triangles, kSpacing), makeResponse({"penalty"}));
+  std::uniform_real_distribution<double> u(-1.0, 1.0);
+  int found = 0, left_out = 0;
+  for (int k = 0; k < 60; ++k) {
+    x = mesh.points + randomPoints(&rng, x.cols(), 2e-3);
+    tool.linear() = randomPose(&rng, 0.0).linear();
+    tool.translation() = Vec3(0.02, 0.02, 0.02) + 0.015 * Vec3(u(rng), u(rng), u(rng));
+    const std::vector<double> reach{std::pow(10.0, -3.0 + 0.5 * u(rng)), 1e-3};
+    samples.setObstacles(obstacles());
+    samples.findCandidates(x, reach);
+    int near = 0;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Obstacle obstacle = obstacles()[b];
+      const Pose X_GW = obstacle.X_WG_end.inverse();
+      for (const SurfaceSample& sample : samples.samples()) {
+        near += signedDistanceValue(*obstacle.geometry, X_GW * sample.position(x)) <= reach[b];
+      }
+    }
+    ASSERT_EQ(samples.numCandidates(), near) << k;
+    found += near;
+    left_out += samples.numDistant();
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(left_out, found);
 }
 
 // The tool stands; what was far from it is so no more.

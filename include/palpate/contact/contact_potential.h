@@ -13,6 +13,7 @@ namespace palpate::contact {
 
 class FacePoints;
 class SampleRuns;
+struct SamplePart;
 struct SampleCandidate;
 
 /// A touch that is answered.
@@ -137,7 +138,8 @@ class ContactPotential final : public fem::EnergyTerm {
   struct Patch {  // samples of one triangle, which follow one another
     Eigen::Vector3i nodes;
     int begin, end;
-    int triangle;  // of the surface; known where faces are met
+    int triangle;               // of the surface; known where faces are met
+    int first_part, last_part;  // of parts_, [first, last)
   };
   template <class Far, class Visit>
   void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
@@ -158,6 +160,7 @@ class ContactPotential final : public fem::EnergyTerm {
 
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
+  std::vector<SamplePart> parts_;
   std::unique_ptr<FacePoints> faces_;
   bool nodes_only_ = false;  // are samples
   std::unique_ptr<Response> response_;
