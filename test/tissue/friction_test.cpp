@@ -307,6 +307,28 @@ TEST_P(EveryMethodWithFriction, NeverLeavesItsConeAndBalances) {
   }
 }
 
+// Cycles that are asked to end after so many questions say so, or are balanced.
+TEST_P(EveryMethodWithFriction, BalancesOrSaysThatItWasCut) {
+  FemSettings settings = settingsWith({0.3, 0.3});
+  settings.sample_spacing = 0.003;
+  settings.method = GetParam();
+  const auto tissue = block(settings, true);
+  RandomBall ball;
+  int left = 0, solved = 0, cut = 0;
+  const solver::Interrupt interrupt = [&] { return --left < 0; };
+  tissue->setInterrupt(&interrupt);
+  for (int k = 0; k < 1000; ++k) {
+    left = static_cast<int>(ball.random.uniform(1.0, 60.0));
+    const TissueStep& step = tissue->step({ball.next(0.01)}, 0.01);
+    cut += step.status == solver::SolveStatus::kDeadline;
+    if (!step.ok() || step.contacts.empty()) continue;
+    ++solved;
+    EXPECT_LT(test::imbalance(step).norm() / std::max(onTool(step).norm(), 0.01), 1e-3) << k;
+  }
+  EXPECT_GT(solved, 50);
+  EXPECT_GT(cut, 50);
+}
+
 // By backward Euler of what is nearly convex, the tool does all the work that is stored, and more.
 TEST(Friction, NeverCreatesEnergy) {
   FemSettings settings = settingsWith({0.6, 0.4});

@@ -45,6 +45,7 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
   tool_way_ = (s - part_) * body_.sweep.longestWay();
   part_ = s;
   limited_ = false;
+  settled_ = true;
   if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
   *next += body_.x;
   if (!body_.sweep.candidatesHold(*next)) body_.sweep.search(*next);
@@ -67,8 +68,9 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
   if (rubs) untouched_ = *next;
   update_.apply(coefficients, tolerance, next);
   iterations_ = update_.iterations();
-  for (int k = 0; rubs && k < kMaxSettlings && update_.residual() <= tolerance; ++k) {
-    if (body_.contact.settled(*next) || solver::isInterrupted(body_.interrupt)) return;
+  for (int k = 0; rubs && update_.residual() <= tolerance; ++k) {
+    settled_ = body_.contact.settled(*next);
+    if (settled_ || k == kMaxSettlings || solver::isInterrupted(body_.interrupt)) return;
     body_.contact.settle(*next);
     *next = untouched_;
     update_.apply(coefficients, tolerance, next);

@@ -39,6 +39,8 @@ class ExplicitTouch {
   double toolWay() const { return tool_way_; }
   /// Whether it held nodes back that would have gone too far at once.
   bool limited() const { return limited_; }
+  /// Whether it found friction within Coulomb's law.
+  bool settled() const { return settled_; }
   /// Cube root of the volume of a node [m].
   double elementSize() const { return element_size_; }
 
@@ -51,7 +53,7 @@ class ExplicitTouch {
   ContactUpdate update_;
   Points untouched_;  // where friction may ask for another answer
   int iterations_ = 0;
-  bool limited_ = false;
+  bool limited_ = false, settled_ = true;
   double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
 };
 

@@ -178,10 +178,14 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   addHeldInertia(h);
   out->residual = touch_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = late                              ? solver::SolveStatus::kDeadline
-                : touch_.limited()                ? solver::SolveStatus::kLineSearchFailed
-                : out->residual <= out->tolerance ? solver::SolveStatus::kConverged
-                                                  : solver::SolveStatus::kIterationLimit;
+  // Asked to end amid the last answer of contact, it has all sub-steps behind it.
+  const bool unsettled = !touch_.settled();
+  const bool converged = out->residual <= out->tolerance && !unsettled;
+  late = late || (unsettled && solver::isInterrupted(body_.interrupt));
+  out->status = late               ? solver::SolveStatus::kDeadline
+                : touch_.limited() ? solver::SolveStatus::kLineSearchFailed
+                : converged        ? solver::SolveStatus::kConverged
+                                   : solver::SolveStatus::kIterationLimit;
   return true;
 }
 
