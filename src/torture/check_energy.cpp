@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "checks.h"
 #include "independent_forces.h"
 #include "organ_cells.h"
+#include "palpate/fem/inversion_guard.h"
 
 namespace palpate::torture {
 namespace {
@@ -69,9 +71,10 @@ class Energy : public Criterion {
     // Organs that fall on each other or on bone, which moves nothing, act on no tool.
     const bool alone = cycle.row >= scene_.leave &&
                        (scene_.start == Start::kThrown || cycle.result.contacts.empty());
+    const bool guarded = isGuarded(cycle.simulator);
     const bool put_back = report.recovery == static_cast<int>(tissue::Recovery::kPutBack);
     const bool goes_on = applies_ && alone && report.mesh_changes == 0 && report.usable() &&
-                         !put_back && before_.cols() == x.cols();
+                         !put_back && !guarded && before_.cols() == x.cols();
     if (goes_on) {
       double energy = report.elastic_energy;
       if (!isQuasiStatic(scene_)) energy += report.kinetic_energy;
@@ -109,8 +112,26 @@ class Energy : public Criterion {
   }
 
  private:
+  // Elements as flat as that have an energy beside their law's, which becomes that when they are
+  // brought back.
+  bool isGuarded(const sim::Simulator& simulator) {
+    const std::uint64_t revision = simulator.shape(0).revision;
+    if (!guard_ || revision_ != revision) {
+      const mesh::CellMesh cells = simulator.cells(0);
+      mesh::TetMesh mesh;
+      mesh.points = cells.points;
+      if (areLinearTets(cells) || areQuadraticTets(cells)) mesh.tets = cells.cells.topRows(4);
+      if (areQuadraticTets(cells)) mesh.midnodes = cells.cells.bottomRows(6);
+      guard_ = std::make_unique<fem::InversionGuard>(mesh, 1.0);
+      revision_ = revision;
+    }
+    return guard_->least(simulator.positions(0)) < fem::InversionGuard::kLeast;
+  }
+
   const TortureScene& scene_;
   double bound_;
+  std::unique_ptr<fem::InversionGuard> guard_;
+  std::uint64_t revision_ = 0;
   bool applies_ = true;
   Eigen::VectorXd masses_;
   Points before_;

@@ -162,7 +162,7 @@ cut short then goes on otherwise, and all other runs have the same bits. `deadli
 
 A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
 is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
-guard against turning inside out is an energy beside their law's. Energy is not judged of viscous organs, of elements with middle nodes and of `neural`
+guard against turning inside out is an energy beside their law's, and no energy is judged then. Energy is not judged of viscous organs, of elements with middle nodes and of `neural`
 under gravity, and not across a cycle that put an organ back to rest; return to rest not of organs that fly, and not
 where 700 rows of the time that the slowest motion is estimated to need would not do: all get three times that.
 
