@@ -139,8 +139,9 @@ void ImplicitSteps::solveStages(double begin, double end) {
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
     const double from = s;
-    // In time the tools go as far as the tissue can follow, late they go all the way at once.
-    const bool late = from > begin && solver::isInterrupted(bodies_.interrupt());
+    // In time the tools go as far as the tissue can follow; late they go all the way at once, also
+    // where a cycle is late as it begins, and its stages are left to those that follow it sooner.
+    const bool late = solver::isInterrupted(bodies_.interrupt());
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
       s = late ? end : bodies_.nextStage(s, end);
