@@ -8,8 +8,10 @@ namespace palpate::tissue {
 bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) const {
   // What was cut was not brought to its end, and would be told as that from now on.
   if (out.status == solver::SolveStatus::kDeadline) return false;
-  return allowed_ && out.newton_iterations == 0 && !touch.possibleByTools() &&
-         (x - x_begin_).cwiseAbs().maxCoeff() <= motion_;
+  if (!allowed_ || touch.possibleByTools()) return false;
+  const double motion = (x - x_begin_).cwiseAbs().maxCoeff();
+  // Iterations that end where they began, to the bit, will do so again.
+  return motion == 0.0 || (out.newton_iterations == 0 && motion <= motion_);
 }
 
 void Rest::report(TissueStep* out) const {

@@ -32,9 +32,8 @@ class Rest {
     x_begin_ = x;
     asleep_ = false;
   }
-  /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed, and
-  /// the cycle was not cut;
-  /// the anatomy, on which they may lie, does not move.
+  /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed or
+  /// they led back, and the cycle was not cut; the anatomy, on which they may lie, does not move.
   bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
   /// It is still, and would be if it were stopped here.
   void fallAsleep() { asleep_ = true; }
