@@ -96,7 +96,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
 // that are none.
 bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
   if (!(contact_->nodalNorm(g_) <= kNoForce)) return false;
-  if (held || contact_->holds() || body_.surroundings.moves()) return true;
+  if (held || contact_->holds() || body_.heldMoves() || body_.surroundings.moves()) return true;
   const double unbalanced = out.ok() ? residual_ * (body_.x - x_begin_).norm() : 0.0;
   return value_ - *value_begin_ <= unbalanced + kOfEnergy * std::abs(*value_begin_);
 }
