@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace palpate::contact {
+
 double SampleBall::leastGap(const Mat3& corners, double offset, const PlacedObstacle& placed,
                             double error) const {
   const Vec3 a = corners.col(0), b = corners.col(1), c = corners.col(2);

@@ -27,6 +27,7 @@ double ExplicitTouch::steps() const {
 void ExplicitTouch::begin() {
   update_.clear();
   limited_ = false;
+  settled_ = true;
   part_ = 0.0;
   body_.sweep.place(0.0);
 }
@@ -76,6 +77,16 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
     update_.apply(coefficients, tolerance, next);
     iterations_ = std::max(iterations_, update_.iterations());
   }
+}
+
+// Asked to end amid its last answer, it has all sub-steps behind it.
+solver::SolveStatus ExplicitTouch::status(double tolerance, bool late) const {
+  if (late || (!settled_ && solver::isInterrupted(body_.interrupt))) {
+    return solver::SolveStatus::kDeadline;
+  }
+  if (limited_) return solver::SolveStatus::kLineSearchFailed;
+  return settled_ && residual() <= tolerance ? solver::SolveStatus::kConverged
+                                             : solver::SolveStatus::kIterationLimit;
 }
 
 }  // namespace palpate::tissue

@@ -37,10 +37,8 @@ class ExplicitTouch {
   double residual() const { return update_.residual(); }
   /// How far the fastest tool went in it [m].
   double toolWay() const { return tool_way_; }
-  /// Whether it held nodes back that would have gone too far at once.
-  bool limited() const { return limited_; }
-  /// Whether it found friction within Coulomb's law.
-  bool settled() const { return settled_; }
+  /// Of a cycle that ends with the last go(), or `late`, with sub-steps left. `tolerance` [N].
+  solver::SolveStatus status(double tolerance, bool late) const;
   /// Cube root of the volume of a node [m].
   double elementSize() const { return element_size_; }
 
@@ -53,7 +51,8 @@ class ExplicitTouch {
   ContactUpdate update_;
   Points untouched_;  // where friction may ask for another answer
   int iterations_ = 0;
-  bool limited_ = false, settled_ = true;
+  bool limited_ = false;                // it held nodes back that would have gone too far at once
+  bool settled_ = true;                 // it found friction within Coulomb's law
   double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
 };
 

@@ -36,6 +36,9 @@ struct FemBody {
           const Eigen::Matrix3Xi& surface = {},
           const std::vector<contact::SurfaceSample>& samples = {});
 
+  /// More than this no tissue has; its square and its fourth power leave what numbers there are
+  /// [N].
+  static constexpr double kMostForce = 1e30;
   /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
   /// cycle.
   double tolerance() const;

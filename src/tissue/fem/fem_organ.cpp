@@ -12,9 +12,6 @@ namespace {
 constexpr double kKeptVolume = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
-// Elastic forces that no tissue has, and whose squares and fourth powers leave what numbers there
-// are [N].
-constexpr double kNoForce = 1e30;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -234,7 +231,7 @@ bool FemOrgan::isOutsideOfLaw() const {
   }
   Points g;
   const double energy = body_.elasticity->gradient(body_.x, &g);
-  return !std::isfinite(energy) || !(g.norm() <= kNoForce);
+  return !std::isfinite(energy) || !(g.norm() <= FemBody::kMostForce);
 }
 
 // No step leads away from where it is, or all fail with no tool near.

@@ -20,7 +20,6 @@ constexpr int kMaxChanges = 30;
 // laws leave forces that no iteration comes back from.
 constexpr double kTrustsTangent = 100.0;
 constexpr double kOfEnergy = 1e-6;  // an increase that is none: roundoff
-constexpr double kNoForce = 1e30;   // that no tissue has [N]
 constexpr double kNoPush = 1e-6;    // stiffness that counts as none, of the mean
 // Of the body's size: where a held point counts as being on the tool.
 constexpr double kOnSurface = 1e-9;
@@ -95,7 +94,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
 // Untouched, Newton's steps may lead up to another root of the forces, and with tools to forces
 // that are none.
 bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
-  if (!(contact_->nodalNorm(g_) <= kNoForce)) return false;
+  if (!(contact_->nodalNorm(g_) <= FemBody::kMostForce)) return false;
   if (held || contact_->holds() || body_.heldMoves() || body_.surroundings.moves()) return true;
   const double unbalanced = out.ok() ? residual_ * (body_.x - x_begin_).norm() : 0.0;
   return value_ - *value_begin_ <= unbalanced + kOfEnergy * std::abs(*value_begin_);

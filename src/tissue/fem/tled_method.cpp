@@ -178,14 +178,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   addHeldInertia(h);
   out->residual = touch_.residual();
   body_.contact.learn(body_.x, dt);
-  // Asked to end amid the last answer of contact, it has all sub-steps behind it.
-  const bool unsettled = !touch_.settled();
-  const bool converged = out->residual <= out->tolerance && !unsettled;
-  late = late || (unsettled && solver::isInterrupted(body_.interrupt));
-  out->status = late               ? solver::SolveStatus::kDeadline
-                : touch_.limited() ? solver::SolveStatus::kLineSearchFailed
-                : converged        ? solver::SolveStatus::kConverged
-                                   : solver::SolveStatus::kIterationLimit;
+  out->status = touch_.status(out->tolerance, late);
   return true;
 }
 

@@ -218,15 +218,8 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   out->residual = touch_.residual();
   out->still_points = static_cast<int>(masses_.size()) - static_cast<int>(region_.points().size());
   body_.contact.learn(body_.x, dt);
-  // Asked to end amid the last answer of contact, it has all sub-steps behind it.
-  const bool unsettled = !touch_.settled();
-  const bool converged = out->residual <= out->tolerance && !unsettled;
-  late = late || (unsettled && solver::isInterrupted(body_.interrupt));
-  out->status = late               ? solver::SolveStatus::kDeadline
-                : touch_.limited() ? solver::SolveStatus::kLineSearchFailed
-                : converged        ? solver::SolveStatus::kConverged
-                                   : solver::SolveStatus::kIterationLimit;
-  if (!late) settleRegion(*out);
+  out->status = touch_.status(out->tolerance, late);
+  if (out->status != solver::SolveStatus::kDeadline) settleRegion(*out);
   return true;
 }
 
