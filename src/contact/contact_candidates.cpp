@@ -45,6 +45,13 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   runs_->build(samples_, candidates_, placed_, largest_offset_);
 }
 
+// [first, end): with the samples that the obstacle meets.
+std::pair<int, int> ContactPotential::patchesFor(int obstacle) const {
+  if (!for_anatomy_) return {0, numPatches()};
+  const bool tool = placed_[obstacle].obstacle().owner.isInstrument();
+  return tool ? std::pair(0, for_anatomy_->patch) : std::pair(for_anatomy_->patch, numPatches());
+}
+
 // Whether somewhere near it they are too far apart for the obstacle.
 bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   bool coarse = faces_ && nodes_only_;
@@ -52,7 +59,9 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   const instrument::Geometry& geometry = *placed.obstacle().geometry;
   const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
   const double error = distanceError(geometry);
-  for (const Patch& patch : patches_) {
+  const auto [first, end] = patchesFor(obstacle);
+  for (int k = first; k < end; ++k) {
+    const Patch& patch = patches_[k];
     if (skip_distant_) {
       // The distance changes by at most the way: skip triangles that are too far as a whole.
       const Vec3 corner = x.col(patch.nodes[0]);
@@ -93,7 +102,12 @@ int ContactPotential::numCandidates() const {
 }
 
 int ContactPotential::numDistant() const {
-  return static_cast<int>(placed_.size() * samples_.size() - candidates_.size());
+  int all = 0;
+  for (const PlacedObstacle& placed : placed_) {
+    const bool tool = placed.obstacle().owner.isInstrument();
+    all += tool || !for_anatomy_ ? numForInstruments() : numSamples() - numForInstruments();
+  }
+  return all - static_cast<int>(candidates_.size());
 }
 
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {

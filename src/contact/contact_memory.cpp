@@ -76,18 +76,19 @@ void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, co
   const double same = 1e-9 * size;
   std::vector<std::pair<int, Vec3>> samples;
   std::vector<int> nodes;
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
+  for (int s = 0; s < numSamples(); ++s) {
     const Vec3 p = samples_[s].position(X);
     if (box.squaredExteriorDistance(p) > same * same) continue;
-    samples.emplace_back(static_cast<int>(s), p);
+    samples.emplace_back(s, p);
     for (int k = 0; k < 3; ++k) nodes.push_back(samples_[s].nodes[k]);
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const auto sampleNow = [&](int sample) {
     const Vec3 q = old.samples_[static_cast<std::size_t>(sample)].position(old_X);
+    const bool for_anatomy = old.isForAnatomy(sample);
     for (const auto& [i, p] : samples) {
-      if ((p - q).squaredNorm() < same * same) return i;
+      if (isForAnatomy(i) == for_anatomy && (p - q).squaredNorm() < same * same) return i;
     }
     return -1;
   };

@@ -24,14 +24,21 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
     : samples_(std::move(samples)),
       response_(std::move(response)),
       runs_(std::make_unique<SampleRuns>()) {
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    if (patches_.empty() || samples_[s].nodes != patches_.back().nodes) {
-      patches_.push_back({samples_[s].nodes, static_cast<int>(s), 0, -1, 0, 0});
+  addPatches(0);
+}
+
+// Of the samples from that one on.
+void ContactPotential::addPatches(int first_sample) {
+  const std::size_t first = patches_.size();
+  for (int s = first_sample; s < numSamples(); ++s) {
+    if (patches_.size() == first || samples_[s].nodes != patches_.back().nodes) {
+      patches_.push_back({samples_[s].nodes, s, 0, -1, 0, 0});
     }
-    patches_.back().end = static_cast<int>(s) + 1;
+    patches_.back().end = s + 1;
   }
   const auto weights = [this](int s) -> const Vec3& { return samples_[s].weights; };
-  for (Patch& patch : patches_) {
+  for (std::size_t p = first; p < patches_.size(); ++p) {
+    Patch& patch = patches_[p];
     patch.first_part = static_cast<int>(parts_.size());
     for (int begin = patch.begin; begin < patch.end; begin += kPart) {
       const int end = std::min(begin + kPart, patch.end);
@@ -50,10 +57,20 @@ void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triang
   nodes_only_ = !(spacing > 0.0);  // then some triangles have none of their own
   // Both go through the triangles in the same order.
   Eigen::Index t = 0;
-  for (Patch& patch : patches_) {
+  const int end = for_anatomy_ ? for_anatomy_->patch : numPatches();
+  for (int p = 0; p < end; ++p) {
+    Patch& patch = patches_[p];
     while (t < triangles.cols() && triangles.col(t) != patch.nodes) ++t;
     if (t < triangles.cols()) patch.triangle = static_cast<int>(t);
   }
+}
+
+void ContactPotential::meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                   double spacing) {
+  for_anatomy_ = {numPatches(), numSamples()};
+  const std::vector<SurfaceSample> own = sampleSurface(X, triangles, spacing);
+  samples_.insert(samples_.end(), own.begin(), own.end());
+  addPatches(for_anatomy_->sample);
 }
 
 void ContactPotential::setOffsets(const Points& offsets) {

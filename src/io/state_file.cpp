@@ -15,7 +15,7 @@
 namespace palpate::io {
 namespace {
 
-constexpr char kFormat[] = "palpate state 5";
+constexpr char kFormat[] = "palpate state 6";
 constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2", "palpate state 3",
                                        "palpate state 4"};
 constexpr char kPayload[] = "payload: ";

@@ -90,7 +90,7 @@ mesh::SurfaceMesh readOrganElements(const Scene& scene, const OrganConfig& organ
                    "triangles as large do not resolve the surface; must be smaller");
 }
 
-tissue::ModelSettings settingsOf(const Scene& scene, double sample_spacing) {
+tissue::ModelSettings settingsOf(const Scene& scene, const contact::SampleSpacing& sample_spacing) {
   tissue::ModelSettings settings;
   static_cast<solver::StepSettings&>(settings) = scene.solver;
   settings.gravity = scene.gravity;
@@ -191,7 +191,8 @@ mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ
 }
 
 std::unique_ptr<tissue::TissueModel> assembleModel(
-    const Scene& scene, const std::vector<int>& organs, double sample_spacing,
+    const Scene& scene, const std::vector<int>& organs,
+    const contact::SampleSpacing& sample_spacing,
     const std::vector<contact::FrictionTable>& frictions, ThreadPool* pool,
     const Progress& progress, std::vector<std::string>* warnings) {
   tissue::ModelDescription description;

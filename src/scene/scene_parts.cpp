@@ -78,20 +78,31 @@ void readInstruments(const Scene& scene, const Progress& progress, SceneParts* p
 
 // Closer than that samples need not be: what is thinner meets faces by itself [m].
 constexpr double kFinestSpacing = 5e-4;
+// Where one may be so many times as far apart as the other, tools and bones have samples of their
+// own.
+constexpr double kWorthwhile = 1.5;
 
 // Samples so close that neither the thinnest tool nor a thinner bone can push its way between them.
-double sampleSpacing(const Scene& scene, const SceneParts& parts) {
+contact::SampleSpacing sampleSpacing(const Scene& scene, const SceneParts& parts) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
-  double spacing = std::numeric_limits<double>::infinity();
+  constexpr double kNothing = std::numeric_limits<double>::infinity();
+  double tools = kNothing, bones = kNothing;
+  const auto lower = [](const instrument::Geometry& geometry, double* spacing) {
+    const double enough = std::max(0.5 * contact::inscribedRadius(geometry), kFinestSpacing);
+    *spacing = std::min(*spacing, enough);
+  };
   for (const instrument::Instrument& tool : parts.instruments) {
-    for (const instrument::CollisionBody& body : tool.bodies()) {
-      spacing = std::min(spacing, 0.5 * contact::inscribedRadius(body.geometry));
-    }
+    for (const instrument::CollisionBody& body : tool.bodies()) lower(body.geometry, &tools);
   }
-  for (const AnatomyPart& part : parts.anatomy) {
-    spacing = std::min(spacing, 0.5 * contact::inscribedRadius(part.geometry));
+  for (const AnatomyPart& part : parts.anatomy) lower(part.geometry, &bones);
+  const auto [finer, coarser] = std::minmax(tools, bones);
+  if (finer == kNothing) return {};
+  contact::SampleSpacing spacing(finer);
+  if (coarser < kNothing && coarser > kWorthwhile * finer) {
+    spacing.instruments = tools;
+    spacing.anatomy = bones;
   }
-  return std::isfinite(spacing) ? std::max(spacing, kFinestSpacing) : 0.0;
+  return spacing;
 }
 
 // The organs that the model of the `first` organ of the scene owns.
@@ -109,7 +120,7 @@ std::string nameOf(const Scene& scene, int organ) {
 }
 
 void assembleModels(const Scene& scene, const Progress& progress, SceneParts* parts) {
-  const double spacing = sampleSpacing(scene, *parts);
+  const contact::SampleSpacing spacing = sampleSpacing(scene, *parts);
   const std::vector<contact::FrictionTable> frictions = frictionTables(scene, *parts);
   parts->organs.resize(scene.organs.size(), {nullptr, 0});
   for (std::size_t i = 0; i < scene.organs.size(); ++i) {

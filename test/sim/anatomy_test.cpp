@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <sstream>
+#include <vector>
 
 #include "anatomy_scene.h"
 #include "palpate/tissue/method_facts.h"
@@ -187,6 +190,32 @@ TEST_F(Anatomy, FarBoneIsSkipped) {
   // Around the slab, within half a metre: the slab is in the opening, 300 mm wide.
   EXPECT_EQ(skipped(AnatomyScene::bone("hook.obj", "[-0.25, -0.05, -0.2]", ", scale: 5")),
             none + 1);
+}
+
+// A thin tool asks for many points of the surface; what is thick does not feel more of them.
+TEST_F(Anatomy, FeelsTheSameBesideAThinTool) {
+  const auto rests = [&](double radius) {
+    scene::Scene scene = files.scene(AnatomyScene::bone("plate.obj", "[0, 0, -0.0005]"));
+    scene.organs[0].supports[0].select = mesh::PlaneRegion{0, 0.0, 1e-6};
+    std::ostringstream urdf;
+    urdf << "<robot name='rod'><link name='tip'><collision><geometry><cylinder radius='" << radius
+         << "' length='0.1'/></geometry></collision></link></robot>";
+    scene.instruments[0].urdf = files.folder().write("rod.urdf", urdf.str());
+    scene.instruments[0].base.position = Vec3(0.0, 0.0, 0.5);
+    scene.organs[0].damping.mass = 20.0;
+    Simulator simulator(scene);
+    std::vector<Vec3> forces;
+    for (int k = 0; k < 20; ++k) {
+      forces.push_back(onAnatomy(simulator.step({LinkPoses()}, 0.01)));
+    }
+    return forces;
+  };
+  const std::vector<Vec3> thick = rests(0.01), thin = rests(0.001);
+  double most = 0.0;
+  for (const Vec3& force : thick) most = std::max(most, force.norm());
+  EXPECT_GT(most, 1.0);
+  EXPECT_EQ(thick, thin);
+  std::cout << "bone carries up to " << most << " N\n";
 }
 
 TEST_F(Anatomy, AProxiedToolWaitsOutside) {

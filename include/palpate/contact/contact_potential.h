@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "palpate/contact/response.h"
@@ -37,11 +39,18 @@ class ContactPotential final : public fem::EnergyTerm {
   /// surface, outward; `spacing`: of the samples, as for sampleSurface().
   void meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
+  /// Has parts of the anatomy meet samples of their own, sampleSurface()'s of that `spacing`, and
+  /// no others: what is thick need not meet as many as a thin tool does. Once.
+  void meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+
   /// The samples lie in the middle of a sheet of this thickness [m]: either side of it touches
   /// where a sample is nearer to an obstacle than half of that. Before the first setObstacles().
   void setThickness(double thickness) { margin_ = 0.5 * thickness; }
 
+  /// Those for the anatomy come last.
   const std::vector<SurfaceSample>& samples() const { return samples_; }
+  /// What instruments meet: the first of samples(), so many.
+  int numForInstruments() const { return for_anatomy_ ? for_anatomy_->sample : numSamples(); }
   /// From the samples: see Response::reach().
   double reach() const { return response_->reach() + margin_ + largest_offset_; }
 
@@ -141,6 +150,14 @@ class ContactPotential final : public fem::EnergyTerm {
     int triangle;               // of the surface; known where faces are met
     int first_part, last_part;  // of parts_, [first, last)
   };
+  struct First {  // where those for the anatomy begin
+    int patch, sample;
+  };
+  int numSamples() const { return static_cast<int>(samples_.size()); }
+  int numPatches() const { return static_cast<int>(patches_.size()); }
+  void addPatches(int first_sample);
+  std::pair<int, int> patchesFor(int obstacle) const;
+  bool isForAnatomy(int sample) const { return sample >= numForInstruments(); }
   template <class Far, class Visit>
   void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
   void gather(const Points& x);
@@ -161,6 +178,7 @@ class ContactPotential final : public fem::EnergyTerm {
   std::vector<SurfaceSample> samples_;
   std::vector<Patch> patches_;
   std::vector<SamplePart> parts_;
+  std::optional<First> for_anatomy_;  // none: it meets what instruments meet
   std::unique_ptr<FacePoints> faces_;
   bool nodes_only_ = false;  // are samples
   std::unique_ptr<Response> response_;

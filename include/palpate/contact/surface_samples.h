@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "palpate/base/types.h"
@@ -39,6 +40,17 @@ struct SurfaceSample {
 /// could open the surface between them. `spacing` <= 0: nodes only.
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
+
+/// How far apart samples are [m]: what is thick need not meet as many as a thin tool does.
+struct SampleSpacing {
+  SampleSpacing(double all = 0.0) : instruments(all) {}  // NOLINT(google-explicit-constructor)
+
+  /// Of samples that meet both.
+  double finest() const { return anatomy > 0.0 ? std::min(instruments, anatomy) : instruments; }
+
+  double instruments;
+  double anatomy = 0.0;  ///< Where the anatomy meets samples of its own; 0: those of instruments.
+};
 
 /// Into how many parts an edge is parted.
 int sampleDivisions(double length, double spacing);

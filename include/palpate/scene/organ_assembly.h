@@ -42,7 +42,8 @@ tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Prog
 /// `frictions`: of each organ of the scene with all that may touch it.
 /// @throws InputError
 std::unique_ptr<tissue::TissueModel> assembleModel(
-    const Scene& scene, const std::vector<int>& organs, double sample_spacing,
+    const Scene& scene, const std::vector<int>& organs,
+    const contact::SampleSpacing& sample_spacing,
     const std::vector<contact::FrictionTable>& frictions, ThreadPool* pool,
     const Progress& progress, std::vector<std::string>* warnings);
 

@@ -130,7 +130,8 @@ struct FrictionConfig : contact::Friction {
 
 struct ContactConfig : contact::ResponseSettings, tissue::TouchingOrgans {
   double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
-                                ///< the inscribed radius of the thinnest shape.
+                                ///< the inscribed radius of the thinnest tool, or part of the
+                                ///< anatomy, which then meets samples of its own.
   FrictionConfig friction;
 };
 

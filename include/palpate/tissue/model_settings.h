@@ -5,6 +5,7 @@
 
 #include "palpate/base/types.h"
 #include "palpate/contact/response.h"
+#include "palpate/contact/surface_samples.h"
 #include "palpate/solver/step_settings.h"
 #include "palpate/tissue/interaction.h"
 #include "palpate/tissue/skip_switches.h"
@@ -20,8 +21,8 @@ struct ModelSettings : solver::StepSettings {
   std::vector<contact::ResponseEntry> responses = contact::responses();  ///< That it may name.
   TouchingOrgans touching;  ///< For models that own several organs.
   std::vector<InteractionEntry> interactions = tissue::interactions();  ///< That act between them.
-  double sample_spacing = 0.0;  ///< [m], see contact::sampleSurface()
-  bool needles = false;         ///< Some instrument goes into tissue.
+  contact::SampleSpacing sample_spacing;
+  bool needles = false;  ///< Some instrument goes into tissue.
   SkipSwitches skip;
 };
 

@@ -41,7 +41,7 @@ std::unique_ptr<TissueModel> makeEnriched(const ModelDescription& description) {
         FineSurface fine(
             boundary,
             {organ.X_WO * database.fine.points.colwise().homogeneous(), database.fine.triangles},
-            settings.sample_spacing);
+            settings.sample_spacing.finest());
         LearnedDetail learned(organ.enriched, database, organ.X_WO, boundary);
         OwnParts own;
         own.samples = fine.samples();

@@ -37,7 +37,8 @@ class SampledTissue final : public TissueModel {
                                          0.01 * material::moduli(solid.law).mu * size_ * size_) +
                    1e-9) {
     Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(X_.cols());
-    for (const contact::SurfaceSample& sample : touch_.contact.samples()) {
+    for (int s = 0; s < touch_.contact.numForInstruments(); ++s) {
+      const contact::SurfaceSample& sample = touch_.contact.samples()[s];
       for (int k = 0; k < 3; ++k) {
         stiffness[sample.nodes[k]] += sample.weights[k] * sample.area * settings.contact.stiffness;
       }

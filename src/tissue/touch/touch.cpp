@@ -8,9 +8,10 @@ namespace palpate::tissue {
 Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
              int organ, std::function<double(double)> excess, const Eigen::Matrix4Xi& tets,
              double thickness, const std::vector<contact::SurfaceSample>& samples)
-    : contact(
-          samples.empty() ? contact::sampleSurface(X, triangles, settings.sample_spacing) : samples,
-          contact::makeResponse(settings.contact, settings.responses)),
+    : contact(samples.empty()
+                  ? contact::sampleSurface(X, triangles, settings.sample_spacing.instruments)
+                  : samples,
+              contact::makeResponse(settings.contact, settings.responses)),
       sweep(&contact, (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(),
             settings.skip.far_tools),
       needles(X, tets, settings.contact.stiffness),
@@ -19,7 +20,9 @@ Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSett
       organ_(organ),
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
-  if (has_inside_ && samples.empty()) contact.meetFaces(X, triangles, settings.sample_spacing);
+  const contact::SampleSpacing& spacing = settings.sample_spacing;
+  if (samples.empty() && spacing.anatomy > 0.0) contact.meetAnatomy(X, triangles, spacing.anatomy);
+  if (has_inside_ && samples.empty()) contact.meetFaces(X, triangles, spacing.instruments);
   contact.setThickness(thickness);
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
