@@ -113,13 +113,20 @@ class SolidElasticity final : public Elasticity {
   Eigen::MatrixXd volume_gradients_;  // as NodalPressure::gatherRows() takes them
 };
 
+// F = sum over the nodes of x (x) grad N. Numbers in registers: a matrix of Eigen's is written and
+// read again in halves of other sizes, for which a processor waits, four times as long in all.
 template <int N>
 Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
                                      const Eigen::Matrix<double, 3, N>& gradients) const {
   const auto nodes = shape_.nodes.col(static_cast<Eigen::Index>(e));
-  Mat3 F = x.col(nodes[0]) * gradients.col(0).transpose();
-  for (int a = 1; a < N; ++a) F += x.col(nodes[a]) * gradients.col(a).transpose();
-  return F;
+  const auto point = [&](int a) { return x.data() + 3 * Eigen::Index{nodes[a]}; };
+  double F[9];
+  for (int k = 0; k < 9; ++k) F[k] = point(0)[k % 3] * gradients(k / 3, 0);
+  for (int a = 1; a < N; ++a) {
+    const double* p = point(a);
+    for (int k = 0; k < 9; ++k) F[k] += p[k % 3] * gradients(k / 3, a);
+  }
+  return Eigen::Map<const Mat3>(F);
 }
 
 template <int N>
