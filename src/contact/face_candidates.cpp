@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "face_points.h"
 #include "palpate/contact/signed_distance.h"
@@ -21,6 +22,34 @@ double meanEdge(const Mat3& corners) {
 
 }  // namespace
 
+// Fills found_ with balls and triangles, as places in near_, that may be within reach: by balls,
+// and of each by triangles. After a leap there are a million.
+void FacePoints::findPairs(const Shape& shape, double reach) {
+  const auto forPairs = [&](const auto& visit) {
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const Near& t = near_[k];
+      // The balls in the slice of the shape that the triangle may touch.
+      const double far = t.radius + reach + shape.largest;
+      const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
+      auto ball = std::lower_bound(
+          shape.balls.begin(), shape.balls.end(), begin,
+          [&](const TouchBall& of, double at) { return of.center_G[shape.axis] < at; });
+      for (; ball != shape.balls.end() && ball->center_G[shape.axis] <= end; ++ball) {
+        if ((ball->center_G - t.middle_G).squaredNorm() > far * far) continue;
+        visit(static_cast<std::size_t>(ball - shape.balls.begin()), k);
+      }
+    }
+  };
+  // Counted first, so that each has its place.
+  places_.assign(shape.balls.size() + 1, 0);
+  forPairs([&](std::size_t ball, std::size_t) { ++places_[ball + 1]; });
+  std::partial_sum(places_.begin(), places_.end(), places_.begin());
+  found_.resize(places_.back());
+  forPairs([&](std::size_t ball, std::size_t k) {
+    found_[places_[ball]++] = {static_cast<int>(ball), static_cast<int>(k)};
+  });
+}
+
 void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
                                 double reach) {
   const Shape& shape = *shapes_[b];
@@ -36,26 +65,14 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const Vec3 middle_G = placed[b].toObstacle(middle);
     if (middle_G.norm() > bounding + radius) continue;
     if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
-    near_.push_back({triangle, middle_G, radius});
+    near_.push_back({triangle, middle_G, radius, meanEdge(at)});
   }
-  found_.clear();
-  for (const Near& t : near_) {
-    // The balls in the slice of the shape that the triangle may touch.
-    const double far = t.radius + reach + shape.largest;
-    const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
-    auto ball = std::lower_bound(
-        shape.balls.begin(), shape.balls.end(), begin,
-        [&](const TouchBall& of, double at) { return of.center_G[shape.axis] < at; });
-    for (; ball != shape.balls.end() && ball->center_G[shape.axis] <= end; ++ball) {
-      if ((ball->center_G - t.middle_G).squaredNorm() > far * far) continue;
-      found_.emplace_back(static_cast<int>(ball - shape.balls.begin()), t.triangle);
-    }
-  }
-  std::sort(found_.begin(), found_.end());
+  findPairs(shape, reach);
   const std::size_t first_group = groups_.size();
   found_at_ = ordered_at_ = x;
   double nearest = 0.0;
-  for (const auto& [of_ball, triangle] : found_) {
+  for (const auto& [of_ball, place] : found_) {
+    const int triangle = near_[static_cast<std::size_t>(place)].triangle;
     const TouchBall& ball = shape.balls[of_ball];
     const Vec3 center = placed[b].obstacle().X_WG_end * ball.center_G;
     const Mat3 at = corners(x, triangle);
@@ -66,7 +83,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
       groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, 0.0, center, center});
       nearest = std::numeric_limits<double>::infinity();
     }
-    candidates_.push_back({triangle, meanEdge(at), distance});
+    candidates_.push_back({triangle, near_[static_cast<std::size_t>(place)].edge, distance});
     char& used = is_used_[static_cast<std::size_t>(triangle)];
     if (!used) used_.push_back(triangle);
     used = 1;

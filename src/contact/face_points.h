@@ -126,6 +126,7 @@ class FacePoints {
     int triangle;
     Vec3 middle_G;
     double radius;
+    double edge;  // on average [m]
   };
   struct Candidate {
     int triangle;
@@ -154,6 +155,7 @@ class FacePoints {
   };
 
   const Shape* shapeOf(const Obstacle& obstacle);
+  void findPairs(const Shape& shape, double reach);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
   void order(const Group& group) const;
@@ -184,7 +186,8 @@ class FacePoints {
   std::vector<Candidate> candidates_;
   mutable std::vector<Group> groups_;
   std::vector<Near> near_;
-  std::vector<std::pair<int, int>> found_;  // balls and triangles
+  std::vector<std::pair<int, int>> found_;  // balls, and triangles in near_;
+  std::vector<std::size_t> places_;         // where those of a ball go
   // What is spared: a ball that was in front when it was found, if neither it nor the tissue went
   // as far since; likewise a triangle that was far when they were put in order; and balls around
   // the triangles as they are now.
