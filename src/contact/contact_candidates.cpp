@@ -45,11 +45,11 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   runs_->build(samples_, candidates_, placed_, largest_offset_);
 }
 
-// [first, end): with the samples that the obstacle meets.
-std::pair<int, int> ContactPotential::patchesFor(int obstacle) const {
+// The patches, [first, end), with the samples that an obstacle meets.
+std::pair<int, int> ContactPotential::patchesFor(const PlacedObstacle& placed) const {
   if (!for_anatomy_) return {0, numPatches()};
-  const bool tool = placed_[obstacle].obstacle().owner.isInstrument();
-  return tool ? std::pair(0, for_anatomy_->patch) : std::pair(for_anatomy_->patch, numPatches());
+  if (placed.obstacle().owner.isInstrument()) return {0, for_anatomy_->patch};
+  return {for_anatomy_->patch, numPatches()};
 }
 
 // Whether somewhere near it they are too far apart for the obstacle.
@@ -59,7 +59,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   const instrument::Geometry& geometry = *placed.obstacle().geometry;
   const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
   const double error = distanceError(geometry);
-  const auto [first, end] = patchesFor(obstacle);
+  const auto [first, end] = patchesFor(placed);
   for (int k = first; k < end; ++k) {
     const Patch& patch = patches_[k];
     if (skip_distant_) {
@@ -104,8 +104,8 @@ int ContactPotential::numCandidates() const {
 int ContactPotential::numDistant() const {
   int all = 0;
   for (const PlacedObstacle& placed : placed_) {
-    const bool tool = placed.obstacle().owner.isInstrument();
-    all += tool || !for_anatomy_ ? numForInstruments() : numSamples() - numForInstruments();
+    const auto [first, end] = patchesFor(placed);
+    if (first < end) all += patches_[end - 1].end - patches_[first].begin;
   }
   return all - static_cast<int>(candidates_.size());
 }

@@ -219,9 +219,8 @@ void describe(keys::FieldVisitor& v, ContactConfig& contact) {
        "Largest distance between the points of the tissue surface that can touch; 0: half the "
        "inscribed radius of the thinnest tool shape, and for the anatomy of its thinnest part, at "
        "least 0.5 mm. An edge has 3 to 32 parts. Where they are farther apart than a tool is "
-       "thick, or than 1.5 "
-       "mm and it has edges, the tool's own points, with edges rounded off by 0.2 mm, meet the "
-       "triangles."},
+       "thick, or than 1.5 mm and it has edges, the tool's own points, with edges rounded off by "
+       "0.2 mm, meet the triangles."},
       contact.sample_spacing, keys::Range::closed(0.0, 1.0));
   v.section({"friction", "",
              "What keeps organs from sliding along instruments and anatomy. Not of method "

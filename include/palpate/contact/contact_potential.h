@@ -156,7 +156,7 @@ class ContactPotential final : public fem::EnergyTerm {
   int numSamples() const { return static_cast<int>(samples_.size()); }
   int numPatches() const { return static_cast<int>(patches_.size()); }
   void addPatches(int first_sample);
-  std::pair<int, int> patchesFor(int obstacle) const;
+  std::pair<int, int> patchesFor(const PlacedObstacle& placed) const;
   bool isForAnatomy(int sample) const { return sample >= numForInstruments(); }
   template <class Far, class Visit>
   void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
