@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
 
 #include "model_variants.h"
 #include "support/contains.h"
@@ -183,6 +186,64 @@ TEST(SampledElasticity, SaysThatACycleIsTooLong) {
   EXPECT_TRUE(tissue->step({}, 0.01).ok());
   EXPECT_EQ(tissue->step({}, 1e3).status, solver::SolveStatus::kIterationLimit);
   EXPECT_LT((tissue->positions() - x).norm(), 1e-6);
+}
+
+// Smaller particles take shorter sub-steps. Where a cycle would then take more than there are, all
+// later ones would end where they begin.
+TEST(SampledElasticity, PartsNoParticlesThatACycleHasNoSubStepsFor) {
+  test::ModelVariant sampled{"sampled", "sampled_elasticity", {}, {}};
+  sampled.sampling.coarsest = 0.015;
+  sampled.sampling.levels = 2;
+  auto settings = test::variantSettings();
+  settings.gravity.setZero();
+  settings.skip.sleeping = false;
+  const auto particles = [](const tissue::TissueModel& tissue) {
+    int count = 0;
+    double step = 0.0;
+    const std::string note = tissue.notes().front();
+    EXPECT_EQ(std::sscanf(note.c_str(), "%d particles at rest, steps of %lf", &count, &step), 2);
+    return std::make_pair(count, step);
+  };
+  const test::OrganSketch organ = test::variantBlock(sampled);
+  const auto parts = test::makeVariant(sampled, organ, settings);
+  const auto [at_rest, sub_step] = particles(*parts);
+  settings.step = 15000 * sub_step;
+  const auto whole = test::makeVariant(sampled, organ, settings);
+  test::Visit fast(0.008, 0.15), slow(0.008, 0.15);
+  double most_force = 0.0;
+  for (int k = 0; k < 30; ++k) {
+    parts->step({fast.next()}, 0.01);
+    const tissue::TissueStep& out = whole->step({slow.next()}, settings.step);
+    ASSERT_EQ(out.status, solver::SolveStatus::kConverged) << k;
+    for (const auto& contact : out.contacts) most_force += contact.force_W.norm();
+    if (k == 14) {
+      ASSERT_GT(particles(*parts).first, at_rest);
+    }
+    ASSERT_EQ(particles(*whole).first, at_rest);
+  }
+  EXPECT_GT(most_force, 0.01);
+  EXPECT_LT((whole->positions() - organ.mesh.points).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+// A bound of the velocity's change that asks for more of them than there are is not kept, and told;
+// the tissue moves all the same.
+TEST(SampledElasticity, MovesWhereVelocitiesChangeByMoreThanTheyMay) {
+  test::ModelVariant sampled{"sampled", "sampled_elasticity", {}, {}};
+  sampled.sampling.coarsest = 0.015;
+  sampled.sampling.levels = 1;
+  sampled.sampling.max_velocity_change = 1e-6;
+  auto settings = test::variantSettings();
+  settings.gravity.setZero();
+  settings.skip.sleeping = false;
+  const test::OrganSketch organ = test::variantBlock(sampled);
+  const auto tissue = test::makeVariant(sampled, organ, settings);
+  Points moved = organ.mesh.points;
+  moved.row(2) *= 0.9;
+  tissue->place(0, moved, Points::Zero(3, moved.cols()));
+  const double before = (tissue->positions() - organ.mesh.points).norm();
+  EXPECT_EQ(tissue->step({}, 0.01).status, solver::SolveStatus::kIterationLimit);
+  for (int k = 0; k < 200; ++k) tissue->step({}, 0.01);
+  EXPECT_LT((tissue->positions() - organ.mesh.points).norm(), 0.01 * before);
 }
 
 TEST(SampledElasticity, RefusesAStepThatIsAlwaysTooLong) {

@@ -13,9 +13,11 @@ constexpr double kContactWay = 0.5;
 
 }  // namespace
 
-// How many sub-steps; 0: too many.
-int SampledTissue::planSteps(double dt) {
-  double shortest = stableStep();
+// How many sub-steps; 0: too many to be stable. What the published rule of velocities asks for
+// beyond that is left off, and told: forces do not become less where nothing moves.
+int SampledTissue::planSteps(double dt, bool* coarse) {
+  const double stable = std::max(1.0, std::ceil(dt / stableStep()));
+  double wanted = stable;
   if (most_change_ > 0.0) {
     Vec3 anchors;
     body_.umbrella().forces(body_.d, &forces_, &anchors);
@@ -24,10 +26,21 @@ int SampledTissue::planSteps(double dt) {
     for (Eigen::Index i = 0; i < forces_.cols(); ++i) {
       most = std::max(most, forces_.col(i).norm() / body_.masses[i]);
     }
-    if (most * shortest > most_change_) shortest = most_change_ / most;
+    if (most > 0.0) wanted = std::max(wanted, std::ceil(dt / (most_change_ / most)));
   }
-  const double wanted = std::max(1.0, std::ceil(dt / shortest));
-  return wanted <= kMostSubSteps ? static_cast<int>(wanted) : 0;
+  *coarse = !(wanted <= kMostSubSteps);
+  return stable <= kMostSubSteps ? static_cast<int>(std::min(wanted, 1.0 * kMostSubSteps)) : 0;
+}
+
+// Not where it would take more sub-steps than there are, and so never move again.
+bool SampledTissue::adapt(double dt) {
+  before_.clear();
+  body_.save(&before_);
+  if (!body_.adapt()) return false;
+  if (std::ceil(std::max(dt, step_) / stableStep()) <= kMostSubSteps) return true;
+  StateReader back(before_.bytes());
+  body_.restore(&back);
+  return false;
 }
 
 // Whether contact did not throw anything.
@@ -76,7 +89,8 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   body_.save(&before_);
   touch_.sweep.place(0.0);
   out_.tolerance = tolerance_;
-  const int steps = planSteps(dt);
+  bool coarse = false;
+  const int steps = planSteps(dt, &coarse);
   int done = 0;
   bool late = false;
   while (done < steps && !late && subStep(dt / steps, (done + 1) / static_cast<double>(steps))) {
@@ -103,11 +117,12 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     out_.status = solver::SolveStatus::kDeadline;
   } else {
     touch_.contact.learn(x_, dt);
+    if (coarse) out_.status = solver::SolveStatus::kIterationLimit;
   }
   report();
   if (rest_.sleeps(touch_)) {
     endAtRest();
-  } else if (body_.adapt()) {
+  } else if (adapt(dt)) {
     follow();
   }
   return out_;

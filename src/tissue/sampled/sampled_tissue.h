@@ -30,6 +30,7 @@ class SampledTissue final : public TissueModel {
         lag_(organ.damping.stiffness),
         finest_(finestOf(organ.sampling)),
         most_change_(organ.sampling.max_velocity_change),
+        step_(settings.step),
         touch_(X_, triangles_, settings),
         size_((X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm()),
         rest_(Rest::kMotion * size_, settings.skip.sleeping),
@@ -156,7 +157,8 @@ class SampledTissue final : public TissueModel {
   void settle();
   bool comeToRest();
   void endAtRest();
-  int planSteps(double dt);
+  int planSteps(double dt, bool* coarse);
+  bool adapt(double dt);
   bool subStep(double h, double s);
   void report();
 
@@ -168,6 +170,7 @@ class SampledTissue final : public TissueModel {
   double lag_;      // by stiffness [s]
   double finest_;   // distance of particles [m]
   double most_change_;
+  double step_;  // a cycle [s]
   Touch touch_;
   double size_;
   Rest rest_;

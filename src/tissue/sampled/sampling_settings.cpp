@@ -22,7 +22,8 @@ void describe(keys::FieldVisitor& v, SamplingSettings& sampling) {
            sampling.weights, {"consistent", "published"});
   v.number({"max_velocity_change", "m/s",
             "Sub-steps are so short that no particle's changes by "
-            "more; 0: by any."},
+            "more, at most 20000 a cycle, which ends with `iteration_limit` where these do not "
+            "suffice; 0: by any."},
            sampling.max_velocity_change, keys::Range::closed(0.0, 100.0));
 }
 
