@@ -25,12 +25,6 @@ bool isSteep(const std::string& law) {
   return std::find(kLaws.begin(), kLaws.end(), law) != kLaws.end();
 }
 
-// Of small strains without contraction to the sides [Pa].
-double waveModulus(const TortureOrgan& organ) {
-  const double nu = organ.poisson;
-  return organ.contrast * organ.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
-}
-
 class Bounded : public Criterion {
  public:
   explicit Bounded(const TortureScene& scene)
@@ -41,7 +35,7 @@ class Bounded : public Criterion {
       box_.take(organ.low);
       box_.take(organ.low + organ.size);
       const double area = scene.size() * scene.size();
-      stiffness_force_ = std::max(stiffness_force_, waveModulus(organ) * area);
+      stiffness_force_ = std::max(stiffness_force_, organ.waveModulus() * area);
       mass_ += organ.density * organ.size.prod();
       steep_ = steep_ || isSteep(organ.law);
     }

@@ -102,6 +102,10 @@ Start drawStart(Draw* draw) {
 
 }  // namespace
 
+double TortureOrgan::waveModulus() const {
+  return contrast * young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+}
+
 double TortureOrgan::heldTo() const {
   if (model == "cloth") return low.y() + 0.1 * size.y();
   return low.z() + (shape == "kidney" || shape == "gallbladder" ? 0.2 * size.z() : 1e-6);

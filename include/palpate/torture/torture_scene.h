@@ -40,6 +40,8 @@ struct TortureOrgan {
 
   /// Points up to here are held [m].
   double heldTo() const;
+  /// Of small strains without contraction to the sides, of its stiffest part [Pa].
+  double waveModulus() const;
 };
 
 /// A tool of one shape, whose joints x, y, z, roll, pitch, yaw are its pose in the world.
