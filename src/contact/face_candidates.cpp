@@ -69,7 +69,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   }
   findPairs(shape, reach);
   const std::size_t first_group = groups_.size();
-  found_at_ = ordered_at_ = x;
+  found_at_ = x;
   double nearest = 0.0;
   for (const auto& [of_ball, place] : found_) {
     const int triangle = near_[static_cast<std::size_t>(place)].triangle;
@@ -80,7 +80,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const double distance = (center - near.point).norm();
     if (!(distance <= reach + ball.radius)) continue;
     if (groups_.empty() || groups_.back().obstacle != b || groups_.back().ball != of_ball) {
-      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, 0.0, center, center});
+      groups_.push_back({b, of_ball, numCandidates(), 0, 0.0, 0, 0.0, true, 0.0, center, triangle});
       nearest = std::numeric_limits<double>::infinity();
     }
     candidates_.push_back({triangle, near_[static_cast<std::size_t>(place)].edge, distance});
@@ -91,7 +91,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     if (!(distance < nearest)) continue;
     nearest = distance;
     groups_.back().area = std::max(areas_[triangle] / 3.0, kLeastArea);
-    groups_.back().first = triangle;
+    groups_.back().first = groups_.back().nearest = triangle;
     groups_.back().edge = candidates_.back().edge;
   }
   by_distance_.resize(candidates_.size());
@@ -105,9 +105,8 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     order(group);
     group.apart = by_distance_[group.begin].apart;
     meetings_.clear();
-    group.behind = meetings_[measure(x, placed, group, 0.0).nearest].distance < 0.0;
+    group.behind = meetings_[measure(x, placed, &group, 0.0).nearest].distance < 0.0;
   }
-  disordered_ = 0;
 }
 
 }  // namespace palpate::contact

@@ -14,13 +14,12 @@ constexpr double kNoDirection = 1e-12;
 }  // namespace
 
 // What was measured elsewhere is no more known.
-void FacePoints::measureAt(const Points& x, const std::vector<PlacedObstacle>& placed) const {
+void FacePoints::measureAt(const Points& x) const {
   if (groups_.empty()) return;
   if (measured_anywhere_ && measured_at_.cols() == x.cols() && measured_at_ == x) return;
   measured_anywhere_ = true;
   measured_at_ = x;
   placeTriangles(x);
-  if (disordered(placed)) orderAgain(x, placed);
   meetings_.clear();
   measured_.assign(groups_.size(), {-1.0, 0, 0, 0});
 }
@@ -29,15 +28,34 @@ const FacePoints::Measured& FacePoints::measured(const Points& x,
                                                  const std::vector<PlacedObstacle>& placed,
                                                  std::size_t group, double within) const {
   Measured& known = measured_[group];
-  if (known.within < within) known = measure(x, placed, groups_[group], within);
+  if (known.within < within) known = measure(x, placed, &groups_[group], within);
   return known;
+}
+
+// A ball and a triangle: as if it were in front; `across`: how far it is in front of its plane.
+FacePoints::Meeting FacePoints::meet(const Vec3& center, const Mat3& corners, int candidate,
+                                     double* across) const {
+  Meeting m{};
+  m.triangle = candidates_[candidate].triangle;
+  m.edge = candidates_[candidate].edge;
+  m.near = nearestOnTriangle(center, corners.col(0), corners.col(1), corners.col(2));
+  const Vec3 way = center - m.near.point, n = normals_.col(m.triangle);
+  m.distance = way.norm();
+  m.direction = m.distance > kNoDirection ? Vec3(way / m.distance) : n;
+  *across = n.dot(way);
+  if (m.near.feature == Feature::kFace) {  // exact however near
+    m.direction = *across < 0.0 ? Vec3(-n) : n;
+    m.distance = std::abs(*across);
+  }
+  return m;
 }
 
 // Adds the triangles that may be the nearest or are nearer than `within` to meetings_. Of those
 // that are equally near, as those around an edge or a corner are, the one that the centre is most
 // in front of, or behind, knows the side.
 FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PlacedObstacle>& placed,
-                                         const Group& group, double within) const {
+                                         Group* of, double within) const {
+  const Group& group = *of;
   const Vec3 center = centerOf(placed, group);
   findNear(x, center, group, within);
   const std::size_t begin = meetings_.size();
@@ -45,21 +63,8 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
   double most_across = 0.0;
   for (const std::pair<int, double>& close : close_) {
     const int c = close.first;
-    const int triangle = candidates_[c].triangle;
-    const Mat3 at = corners(x, triangle);
-    const Vec3 n = normals_.col(triangle);
-    Meeting m{};
-    m.near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
-    const Vec3 way = center - m.near.point;
-    m.distance = way.norm();
-    m.direction = m.distance > kNoDirection ? Vec3(way / m.distance) : n;
-    double across = n.dot(way);
-    if (m.near.feature == Feature::kFace) {  // exact however near
-      m.direction = across < 0.0 ? Vec3(-n) : n;
-      m.distance = std::abs(across);
-    }
-    m.edge = candidates_[c].edge;
-    m.triangle = triangle;
+    double across = 0.0;
+    Meeting m = meet(center, corners(x, candidates_[c].triangle), c, &across);
     m.first = group.first;
     meetings_.push_back(m);
     const double least = meetings_[nearest].distance;
@@ -71,6 +76,7 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
     }
   }
   Meeting& m = meetings_[nearest];
+  of->nearest = m.triangle;
   // Where the surface crosses itself, the nearest triangle may be another one at once. A ball that
   // was in front gets behind by kFollow at a time, not by an edge, or its diameter.
   const bool crossed = !group.behind && m.distance > std::max(group.edge, 2.0 * ball(group).radius);
@@ -82,6 +88,39 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
     m.direction = -m.direction;
   }
   return {within, begin, meetings_.size(), nearest};
+}
+
+// Most steps are short beside what is between a ball and most triangles, and most triangles go less
+// far than the one that goes farthest: only of the others it matters where they go.
+double FacePoints::maxStep(const Points& x, const Points& d,
+                           const std::vector<PlacedObstacle>& placed, double largest) const {
+  measureAt(x);
+  double longest = 0.0;
+  for (const int t : used_) {
+    ways_[t] = std::sqrt(corners(d, t).colwise().squaredNorm().maxCoeff());
+    longest = std::max(longest, ways_[t]);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    if (staysAway(placed, group, longest * largest)) continue;
+    const Meeting& nearest = meetings_[measured(x, placed, g, 0.0).nearest];
+    const Vec3 center = centerOf(placed, group);
+    for (int c = group.begin; c < group.end; ++c) {
+      const auto [triangle, edge, apart] = candidates_[c];
+      const double way = ways_[triangle] * largest, follow = kFollow * edge;
+      const bool is_nearest = triangle == nearest.triangle;
+      if (way <= follow) continue;
+      const double reach = withSlack(way) - follow;
+      if (!is_nearest && reach <= leastDistance(center, triangle, reach)) continue;
+      double across = 0.0;
+      const Meeting m = is_nearest ? nearest : meet(center, corners(x, triangle), c, &across);
+      const double allowed = std::max(m.distance, 0.0) + follow;
+      if (way <= allowed) continue;
+      const double approach = m.direction.dot(corners(d, triangle) * m.near.weights);
+      if (approach * largest > allowed) largest = allowed / approach;
+    }
+  }
+  return largest;
 }
 
 }  // namespace palpate::contact

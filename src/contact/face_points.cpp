@@ -26,6 +26,7 @@ void FacePoints::setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, 
   around_.resize(4, triangles.cols());
   normals_.resize(3, triangles.cols());
   planes_.resize(3, triangles.cols());
+  ways_.resize(triangles.cols());
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     const Mat3 at = corners(X, static_cast<int>(t));
     areas_[t] = 0.5 * (at.col(1) - at.col(0)).cross(at.col(2) - at.col(0)).norm();
@@ -128,29 +129,6 @@ void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& gr
   touch->steepness = 1.0;
   touch->curvature_G.setZero();
   touch->motion_W.setZero();
-}
-
-double FacePoints::maxStep(const Points& x, const Points& d,
-                           const std::vector<PlacedObstacle>& placed, double largest) const {
-  measureAt(x, placed);
-  double longest = 0.0;
-  for (const int t : used_) {
-    longest = std::max(longest, corners(d, t).colwise().squaredNorm().maxCoeff());
-  }
-  longest = std::sqrt(longest);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (staysAway(placed, groups_[g], longest * largest)) continue;
-    const Measured& known = measured(x, placed, g, longest * largest);
-    for (std::size_t k = known.begin; k < known.end; ++k) {
-      const Meeting& m = meetings_[k];
-      const Mat3 motion = corners(d, m.triangle);
-      const double allowed = std::max(m.distance, 0.0) + kFollow * m.edge;
-      if (std::sqrt(motion.colwise().squaredNorm().maxCoeff()) * largest <= allowed) continue;
-      const double approach = m.direction.dot(motion * m.near.weights);
-      if (approach * largest > allowed) largest = allowed / approach;
-    }
-  }
-  return largest;
 }
 
 }  // namespace palpate::contact

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -79,7 +82,7 @@ class FacePoints {
   template <class Visit>
   void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
                const Visit& visit) const {
-    measureAt(x, placed);
+    measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Group& group = groups_[g];
       if (staysAway(placed, group, reach + ball(group).radius)) continue;
@@ -98,7 +101,7 @@ class FacePoints {
   template <class Visit>
   void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
                 const Visit& visit) const {
-    measureAt(x, placed);
+    measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Measured& known = measured(x, placed, g, 0.0);
       visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
@@ -134,7 +137,7 @@ class FacePoints {
     double edge, apart;
   };
   struct Ordered {
-    double apart;  // of the candidate, at least, when they were put in order [m]
+    double apart;  // of the candidate, when it was found [m]
     int candidate, triangle;
   };
   struct Group {
@@ -146,7 +149,7 @@ class FacePoints {
     bool behind;
     double apart;
     Vec3 center_W;
-    Vec3 ordered_W;  // Where the ball's centre was when they were put in order.
+    int nearest;  // triangle, when it was asked for last
   };
 
   struct Measured {                   // of a group, at x:
@@ -158,23 +161,40 @@ class FacePoints {
   void findPairs(const Shape& shape, double reach);
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
-  void order(const Group& group) const;
-  void orderAgain(const Points& x, const std::vector<PlacedObstacle>& placed) const;
-  bool disordered(const std::vector<PlacedObstacle>& placed) const;
+  void order(const Group& group);
   Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
     return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
   }
   bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
                  double within) const;
   void placeTriangles(const Points& x) const;
-  double leastDistance(const Vec3& center, int triangle) const;
+  // How far the triangle is from there, at least, or more than `far`: it lies in the disc in which
+  // its plane cuts the ball around it. Deep in the tissue the ball alone would let most of the
+  // surface be the nearest.
+  double leastDistance(const Vec3& center, int triangle, double far) const {
+    constexpr double kOffPlane = 1e-8;  // so near to it its corners are [of the radius]
+    const auto around = around_.col(triangle);
+    const Vec3 way = center - around.head<3>();
+    const double radius = around[3], squared = way.squaredNorm();
+    if (squared > (far + radius) * (far + radius)) return kFarther;
+    const double height = planes_.col(triangle).dot(way);
+    const double up = std::max(0.0, std::abs(height) - kOffPlane * radius);
+    if (up > far) return kFarther;
+    const double across =
+        std::max(0.0, std::sqrt(std::max(0.0, squared - height * height)) - radius);
+    return std::sqrt(up * up + across * across);
+  }
+  static constexpr double kFarther = std::numeric_limits<double>::infinity();
+  // More than what counts as equally near [m].
+  static double withSlack(double distance) { return distance * (1.0 + 1e-8) + 1e-12; }
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   void forget() { measured_anywhere_ = false; }
-  void measureAt(const Points& x, const std::vector<PlacedObstacle>& placed) const;
+  void measureAt(const Points& x) const;
   const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
                            std::size_t group, double within) const;
-  Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, const Group& group,
+  Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, Group* group,
                    double within) const;
+  Meeting meet(const Vec3& center, const Mat3& corners, int candidate, double* across) const;
   void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
             double gap, Touch* touch) const;
 
@@ -189,20 +209,18 @@ class FacePoints {
   std::vector<std::pair<int, int>> found_;  // balls, and triangles in near_;
   std::vector<std::size_t> places_;         // where those of a ball go
   // What is spared: a ball that was in front when it was found, if neither it nor the tissue went
-  // as far since; likewise a triangle that was far when they were put in order; and balls around
-  // the triangles as they are now.
+  // as far since; likewise a triangle that was far from it; and balls around the triangles as they
+  // are now.
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
-  mutable std::vector<Ordered> by_distance_;  // in each group the near ones first
-  Points found_at_;                           // x, when they were found,
-  mutable Points ordered_at_;                 // and when they were put in order
-  mutable int disordered_ = 0;                // times that they were asked for far from there
-  mutable double moved_since_found_ = 0.0;    // how far a corner is from there, at most [m],
-  mutable double moved_ = 0.0;                // likewise, since they were put in order
-  mutable Eigen::Matrix4Xd around_;  // of each triangle in use: middle and radius of a ball [m],
-  mutable Points normals_;           // and unit, outward,
-  mutable Points planes_;            // likewise, or zero where they are too flat
+  std::vector<Ordered> by_distance_;  // in each group the near ones first
+  Points found_at_;                   // x, when they were found,
+  mutable double moved_ = 0.0;        // and how far a corner is from there now, at most [m]
+  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m],
+  mutable Points normals_;            // and unit, outward,
+  mutable Points planes_;             // likewise, or zero where they are too flat
+  mutable Eigen::VectorXd ways_;      // and how far a corner is to go [m],
   mutable std::vector<std::pair<int, double>> close_;  // of a group, with the least distance
   // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
   mutable bool measured_anywhere_ = false;
