@@ -111,7 +111,8 @@ double FacePoints::maxStep(const Points& x, const Points& d,
       const bool is_nearest = triangle == nearest.triangle;
       if (way <= follow) continue;
       const double reach = withSlack(way) - follow;
-      if (!is_nearest && reach <= leastDistance(center, triangle, reach)) continue;
+      const bool may_be_far = skip_far_ && !is_nearest;
+      if (may_be_far && leastDistance(center, triangle, reach) >= reach) continue;
       double across = 0.0;
       const Meeting m = is_nearest ? nearest : meet(center, corners(x, triangle), c, &across);
       const double allowed = std::max(m.distance, 0.0) + follow;
