@@ -25,11 +25,12 @@ constexpr double kLeastCurvature = 1e-10;
 Lbfgs::Lbfgs(fem::Stiffness A)
     : A_(std::move(A)), factor_(std::make_unique<StaleFactor>()), terms_(A_.blocks()) {
   factor_->analyze(A_);
-  renewal_ = factorizationSeconds(factor_->factor().flops()) /
-             triangularSolveSeconds(factor_->factor().nonzeros());
+  renewal_ = factorSeconds() / triangularSolveSeconds(factor_->factor().nonzeros());
 }
 
 Lbfgs::~Lbfgs() = default;
+
+double Lbfgs::factorSeconds() const { return factorizationSeconds(factor_->factor().flops()); }
 
 void Lbfgs::restart() {
   factor_->forget();

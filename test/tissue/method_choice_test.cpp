@@ -239,5 +239,19 @@ TEST(MethodAuto, ChoosesForEachPartOfAnOrgan) {
   EXPECT_TRUE(contains(notes[1], "method auto takes ")) << notes[1];
 }
 
+TEST(MethodNotes, NameAFactorThatIsLongerThanACycle) {
+  Slab slab = slabWith(0.499);
+  slab.settings.method = "lbfgs";
+  EXPECT_TRUE(slab.make()->notes().empty());
+  slab.settings.step = 1e-7;
+  const std::vector<std::string> notes = slab.make()->notes();
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(contains(notes[0], "lbfgs: a cycle of 1e-07 s waits for a factor")) << notes[0];
+  for (const char* other : {"implicit_pcg", "implicit_async"}) {
+    slab.settings.method = other;
+    EXPECT_TRUE(slab.make()->notes().empty()) << other;
+  }
+}
+
 }  // namespace
 }  // namespace palpate::tissue

@@ -27,6 +27,7 @@ class Lbfgs final : public Minimizer {
   int iterationsForOne() const override { return 10; }
   NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                         Points* x) override;
+  double factorSeconds() const override;
   SolveStatus predict(const Potential& potential, const Points& move, Points* x) override;
   const Points& gradient() const override { return g_; }
   double roundoffForce(const Points& x) const override;

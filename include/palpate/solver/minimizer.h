@@ -51,6 +51,9 @@ class Minimizer {
                                 Points* x) = 0;
   /// How many of its iterations stand for one of `max_iterations`.
   virtual int iterationsForOne() const { return 1; }
+  /// What a factor takes that a solve waits for, which nothing interrupts [s], by the unit costs of
+  /// unit_costs.h; 0: it waits for none, or knows no better.
+  virtual double factorSeconds() const { return 0.0; }
   /// Moves the held components by `move` (3 x n, zero where free) and the free ones as the tangent
   /// at x says, a good first guess for the next load step. x is untouched if the solve fails.
   virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;

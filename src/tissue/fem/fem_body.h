@@ -88,10 +88,10 @@ struct FemBody {
   ToolSweep& sweep;                    ///< likewise.
   double largest_poisson_ratio;        ///< Of any solid at rest.
   std::string method;                  ///< By which it is stepped; never "auto".
-  std::string method_note;             ///< Why its method was chosen; empty: it was named.
-  int inviscid_solids;                 ///< Without viscous terms.
-  Vec3 weight;                         ///< Sum of the gravity forces [N].
-  double force_floor;                  ///< Of a small strain on one element [N].
+  std::string method_note;  ///< Why its method was chosen, or what is wrong with it; or empty.
+  int inviscid_solids;      ///< Without viscous terms.
+  Vec3 weight;              ///< Sum of the gravity forces [N].
+  double force_floor;       ///< Of a small strain on one element [N].
   const solver::Interrupt* interrupt = nullptr;  ///< See TissueModel::setInterrupt().
 
   Points x, v;  ///< 3 x n, world [m], [m/s].

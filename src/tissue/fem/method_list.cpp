@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "implicit_method.h"
 #include "linear_method.h"
@@ -25,8 +28,21 @@ std::unique_ptr<solver::Minimizer> minimizerOf(const std::string& name, FemBody*
   return solver::makeMinimizer(name, settings, body->elasticity->makeMatrix());
 }
 
+// Of factors that are longer than cycles, and are not made beside them.
+void noteFactor(const std::string& name, const solver::Minimizer& minimizer, FemBody* body) {
+  const double seconds = minimizer.factorSeconds(), step = body->settings.step;
+  if (!(step > 0.0) || !(seconds > step)) return;
+  std::ostringstream note;
+  note << std::setprecision(2) << "method " << name << ": a cycle of " << step
+       << " s waits for a factor of about " << seconds
+       << " s now and then; implicit_pcg makes none, implicit_async makes it beside the cycles";
+  body->method_note += (body->method_note.empty() ? "" : "; ") + note.str();
+}
+
 std::unique_ptr<StepMethod> implicit(const std::string& name, FemBody* body) {
-  return std::make_unique<ImplicitMethod>(body, minimizerOf(name, body));
+  std::unique_ptr<solver::Minimizer> minimizer = minimizerOf(name, body);
+  noteFactor(name, *minimizer, body);
+  return std::make_unique<ImplicitMethod>(body, std::move(minimizer));
 }
 
 std::unique_ptr<StepMethod> tled(FemBody* body) {
