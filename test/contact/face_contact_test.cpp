@@ -121,7 +121,8 @@ TEST_P(FaceContact, AnswersAsOneThatWasNeverAsked) {
   }
 }
 
-// On a long way candidates are put in order anew; what is left out then is nothing that answers.
+// On a long way the triangle that was nearest before bounds the search; what is left out then is
+// nothing that answers.
 TEST_P(FaceContact, AnswersOnALongWayAsWhereNothingIsLeftOut) {
   Block whole;
   whole.potential.setSkips(true, false);
