@@ -9,6 +9,7 @@
 #include "palpate/solver/cholmod_solver.h"
 #include "palpate/solver/lbfgs.h"
 #include "palpate/solver/newton.h"
+#include "palpate/solver/pcg_or_factor.h"
 #include "palpate/solver/stale_pcg.h"
 
 namespace palpate::solver {
@@ -17,8 +18,8 @@ namespace {
 std::unique_ptr<Minimizer> implicitPcg(const MinimizerSettings& settings, fem::Stiffness A) {
   return std::make_unique<Newton>(
       std::move(A),
-      std::make_unique<BlockPcg>(settings.max_linear_iterations, settings.pool, bestIsa(),
-                                 settings.points),
+      std::make_unique<PcgOrFactor>(
+          BlockPcg(settings.max_linear_iterations, settings.pool, bestIsa(), settings.points)),
       settings.keep_stiffness, settings.pool);
 }
 

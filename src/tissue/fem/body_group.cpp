@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "palpate/solver/newton.h"
+#include "palpate/solver/pcg_or_factor.h"
 
 namespace palpate::tissue {
 namespace {
@@ -39,10 +40,10 @@ std::unique_ptr<solver::Minimizer> BodyGroup::makeMinimizer() {
     }
     solvers.push_back(own);
   }
-  return std::make_unique<solver::Newton>(
-      bodies_.makeMatrix(),
-      std::make_unique<solver::BlockPcg>(of_scene.max_linear_iterations, pool, solvers),
-      of_scene.skip.unchanged_stiffness, pool);
+  return std::make_unique<solver::Newton>(bodies_.makeMatrix(),
+                                          std::make_unique<solver::PcgOrFactor>(solver::BlockPcg(
+                                              of_scene.max_linear_iterations, pool, solvers)),
+                                          of_scene.skip.unchanged_stiffness, pool);
 }
 
 void BodyGroup::join() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "implicit_method.h"
 
+#include "palpate/solver/pcg_or_factor.h"
 #include "rest_matrix.h"
 
 namespace palpate::tissue {
@@ -8,7 +9,7 @@ namespace palpate::tissue {
 ImplicitMethod::ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer)
     : motion_(body), bodies_(&motion_), steps_(&bodies_, std::move(minimizer)) {
   solver::Minimizer& own = steps_.minimizer();
-  motion_.pcg = dynamic_cast<solver::BlockPcg*>(own.linear());
+  if (auto* linear = dynamic_cast<solver::PcgOrFactor*>(own.linear())) motion_.pcg = linear->pcg();
   if (!own.learnsFromRest(body->settings.lasting)) return;
   own.learnFromRest([&](fem::Stiffness* A) { assembleAtRest(body, A); });
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/pcg_or_factor.h"
+
+#include <algorithm>
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/solver/unit_costs.h"
+
+namespace palpate::solver {
+namespace {
+
+// A factor is never cheaper than so many iterations.
+constexpr double kFewIterations = 50.0;
+// Of what was in vain, a cycle later.
+constexpr double kKept = 0.5;
+constexpr int kMostCycles = 64;
+
+double iterationSeconds(const fem::Stiffness& A) {
+  const double volume_entries = A.hasVolume() ? static_cast<double>(A.volume().rows.cols()) : 0.0;
+  return pcgIterationSeconds(A.blocks().numBlocks(), volume_entries);
+}
+
+}  // namespace
+
+void PcgOrFactor::onlyChanged(const std::vector<int>& slots) {
+  if (taken_ && !factorises_) pcg_.onlyChanged(slots);
+}
+
+void PcgOrFactor::beginCycle(double dt) {
+  pcg_.beginCycle(dt);
+  if (!factorises_) cycles_next_ = 1;
+  factorises_ = cycles_left_ > 0;
+  if (factorises_) --cycles_left_;
+  in_vain_ *= kKept;
+}
+
+void PcgOrFactor::restart() {
+  pcg_.restart();
+  cycles_left_ = 0;
+  cycles_next_ = 1;
+  factorises_ = false;
+  in_vain_ = 0.0;
+}
+
+void PcgOrFactor::save(StateWriter* out) const {
+  out->put(cycles_left_);
+  out->put(cycles_next_);
+  out->put(factorises_);
+  out->put(in_vain_);
+}
+
+void PcgOrFactor::restore(StateReader* in) {
+  in->get(&cycles_left_);
+  in->get(&cycles_next_);
+  in->get(&factorises_);
+  in->get(&in_vain_);
+}
+
+bool PcgOrFactor::factorPays(const fem::Stiffness& A) {
+  return in_vain_ >= kFewIterations && in_vain_ * iterationSeconds(A) >= factor_.seconds(A);
+}
+
+LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                                Points* x) {
+  taken_ = !factorises_;
+  if (factorises_) return factor_.solve(A, b, relative_tolerance, x);
+  pcg_.setInterrupt(interrupt());
+  const LinearReport by_iterations = pcg_.solve(A, b, relative_tolerance, x);
+  if (by_iterations.status != SolveStatus::kIterationLimit) return by_iterations;
+  in_vain_ += by_iterations.iterations;
+  if (!factorPays(A) || isInterrupted(interrupt())) return by_iterations;
+  factorises_ = true;
+  cycles_left_ = cycles_next_;
+  cycles_next_ = std::min(kMostCycles, 2 * cycles_next_);
+  const LinearReport report = factor_.solve(A, b, relative_tolerance, x);
+  return {report.status, by_iterations.iterations};
+}
+
+}  // namespace palpate::solver

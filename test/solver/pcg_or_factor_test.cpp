@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palpate/solver/pcg_or_factor.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/state_bytes.h"
+#include "palpate/fem/elasticity.h"
+#include "palpate/mesh/tet_mesh.h"
+#include "palpate/solver/potential.h"
+#include "support/random.h"
+
+namespace palpate::solver {
+namespace {
+
+constexpr int kMostIterations = 500;
+constexpr double kTolerance = 1e-6;
+
+// Of a held, bent block of quadratic elements, whose upper half is `ratio` times as stiff.
+struct System {
+  fem::Stiffness A;
+  Points b;
+
+  System(double ratio, double poisson_ratio) {
+    test::Random random;
+    const mesh::TetMesh mesh =
+        fem::meshFor("tet10", mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i(2, 2, 2)));
+    const auto solid = [&](double young_modulus) {
+      return material::Solid{
+          material::makeMaterial("stable_neo_hookean", {{"young_modulus", {young_modulus}},
+                                                        {"poisson_ratio", {poisson_ratio}}}),
+          1000.0,
+          {}};
+    };
+    fem::Composition solids{{solid(5e3), solid(5e3 * ratio)}, {}, {}};
+    for (Eigen::Index t = 0; t < mesh.tets.cols(); ++t) {
+      solids.solid_of.push_back(mesh.points(2, mesh.tets(0, t)) < 0.05 ? 0 : 1);
+    }
+    const auto body = fem::makeElasticity("tet10", mesh, solids);
+    A = body->makeMatrix();
+    body->hessian(mesh.points + random.points(mesh.numPoints(), 1e-5), fem::Tangent::kProjected,
+                  &A);
+    fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
+    for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
+      if (mesh.points(2, i) == 0.0) free.col(i).setZero();
+    }
+    A.constrain(free);
+    b = random.points(mesh.numPoints(), 1.0).cwiseProduct(free);
+  }
+  double residual(const Points& x) const {
+    Points Ax;
+    A.multiply(x, &Ax);
+    return (b - Ax).norm() / b.norm();
+  }
+};
+const System& mild() {
+  static const System system(1.0, 0.45);
+  return system;
+}
+const System& hard() {
+  static const System system(1e6, 0.4999);
+  return system;
+}
+
+// Whether the mild system is solved by iterations, with the bits of BlockPcg alone, and no factor.
+bool iterates(PcgOrFactor* solver) {
+  Points x, y;
+  EXPECT_EQ(solver->solve(mild().A, mild().b, kTolerance, &x).status, SolveStatus::kConverged);
+  EXPECT_LT(mild().residual(x), 2.0 * kTolerance);
+  BlockPcg(kMostIterations).solve(mild().A, mild().b, kTolerance, &y);
+  return x == y;
+}
+
+// Solves until a factor does.
+void failOnce(PcgOrFactor* solver) {
+  Points x;
+  int most = 20;
+  while (solver->solve(hard().A, hard().b, kTolerance, &x).status != SolveStatus::kConverged) {
+    ASSERT_GT(--most, 0);
+  }
+  EXPECT_LT(hard().residual(x), kTolerance);
+}
+
+TEST(PcgOrFactor, FindsWhatIterationsDoNot) {
+  Points x;
+  EXPECT_EQ(BlockPcg(kMostIterations).solve(hard().A, hard().b, kTolerance, &x).status,
+            SolveStatus::kIterationLimit);
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  failOnce(&solver);
+  EXPECT_EQ(solver.solve(hard().A, hard().b, kTolerance, &x).status, SolveStatus::kConverged);
+}
+
+TEST(PcgOrFactor, HasTheBitsOfIterationsWhereTheseDo) {
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    solver.beginCycle(0.01);
+    EXPECT_TRUE(iterates(&solver));
+  }
+}
+
+TEST(PcgOrFactor, TriesIterationsAgainAfterTwiceAsManyCycles) {
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  for (const int cycles : {1, 2, 4}) {
+    solver.beginCycle(0.01);
+    failOnce(&solver);
+    for (int k = 0; k < cycles; ++k) {
+      solver.beginCycle(0.01);
+      EXPECT_FALSE(iterates(&solver));
+    }
+  }
+  for (int k = 0; k < 2; ++k) {
+    solver.beginCycle(0.01);
+    EXPECT_TRUE(iterates(&solver));
+  }
+  solver.beginCycle(0.01);
+  failOnce(&solver);
+  solver.beginCycle(0.01);
+  EXPECT_FALSE(iterates(&solver));
+  solver.beginCycle(0.01);
+  EXPECT_TRUE(iterates(&solver));
+}
+
+// What iterations were told of what has changed since the factor's matrix is not what has since
+// theirs.
+TEST(PcgOrFactor, TakesAllOfAMatrixAfterAFactor) {
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  solver.beginCycle(0.01);
+  failOnce(&solver);
+  solver.beginCycle(0.01);
+  EXPECT_FALSE(iterates(&solver));
+  solver.beginCycle(0.01);
+  const std::vector<int> none;
+  solver.onlyChanged(none);
+  EXPECT_TRUE(iterates(&solver));
+}
+
+TEST(PcgOrFactor, FindsNothingThatIsNotThere) {
+  fem::Stiffness indefinite = hard().A;
+  indefinite.blocks().block(indefinite.blocks().diagonal(100)).diagonal().array() -= 1e3;
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  failOnce(&solver);
+  Points x;
+  EXPECT_EQ(solver.solve(indefinite, hard().b, kTolerance, &x).status,
+            SolveStatus::kNotPositiveDefinite);
+}
+
+TEST(PcgOrFactor, GoesOnFromWhatItSaved) {
+  PcgOrFactor solver{BlockPcg(kMostIterations)}, other{BlockPcg(kMostIterations)};
+  for (const int cycles : {1, 2}) {
+    solver.beginCycle(0.01);
+    failOnce(&solver);
+    for (int k = 0; k < cycles; ++k) solver.beginCycle(0.01);
+  }
+  StateWriter out;
+  solver.save(&out);
+  StateReader in(out.bytes());
+  other.restore(&in);
+  EXPECT_FALSE(iterates(&other));
+  other.beginCycle(0.01);
+  failOnce(&other);
+  for (int k = 0; k < 4; ++k) {
+    other.beginCycle(0.01);
+    EXPECT_FALSE(iterates(&other));
+  }
+  other.restart();
+  EXPECT_TRUE(iterates(&other));
+}
+
+}  // namespace
+}  // namespace palpate::solver
