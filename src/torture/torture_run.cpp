@@ -138,10 +138,7 @@ class Run {
       const double took = steadySeconds() - began;
       deadline.end(began + took);
       judge({*simulator, result, row, dt, replay.parts()}, took, &all);
-      if (row == 0 && scene_.start != Start::kRest) {
-        writeStart(scene_, files_, simulator);
-        for (NamedCriterion& one : all) one.criterion->placed(*simulator);
-      }
+      if (row == 0 && scene_.start != Start::kRest && !placeStart(simulator, &all)) return;
       if (outcome_.fails("finite") || outcome_.fails("cycle")) break;
       if (keepsTime() && limits_.sleep_until) limits_.sleep_until(began + dt);
       if (steadySeconds() - begin > limits_.scene) {
@@ -156,6 +153,18 @@ class Run {
       if (replay.hasNext() && one.name == "rest") continue;
       fail(one.name, last, one.criterion->finish());
     }
+  }
+
+  // False: there is no such start, as where there is an equilibrium upside down alone.
+  bool placeStart(sim::Simulator* simulator, std::vector<NamedCriterion>* all) {
+    try {
+      writeStart(scene_, files_, simulator);
+    } catch (const std::exception& error) {
+      outcome_.refused = without(folder_ + "/", error.what());
+      return false;
+    }
+    for (NamedCriterion& one : *all) one.criterion->placed(*simulator);
+    return true;
   }
 
   void judge(const Cycle& cycle, double took, std::vector<NamedCriterion>* all) {
