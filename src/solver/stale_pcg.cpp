@@ -14,6 +14,8 @@ namespace {
 constexpr int kFewIterations = 12;
 // What the factorisation is allowed beyond its own time: the core is not its alone.
 constexpr double kLeeway = 1.5;
+// Of what was in vain, a cycle later.
+constexpr double kKept = 0.5;
 
 }  // namespace
 
@@ -34,6 +36,8 @@ StalePcg::~StalePcg() = default;
 void StalePcg::restart() {
   background_->wait();
   used_->forget();
+  is_older_ = false;
+  in_vain_ = 0.0;
   most_iterations_ = 0;
   wanted_ = true;
 }
@@ -43,6 +47,8 @@ void StalePcg::save(StateWriter* out) const {
   out->put(take_at_);
   out->put(dt_);
   out->put(most_iterations_);
+  out->put(in_vain_);
+  out->put(is_older_);
   out->put(wanted_);
   used_->save(out);
   out->put(background_->underWay());
@@ -55,6 +61,8 @@ void StalePcg::restore(StateReader* in) {
   in->get(&take_at_);
   in->get(&dt_);
   in->get(&most_iterations_);
+  in->get(&in_vain_);
+  in->get(&is_older_);
   in->get(&wanted_);
   used_->restore(in);
   bool under_way = false;
@@ -72,10 +80,12 @@ void StalePcg::prepare(const fem::Stiffness& A) {
 void StalePcg::beginCycle(double dt) {
   ++cycle_;
   dt_ = dt;
+  in_vain_ *= kKept;
   if (background_->underWay()) {
     if (cycle_ < take_at_) return;
     if (background_->wait()) ++waits_;
-    if (next_->ready()) used_.swap(next_);
+    if (next_->ready() && !is_older_) used_.swap(next_);
+    is_older_ = false;
     most_iterations_ = 0;
   }
   wanted_ = !used_->ready() || most_iterations_ > kFewIterations;
@@ -98,15 +108,47 @@ bool StalePcg::scaleFactor(const fem::Stiffness& A) {
   return used_->scaleTo(diagonal_);
 }
 
+double StalePcg::iterationSeconds(const fem::Stiffness& A) const {
+  const double volume_entries = A.hasVolume() ? static_cast<double>(A.volume().rows.cols()) : 0.0;
+  const double product = pcgIterationSeconds(A.blocks().numBlocks(), volume_entries);
+  return used_->ready() ? product + triangularSolveSeconds(used_->factor().nonzeros()) : product;
+}
+
+// Until they cost what a factor does.
+int StalePcg::mostIterations(const fem::Stiffness& A) const {
+  const double left = (factorizationSeconds(flops_) - in_vain_) / iterationSeconds(A);
+  const int affordable = static_cast<int>(std::ceil(std::min(left, 1e6)));
+  return std::min(std::max(affordable, kFewIterations), max_iterations_);
+}
+
 LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) {
-  if (!used_->ready()) {
-    plain_.setInterrupt(interrupt());
-    const LinearReport report = plain_.solve(A, b, relative_tolerance, x);
-    const bool good = report.status == SolveStatus::kConverged;
-    if (wanted_ && good && dt_ > 0.0 && !background_->underWay()) beginFactor(A);
-    return report;
-  }
+  const LinearReport report = used_->ready() ? iterate(A, b, relative_tolerance, x)
+                                             : iterateWithout(A, b, relative_tolerance, x);
+  if (report.status != SolveStatus::kIterationLimit) return report;
+  in_vain_ += report.iterations * iterationSeconds(A);
+  if (in_vain_ < factorizationSeconds(flops_) || isInterrupted(interrupt())) return report;
+  const SolveStatus status = used_->factorize(A);
+  if (status != SolveStatus::kConverged) return {status, report.iterations};
+  in_vain_ = 0.0;
+  most_iterations_ = 0;
+  wanted_ = false;
+  is_older_ = background_->underWay();
+  const LinearReport again = iterate(A, b, relative_tolerance, x);
+  return {again.status, report.iterations + again.iterations};
+}
+
+LinearReport StalePcg::iterateWithout(const fem::Stiffness& A, const Points& b,
+                                      double relative_tolerance, Points* x) {
+  plain_.setInterrupt(interrupt());
+  const LinearReport report = plain_.solve(A, b, relative_tolerance, x);
+  const bool good = report.status == SolveStatus::kConverged;
+  if (wanted_ && good && dt_ > 0.0 && !background_->underWay()) beginFactor(A);
+  return report;
+}
+
+LinearReport StalePcg::iterate(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                               Points* x) {
   LinearReport report;
   x->setZero(3, b.cols());
   const double target = relative_tolerance * b.norm();
@@ -114,8 +156,9 @@ LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double re
   if (!scaleFactor(A)) return {SolveStatus::kNotPositiveDefinite, 0};
   r_ = b;
   double rz = 0.0;
+  const int most = mostIterations(A);
   while (r_.norm() > target) {
-    if (report.iterations == max_iterations_) {
+    if (report.iterations == most) {
       report.status = SolveStatus::kIterationLimit;
       break;
     }

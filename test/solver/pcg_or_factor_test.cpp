@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "half_stiff_block.h"
 #include "palpate/base/state_bytes.h"
-#include "palpate/fem/elasticity.h"
-#include "palpate/mesh/tet_mesh.h"
-#include "palpate/solver/potential.h"
-#include "support/random.h"
 
 namespace palpate::solver {
 namespace {
@@ -15,51 +12,8 @@ namespace {
 constexpr int kMostIterations = 500;
 constexpr double kTolerance = 1e-6;
 
-// Of a held, bent block of quadratic elements, whose upper half is `ratio` times as stiff.
-struct System {
-  fem::Stiffness A;
-  Points b;
-
-  System(double ratio, double poisson_ratio) {
-    test::Random random;
-    const mesh::TetMesh mesh =
-        fem::meshFor("tet10", mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i(2, 2, 2)));
-    const auto solid = [&](double young_modulus) {
-      return material::Solid{
-          material::makeMaterial("stable_neo_hookean", {{"young_modulus", {young_modulus}},
-                                                        {"poisson_ratio", {poisson_ratio}}}),
-          1000.0,
-          {}};
-    };
-    fem::Composition solids{{solid(5e3), solid(5e3 * ratio)}, {}, {}};
-    for (Eigen::Index t = 0; t < mesh.tets.cols(); ++t) {
-      solids.solid_of.push_back(mesh.points(2, mesh.tets(0, t)) < 0.05 ? 0 : 1);
-    }
-    const auto body = fem::makeElasticity("tet10", mesh, solids);
-    A = body->makeMatrix();
-    body->hessian(mesh.points + random.points(mesh.numPoints(), 1e-5), fem::Tangent::kProjected,
-                  &A);
-    fem::FreeMask free = fem::FreeMask::Ones(3, mesh.numPoints());
-    for (Eigen::Index i = 0; i < mesh.numPoints(); ++i) {
-      if (mesh.points(2, i) == 0.0) free.col(i).setZero();
-    }
-    A.constrain(free);
-    b = random.points(mesh.numPoints(), 1.0).cwiseProduct(free);
-  }
-  double residual(const Points& x) const {
-    Points Ax;
-    A.multiply(x, &Ax);
-    return (b - Ax).norm() / b.norm();
-  }
-};
-const System& mild() {
-  static const System system(1.0, 0.45);
-  return system;
-}
-const System& hard() {
-  static const System system(1e6, 0.4999);
-  return system;
-}
+using test::hard;
+using test::mild;
 
 // Whether the mild system is solved by iterations, with the bits of BlockPcg alone, and no factor.
 bool iterates(PcgOrFactor* solver) {

@@ -15,7 +15,8 @@ class StaleFactor;
 /// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, which is made
 /// beside [Courtecuisse et al. 2014, sec. 4]. A factorisation that begins in cycle k is taken into
 /// use in cycle k + m, m from the number of its operations, and waited for if it is not done by
-/// then: the results do not depend on how fast it was. Until there is one, as BlockPcg.
+/// then: the results do not depend on how fast it was. Until there is one, as BlockPcg. Where
+/// iterations end at their limit, and have cost what a factor does, one is made at once.
 class StalePcg final : public LinearSolver {
  public:
   /// `A` has the pattern of all matrices to come; it is analysed here. `own_thread`: factorise in a
@@ -36,6 +37,12 @@ class StalePcg final : public LinearSolver {
   int waits() const override { return waits_; }
 
  private:
+  LinearReport iterate(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                       Points* x);
+  LinearReport iterateWithout(const fem::Stiffness& A, const Points& b, double relative_tolerance,
+                              Points* x);
+  double iterationSeconds(const fem::Stiffness& A) const;
+  int mostIterations(const fem::Stiffness& A) const;
   void beginFactor(const fem::Stiffness& A);
   void factoriseSnapshot();
   bool scaleFactor(const fem::Stiffness& A);
@@ -48,6 +55,8 @@ class StalePcg final : public LinearSolver {
   long cycle_ = 0, take_at_ = 0;
   double dt_ = 0.0;
   int most_iterations_ = 0;  // of a solve since the last factor was begun
+  double in_vain_ = 0.0;     // [s] of iterations, those of earlier cycles for less
+  bool is_older_ = false;    // what is being made than what is used
   bool wanted_ = true;
   int waits_ = 0;
   std::vector<Mat3> diagonal_;
