@@ -18,6 +18,8 @@ CholmodFactor::~CholmodFactor() {
   cholmod_free_dense(&work_e_, &common_);
   uncoupled_.matrix.reset();
   coupled_.matrix.reset();
+  uncoupled_.ordered.reset();
+  coupled_.ordered.reset();
   cholmod_finish(&common_);
 }
 
@@ -29,7 +31,17 @@ void CholmodFactor::analyzeUncoupled(const fem::Stiffness& A) {
   }
   uncoupled_.factor = cholmod_analyze(uncoupled_.matrix->sparse(), &common_);
   padded_.setZero(static_cast<Eigen::Index>(uncoupled_.matrix->sparse()->nrow));
+  const auto* order = static_cast<const int*>(uncoupled_.factor->Perm);
+  order_.assign(order, order + uncoupled_.factor->n);
+  takeOrder(&uncoupled_);
   used_ = &uncoupled_;
+}
+
+void CholmodFactor::takeOrder(Analysed* analysed) {
+  analysed->ordered.reset();
+  if (!analysed->factor->is_super) return;
+  analysed->ordered =
+      std::make_unique<OrderedMatrix>(*analysed->matrix->sparse(), analysed->factor, &common_);
 }
 
 void CholmodFactor::analyze(const fem::Stiffness& A) {
@@ -45,8 +57,9 @@ void CholmodFactor::analyze(const fem::Stiffness& A) {
   const int methods = common_.nmethods, ordering = common_.method[0].ordering;
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_GIVEN;
-  coupled_.factor = cholmod_analyze_p(
-      coupled_.matrix->sparse(), static_cast<int*>(uncoupled_.factor->Perm), nullptr, 0, &common_);
+  coupled_.factor =
+      cholmod_analyze_p(coupled_.matrix->sparse(), order_.data(), nullptr, 0, &common_);
+  takeOrder(&coupled_);
   common_.nmethods = methods;
   common_.method[0].ordering = ordering;
 }
@@ -71,12 +84,14 @@ SolveStatus CholmodFactor::factorize(const fem::Stiffness& A) {
   const auto* values = static_cast<const double*>(sparse->x);
   const Eigen::Map<const Eigen::VectorXd> all(values, static_cast<Eigen::Index>(sparse->nzmax));
   if (!all.allFinite()) return SolveStatus::kNonFinite;
+  if (used_->ordered) sparse = used_->ordered->ordered(*sparse);
   cholmod_factorize(sparse, used_->factor, &common_);
   return positiveDefinite() ? SolveStatus::kConverged : SolveStatus::kNotPositiveDefinite;
 }
 
 SolveStatus CholmodFactor::solve(const Points& b, Points* x) {
-  padded_.head(b.size()) = Eigen::Map<const Eigen::VectorXd>(b.data(), b.size());
+  const int* order = used_->ordered ? used_->ordered->order().data() : nullptr;
+  for (Eigen::Index k = 0; k < b.size(); ++k) padded_[k] = b.data()[order ? order[k] : k];
   cholmod_dense right = {};
   right.nrow = right.nzmax = right.d = static_cast<std::size_t>(padded_.size());
   right.ncol = 1;
@@ -88,7 +103,9 @@ SolveStatus CholmodFactor::solve(const Points& b, Points* x) {
                       &work_e_, &common_)) {
     return SolveStatus::kNonFinite;
   }
-  *x = Eigen::Map<const Points>(static_cast<const double*>(solution_->x), 3, b.cols());
+  const auto* solution = static_cast<const double*>(solution_->x);
+  x->resize(3, b.cols());
+  for (Eigen::Index k = 0; k < b.size(); ++k) x->data()[order ? order[k] : k] = solution[k];
   return x->allFinite() ? SolveStatus::kConverged : SolveStatus::kNonFinite;
 }
 

@@ -4,8 +4,10 @@
 #include <cholmod.h>
 
 #include <memory>
+#include <vector>
 
 #include "cholmod_matrix.h"
+#include "ordered_matrix.h"
 #include "palpate/solver/status.h"
 
 namespace palpate::solver {
@@ -38,15 +40,18 @@ class CholmodFactor {
   struct Analysed {
     std::unique_ptr<CholmodMatrix> matrix;
     cholmod_factor* factor = nullptr;
+    std::unique_ptr<OrderedMatrix> ordered;  // null: the factor is not supernodal
   };
 
   bool positiveDefinite() const;
   void analyzeUncoupled(const fem::Stiffness& A);
+  void takeOrder(Analysed* analysed);
 
   Volumes volumes_;
   cholmod_common common_;
   Analysed uncoupled_, coupled_;  // the second where there are couplings, those of the last matrix
   Analysed* used_ = nullptr;      // one of them, by the last matrix
+  std::vector<int> order_;        // of the matrix without couplings, and so of all
   cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
   Eigen::VectorXd padded_;
 };
