@@ -49,6 +49,18 @@ Eigen::Matrix<double, 3, 4> byCorners(const Mat3& by_edges) {
   return g;
 }
 
+// Adds what couples the edges to corners a and b, skew as all derivatives of a triple product: of a
+// by b, of b by corner 0, where both begin, and of 0 by a.
+void addPair(int a, int b, const Mat3& skew, Eigen::Matrix<double, 12, 12>* H) {
+  const auto add = [&](int i, int j) {
+    H->block<3, 3>(3 * i, 3 * j) += skew;
+    H->block<3, 3>(3 * j, 3 * i) -= skew;
+  };
+  add(a, b);
+  add(b, 0);
+  add(0, a);
+}
+
 // Into eight: at the corners, and around the octahedron's diagonal between the middles of edges
 // 01 and 23.
 constexpr int kParts[8][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
@@ -137,16 +149,10 @@ void InversionGuard::addHessian(const Points& x, Tangent tangent, Stiffness* K) 
     Eigen::Matrix<double, 12, 12> H =
         stiffness_ / 6.0 * b.curvature / volumes_[e] * g * g.transpose();
     if (tangent == Tangent::kExact) {
-      Eigen::Matrix<double, 9, 9> second;
-      second.setZero();
-      second.block<3, 3>(0, 3) = -cross(at.col(2));
-      second.block<3, 3>(0, 6) = cross(at.col(1));
-      second.block<3, 3>(3, 6) = -cross(at.col(0));
-      second = (second + second.transpose()).eval();
-      Eigen::Matrix<double, 9, 12> to_corners;
-      to_corners.leftCols<3>() = -Mat3::Identity().replicate<3, 1>();
-      to_corners.rightCols<9>().setIdentity();
-      H += stiffness_ / 6.0 * b.slope * to_corners.transpose() * second * to_corners;
+      const double scale = stiffness_ / 6.0 * b.slope;
+      addPair(1, 2, -scale * cross(at.col(2)), &H);
+      addPair(1, 3, scale * cross(at.col(1)), &H);
+      addPair(2, 3, -scale * cross(at.col(0)), &H);
     }
     K->add(tets_.col(e), H);
   });
