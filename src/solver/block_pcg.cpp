@@ -35,12 +35,31 @@ struct BlockPcg::Impl {
     }
   }
   template <class Take>
-  void forSolution(const Take& take) const {
+  void forNodes(const double* vector, const Take& take) const {
     const SliceOrder& nodes = matrix.nodes();
     for (int i = 0; i < nodes.count(); ++i) {
-      const double* x_i = v.x + nodes.offset(i, 3);
-      take(i, Vec3(x_i[0], x_i[kSlice], x_i[2 * kSlice]));
+      const double* at = vector + nodes.offset(i, 3);
+      take(i, Vec3(at[0], at[kSlice], at[2 * kSlice]));
     }
+  }
+  template <class Take>
+  void forSolution(const Take& take) const {
+    forNodes(v.x, take);
+  }
+
+  // Of the last direction, in double precision.
+  double curvature(const fem::Stiffness& A) {
+    residual.resize(3, matrix.nodes().count());
+    forNodes(v.p, [&](int i, const Vec3& p_i) { residual.col(i) = p_i; });
+    A.blocks().multiply(residual, &Ax);
+    A.couplings().addProduct(residual, &Ax);
+    A.rankOnes().addProduct(residual, &Ax);
+    const double of_blocks = residual.cwiseProduct(Ax).sum();
+    if (!A.hasVolume()) return of_blocks;
+    const fem::VolumeStiffness& volume = A.volume();
+    volume.multiplyRows(residual, &changes);
+    volume.metric->apply(changes, &pressures);
+    return of_blocks + volume.factor * changes.dot(pressures);
   }
 
   // From x = 0 to |r| <= target.
@@ -72,6 +91,7 @@ struct BlockPcg::Impl {
   AlignedVector<float> z, Ap, p_nodes;
   PcgVectors v{};
   Points residual, Ax;
+  Eigen::VectorXd changes, pressures;
   const std::vector<int>* changed = nullptr;  // of the next matrix
   bool current = false;                       // the last matrix is packed
 };
@@ -109,6 +129,9 @@ LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double re
   if (!definite) return {SolveStatus::kNotPositiveDefinite, 0};
   report.status = s.iterate(*this, b, target, &report.iterations);
   s.forSolution([&](int i, const Vec3& x_i) { x->col(i) = x_i; });
+  if (report.status == SolveStatus::kIterationLimit) {
+    report.in_vain = report.iterations == s.max_iterations || s.curvature(A) > 0.0;
+  }
   if (relative_tolerance >= kSinglePrecision) return report;
   double last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kMaxRefinements && report.status == SolveStatus::kConverged; ++k) {

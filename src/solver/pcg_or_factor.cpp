@@ -11,6 +11,8 @@ namespace {
 
 // A factor is never cheaper than so many iterations.
 constexpr double kFewIterations = 50.0;
+// One may be by chance.
+constexpr double kFewSolves = 2.0;
 // Of what was in vain, a cycle later.
 constexpr double kKept = 0.5;
 constexpr int kMostCycles = 64;
@@ -32,6 +34,7 @@ void PcgOrFactor::beginCycle(double dt) {
   factorises_ = cycles_left_ > 0;
   if (factorises_) --cycles_left_;
   in_vain_ *= kKept;
+  solves_in_vain_ *= kKept;
 }
 
 void PcgOrFactor::restart() {
@@ -39,7 +42,7 @@ void PcgOrFactor::restart() {
   cycles_left_ = 0;
   cycles_next_ = 1;
   factorises_ = false;
-  in_vain_ = 0.0;
+  in_vain_ = solves_in_vain_ = 0.0;
 }
 
 void PcgOrFactor::save(StateWriter* out) const {
@@ -47,6 +50,7 @@ void PcgOrFactor::save(StateWriter* out) const {
   out->put(cycles_next_);
   out->put(factorises_);
   out->put(in_vain_);
+  out->put(solves_in_vain_);
 }
 
 void PcgOrFactor::restore(StateReader* in) {
@@ -54,10 +58,12 @@ void PcgOrFactor::restore(StateReader* in) {
   in->get(&cycles_next_);
   in->get(&factorises_);
   in->get(&in_vain_);
+  in->get(&solves_in_vain_);
 }
 
 bool PcgOrFactor::factorPays(const fem::Stiffness& A) {
-  return in_vain_ >= kFewIterations && in_vain_ * iterationSeconds(A) >= factor_.seconds(A);
+  return solves_in_vain_ >= kFewSolves && in_vain_ >= kFewIterations &&
+         in_vain_ * iterationSeconds(A) >= factor_.seconds(A);
 }
 
 LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
@@ -66,8 +72,9 @@ LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double
   if (factorises_) return factor_.solve(A, b, relative_tolerance, x);
   pcg_.setInterrupt(interrupt());
   const LinearReport by_iterations = pcg_.solve(A, b, relative_tolerance, x);
-  if (by_iterations.status != SolveStatus::kIterationLimit) return by_iterations;
+  if (!by_iterations.in_vain) return by_iterations;
   in_vain_ += by_iterations.iterations;
+  ++solves_in_vain_;
   if (!factorPays(A) || isInterrupted(interrupt())) return by_iterations;
   factorises_ = true;
   cycles_left_ = cycles_next_;

@@ -125,7 +125,7 @@ LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double re
                              Points* x) {
   const LinearReport report = used_->ready() ? iterate(A, b, relative_tolerance, x)
                                              : iterateWithout(A, b, relative_tolerance, x);
-  if (report.status != SolveStatus::kIterationLimit) return report;
+  if (!report.in_vain) return report;
   in_vain_ += report.iterations * iterationSeconds(A);
   if (in_vain_ < factorizationSeconds(flops_) || isInterrupted(interrupt())) return report;
   const SolveStatus status = used_->factorize(A);
@@ -160,6 +160,7 @@ LinearReport StalePcg::iterate(const fem::Stiffness& A, const Points& b, double 
   while (r_.norm() > target) {
     if (report.iterations == most) {
       report.status = SolveStatus::kIterationLimit;
+      report.in_vain = true;
       break;
     }
     if (interrupted(report.iterations)) {

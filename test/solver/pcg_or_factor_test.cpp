@@ -87,6 +87,22 @@ TEST(PcgOrFactor, TakesAllOfAMatrixAfterAFactor) {
   EXPECT_TRUE(iterates(&solver));
 }
 
+// Where a matrix is indefinite indeed, what iterations found before they knew is a way down.
+TEST(PcgOrFactor, TakesTheWayDownThatIterationsFoundBeforeACurvatureThatIsNegative) {
+  fem::Stiffness indefinite = mild().A;
+  indefinite.blocks().block(indefinite.blocks().diagonal(100)) *= 0.1;
+  PcgOrFactor solver{BlockPcg(kMostIterations)};
+  Points x, y;
+  const LinearReport report = BlockPcg(kMostIterations).solve(indefinite, mild().b, kTolerance, &x);
+  ASSERT_EQ(report.status, SolveStatus::kIterationLimit);
+  ASSERT_GT(report.iterations, 0);
+  EXPECT_FALSE(report.in_vain);
+  for (int again = 0; again < 200; ++again) {
+    ASSERT_EQ(solver.solve(indefinite, mild().b, kTolerance, &y).iterations, report.iterations);
+  }
+  EXPECT_EQ(x, y);
+}
+
 TEST(PcgOrFactor, FindsNothingThatIsNotThere) {
   fem::Stiffness indefinite = hard().A;
   indefinite.blocks().block(indefinite.blocks().diagonal(100)).diagonal().array() -= 1e3;

@@ -13,6 +13,8 @@ namespace palpate::solver {
 struct LinearReport {
   SolveStatus status = SolveStatus::kConverged;
   int iterations = 0;  ///< Zero for a direct solver.
+  /// At its limit, or where it takes A for indefinite that is not: `x` may be of little use.
+  bool in_vain = false;
 };
 
 /// Solves A x = b, A symmetric positive definite with a pattern that is always the same but for its

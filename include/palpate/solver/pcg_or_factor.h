@@ -12,8 +12,8 @@ namespace palpate::solver {
 
 /// Conjugate gradients, and a Cholesky factor where they find no solution: in elements next to the
 /// incompressible and across stiffness ratios of 1e6 they end at their limit, or call a matrix
-/// indefinite that is not, by the rounding of their products. Iterations that came to nothing are
-/// added up, those of earlier cycles for less; once they have cost what a factor does, by
+/// indefinite that is not, by the rounding of their products. Iterations in vain are added up,
+/// those of earlier cycles for less; once two solves or more have cost what a factor does, by
 /// unit_costs.h, factors take what is left of the cycle and 1, 2, 4 ... 64 cycles that follow,
 /// until iterations do for one again: never much more than twice the work of what would have been
 /// best from the start, as where skis are hired until that costs as much as buying them
@@ -40,11 +40,12 @@ class PcgOrFactor final : public LinearSolver {
 
   BlockPcg pcg_;
   CholmodSolver factor_;
-  int cycles_left_ = 0;      // that factors take whole
-  int cycles_next_ = 1;      // likewise, after the next failure
-  double in_vain_ = 0.0;     // iterations, those of earlier cycles for less
-  bool factorises_ = false;  // to the end of the cycle
-  bool taken_ = false;       // the last matrix, by pcg_
+  int cycles_left_ = 0;          // that factors take whole
+  int cycles_next_ = 1;          // likewise, after the next failure
+  double in_vain_ = 0.0;         // iterations, those of earlier cycles for less
+  double solves_in_vain_ = 0.0;  // likewise
+  bool factorises_ = false;      // to the end of the cycle
+  bool taken_ = false;           // the last matrix, by pcg_
 };
 
 }  // namespace palpate::solver
