@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/solver/unit_costs.h"
 #include "pcg_matrix.h"
 
 namespace palpate::solver {
@@ -114,6 +115,11 @@ bool BlockPcg::learnsFromRest(bool lasting) const { return impl_->matrix.wantsCo
 void BlockPcg::learnFromRest(const fem::Stiffness& A) { impl_->matrix.addCoarse(A); }
 
 void BlockPcg::onlyChanged(const std::vector<int>& slots) { impl_->changed = &slots; }
+
+double BlockPcg::iterationSeconds(const fem::Stiffness& A) {
+  const double volume_entries = A.hasVolume() ? static_cast<double>(A.volume().rows.cols()) : 0.0;
+  return pcgIterationSeconds(A.blocks().numBlocks(), volume_entries);
+}
 
 LinearReport BlockPcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) {

@@ -10,7 +10,7 @@ namespace palpate::solver {
 
 /// The lower triangle of a symmetric matrix in the order of its factor, kept from one matrix to the
 /// next: CHOLMOD would sort each anew, by two transpositions, which take as long as the factor of a
-/// body of some hundred elements.
+/// body of some hundred nodes.
 class OrderedMatrix {
  public:
   /// Takes the order of `factor`, supernodal, of a matrix with the pattern of `lower`. From here on

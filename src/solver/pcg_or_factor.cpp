@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "palpate/base/state_bytes.h"
-#include "palpate/solver/unit_costs.h"
 
 namespace palpate::solver {
 namespace {
@@ -16,11 +15,6 @@ constexpr double kFewSolves = 2.0;
 // Of what was in vain, a cycle later.
 constexpr double kKept = 0.5;
 constexpr int kMostCycles = 64;
-
-double iterationSeconds(const fem::Stiffness& A) {
-  const double volume_entries = A.hasVolume() ? static_cast<double>(A.volume().rows.cols()) : 0.0;
-  return pcgIterationSeconds(A.blocks().numBlocks(), volume_entries);
-}
 
 }  // namespace
 
@@ -63,7 +57,7 @@ void PcgOrFactor::restore(StateReader* in) {
 
 bool PcgOrFactor::factorPays(const fem::Stiffness& A) {
   return solves_in_vain_ >= kFewSolves && in_vain_ >= kFewIterations &&
-         in_vain_ * iterationSeconds(A) >= factor_.seconds(A);
+         in_vain_ * BlockPcg::iterationSeconds(A) >= factor_.seconds(A);
 }
 
 LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,

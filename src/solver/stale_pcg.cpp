@@ -109,8 +109,7 @@ bool StalePcg::scaleFactor(const fem::Stiffness& A) {
 }
 
 double StalePcg::iterationSeconds(const fem::Stiffness& A) const {
-  const double volume_entries = A.hasVolume() ? static_cast<double>(A.volume().rows.cols()) : 0.0;
-  const double product = pcgIterationSeconds(A.blocks().numBlocks(), volume_entries);
+  const double product = BlockPcg::iterationSeconds(A);
   return used_->ready() ? product + triangularSolveSeconds(used_->factor().nonzeros()) : product;
 }
 

@@ -31,6 +31,9 @@ class BlockPcg final : public LinearSolver {
   BlockPcg(BlockPcg&&) noexcept;
   ~BlockPcg() override;
 
+  /// What an iteration with A takes [s], by unit_costs.h.
+  static double iterationSeconds(const fem::Stiffness& A);
+
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                      Points* x) override;
   void takePattern(const fem::Stiffness& A) override;

@@ -11,9 +11,9 @@
 namespace palpate::solver {
 
 /// Conjugate gradients, and a Cholesky factor where they find no solution: in elements next to the
-/// incompressible and across stiffness ratios of 1e6 they end at their limit, or call a matrix
-/// indefinite that is not, by the rounding of their products. Iterations in vain are added up,
-/// those of earlier cycles for less; once two solves or more have cost what a factor does, by
+/// incompressible and across stiffness ratios of 1e4 and more they end at their limit, or call a
+/// matrix indefinite that is not, by the rounding of their products. Iterations in vain are added
+/// up, those of earlier cycles for less; once two solves or more have cost what a factor does, by
 /// unit_costs.h, factors take what is left of the cycle and 1, 2, 4 ... 64 cycles that follow,
 /// until iterations do for one again: never much more than twice the work of what would have been
 /// best from the start, as where skis are hired until that costs as much as buying them
