@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/solver/line_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::solver {
@@ -8,13 +9,33 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
+// In radii of gyration: twice the width of a ball and more. Nothing in a body has to go farther.
+constexpr double kFarthest = 4.0;
+
+double radiusOfGyration(const Points& x) {
+  const Vec3 middle = x.rowwise().mean();
+  return std::sqrt((x.colwise() - middle).squaredNorm() / static_cast<double>(x.cols()));
+}
 
 }  // namespace
 
 double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
 
-bool LineSearch::run(const Potential& potential, const Points& d, Points* x, Points* g,
+// Where a matrix has almost no stiffness somewhere, a few nodes would fly off, and energy may fall
+// all the way: they stop, and the others go where they would. Where that is uphill, all are slower.
+const Points& LineSearch::bounded(const Points& x, const Points& g, const Points& d) {
+  const double farthest = std::sqrt(d.colwise().squaredNorm().maxCoeff());
+  const double most = kFarthest * radiusOfGyration(x);
+  if (!(farthest > most)) return d;
+  const auto part = (most / d.colwise().norm().array()).cwiseMin(1.0);
+  d_ = d * part.matrix().asDiagonal();
+  if (!(d_.cwiseProduct(g).sum() < 0.0)) d_ = most / farthest * d;
+  return d_;
+}
+
+bool LineSearch::run(const Potential& potential, const Points& direction, Points* x, Points* g,
                      double* value, const Interrupt* interrupt, int least_halvings) {
+  const Points& d = bounded(*x, *g, direction);
   const double slope = g->cwiseProduct(d).sum();
   const double norm = freeNorm(*g, potential.free);
   const bool conservative = potential.conservative();
