@@ -7,6 +7,12 @@
 #include "palpate/base/error.h"
 
 namespace palpate::solver {
+namespace {
+
+// Of the elastic forces: what may be out of balance for them to be those of a motion.
+constexpr double kBalanced = 0.1;
+
+}  // namespace
 
 std::vector<std::string> integratorNames() { return {"backward_euler", "bdf2", "static"}; }
 
@@ -28,6 +34,12 @@ void Integrator::start(const Points& x, const Points& v) {
   x_ = x;
   v_ = v;
   h_old_ = 0.0;
+  balanced_ = true;
+}
+
+void Integrator::setElasticGradient(const Points& g, double unbalanced) {
+  g_ = g;
+  balanced_ = unbalanced <= kBalanced * g.norm();
 }
 
 void Integrator::addTerms(Potential* potential) const {
@@ -37,7 +49,7 @@ void Integrator::addTerms(Potential* potential) const {
 
 void Integrator::beginStep(double h, Potential* potential) {
   h_ = h;
-  if (two_step_ && h_old_ == h) {
+  if (two_step_ && h_old_ == h && balanced_old_) {
     k_ = 2.0 / 3.0 * h;
     x_hat_ = (4.0 * x_ - x_old_) / 3.0;
     v_hat_ = (4.0 * v_ - v_old_) / 3.0;
@@ -54,18 +66,18 @@ void Integrator::beginStep(double h, Potential* potential) {
     y_ = x_hat_ + k_ / (1.0 + damping_.mass * k_) * v_hat_;
     inertia_.beginStep(y_, (1.0 / k_ + damping_.mass) / k_, masses_);
   }
-  potential->elastic_scale = 1.0 + damping_.stiffness / k_;
-  if (needsElasticGradient()) {
-    damping_load_.setForces(damping_.stiffness / k_ * g_hat_);
-  }
+  const double stiffness = balanced_ ? damping_.stiffness : 0.0;
+  potential->elastic_scale = 1.0 + stiffness / k_;
+  if (needsElasticGradient()) damping_load_.setForces(stiffness / k_ * g_hat_);
 }
 
-void Integrator::endStep(const Points& x, const Points& g) {
+void Integrator::endStep(const Points& x, const Points& g, double unbalanced) {
   x_old_.swap(x_);
   v_old_.swap(v_);
   if (needsElasticGradient()) {
     g_old_.swap(g_);
-    g_ = g;
+    balanced_old_ = balanced_;
+    setElasticGradient(g, unbalanced);
   }
   h_old_ = h_;
   x_ = x;
@@ -95,20 +107,29 @@ void Integrator::goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
   // Forces on nodes are no field: carried like one they would add up to a force.
   g_old_ = elastic_gradient(x_old_);
   if (!g_old_.allFinite()) g_old_ = g_;
+  balanced_ = old.balanced_;
+  balanced_old_ = old.balanced_old_;
 }
 
 void Integrator::save(StateWriter* out) const {
-  for (const Points* p : {&x_, &v_, &g_, &x_old_, &v_old_, &g_old_}) out->put(*p);
+  // Forces that nothing follows from are left out.
+  const Points none;
+  const Points& g = balanced_ ? g_ : none;
+  const Points& g_old = balanced_old_ ? g_old_ : none;
+  for (const Points* p : {&x_, &v_, &g, &x_old_, &v_old_, &g_old}) out->put(*p);
   out->put(h_old_);
 }
 
 void Integrator::restore(StateReader* in) {
   for (Points* p : {&x_, &v_, &g_, &x_old_, &v_old_, &g_old_}) {
     in->get(p);
-    const bool past = p == &x_old_ || p == &v_old_ || p == &g_old_;
-    if (p->cols() != masses_.size() && !(past && p->cols() == 0)) StateReader::fail();
+    const bool needed = p == &x_ || p == &v_;
+    if (p->cols() != masses_.size() && (needed || p->cols() != 0)) StateReader::fail();
   }
   in->get(&h_old_);
+  balanced_ = g_.cols() > 0;
+  if (!balanced_) g_.setZero(3, masses_.size());
+  balanced_old_ = g_old_.cols() > 0 || !needsElasticGradient();
   if (h_old_ > 0.0 && (x_old_.cols() == 0 || v_old_.cols() == 0)) StateReader::fail();
 }
 

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/solver/cholmod_solver.h"
+#include "palpate/solver/line_search.h"
 #include "palpate/solver/newton.h"
 
 namespace palpate::solver {
@@ -44,14 +46,14 @@ struct Swing {
     return body->energy(x) +
            0.5 * time.velocities().colwise().squaredNorm().dot(body->masses().transpose());
   }
-  void step(double h) {
+  void step(double h, double unbalanced = 0.0) {
     time.beginStep(h, &potential);
     NewtonSettings settings;
     settings.tolerance = 1e-9;
     ASSERT_EQ(newton.minimize(potential, settings, &x).status, SolveStatus::kConverged);
     Points g;
     body->gradient(x, &g);
-    time.endStep(x, g);
+    time.endStep(x, g, unbalanced);
   }
 };
 
@@ -113,6 +115,53 @@ TEST(Integrator, LengthsOfStepsMayChange) {
   for (int k = 0; k < 100; ++k) uneven.step(0.0005);
   for (int k = 0; k < 50; ++k) uneven.step(0.001);
   EXPECT_LT((even.x - uneven.x).norm(), 0.03 * (even.x - even.mesh.points).norm());
+}
+
+// The block three times as long and wide, let go, of which the most energy [of that at the start].
+double mostEnergyOfStretchedBlock(bool told_of_balance) {
+  Swing swing("backward_euler", {0.0, 1e-3});
+  swing.x = swing.mesh.points + 2.0 * swing.mesh.points.cwiseProduct(swing.free);
+  swing.time.start(swing.x, Points::Zero(3, swing.x.cols()));
+  Points g;
+  swing.body->gradient(swing.x, &g);
+  const auto unbalanced = [&] { return told_of_balance ? freeNorm(g, swing.free) : 0.0; };
+  swing.time.setElasticGradient(g, unbalanced());
+  const double begin = swing.energy();
+  double most = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    swing.time.beginStep(1e-3, &swing.potential);
+    NewtonSettings settings;
+    settings.tolerance = 1e-9;
+    settings.max_iterations = 20;
+    swing.newton.minimize(swing.potential, settings, &swing.x);
+    swing.body->gradient(swing.x, &g);
+    swing.time.endStep(swing.x, g, unbalanced());
+    most = std::max(most, swing.energy() / begin);
+  }
+  return most;
+}
+
+TEST(Integrator, ForcesOutOfBalanceDriveNothing) {
+  EXPECT_GT(mostEnergyOfStretchedBlock(false), 2.0);
+  EXPECT_LE(mostEnergyOfStretchedBlock(true), 1.0);
+}
+
+TEST(Integrator, StateKnowsWhatWasOutOfBalance) {
+  for (const double unbalanced : {0.0, 1e9}) {
+    Swing swing("bdf2", {0.0, 1e-3}), other("bdf2", {0.0, 1e-3});
+    for (int k = 0; k < 3; ++k) swing.step(0.005, k > 0 ? unbalanced : 0.0);
+    StateWriter out;
+    swing.time.save(&out);
+    const std::string bytes = out.bytes();
+    StateReader in(bytes);
+    other.time.restore(&in);
+    other.x = swing.x;
+    for (int k = 0; k < 3; ++k) {
+      swing.step(0.005);
+      other.step(0.005);
+      EXPECT_EQ(swing.x, other.x);
+    }
+  }
 }
 
 }  // namespace

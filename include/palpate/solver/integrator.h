@@ -35,6 +35,9 @@ std::vector<std::string> integratorNames();
 ///
 /// has no gradient, y = x_hat + k v_hat/(1 + mass k). bdf2 takes a step of backward_euler after a
 /// start and where h changes, which leaves its order at two unless that is all the time.
+///
+/// Where a step or a start is far out of balance, f_hat is of no motion, and what a crushed element
+/// pushes with would go on pushing: the next step has no damping in proportion to stiffness.
 class Integrator {
  public:
   /// @throws std::invalid_argument for an unknown name.
@@ -42,16 +45,17 @@ class Integrator {
 
   /// Goes on from x [m] and v [m/s], 3 x n, without a past.
   void start(const Points& x, const Points& v);
-  /// What elastic forces there are at the start, for damping in proportion to stiffness.
-  void setElasticGradient(const Points& g) { g_ = g; }
+  /// The gradient of the elastic energy at the start, for damping in proportion to stiffness, where
+  /// forces are out of balance by `unbalanced` [N].
+  void setElasticGradient(const Points& g, double unbalanced = 0.0);
 
   /// Begins a step of `h` [s] and sets the terms and `elastic_scale` of `potential`, which has
   /// them from addTerms().
   void beginStep(double h, Potential* potential);
   void addTerms(Potential* potential) const;
   /// Ends the step at x, where the elastic energy has the gradient `g` (read only if
-  /// needsElasticGradient()).
-  void endStep(const Points& x, const Points& g);
+  /// needsElasticGradient()) and forces were left out of balance by `unbalanced` [N].
+  void endStep(const Points& x, const Points& g, double unbalanced = 0.0);
 
   bool needsElasticGradient() const { return damping_.stiffness > 0.0; }
   const Points& positions() const { return x_; }
@@ -85,9 +89,10 @@ class Integrator {
   Inertia inertia_;
   fem::DeadLoad damping_load_;
 
-  Points x_, v_, g_;                  // of now
-  Points x_old_, v_old_, g_old_;      // one step before
-  double h_old_ = 0.0;                // its length; 0: there was none
+  Points x_, v_, g_;              // of now
+  Points x_old_, v_old_, g_old_;  // one step before
+  double h_old_ = 0.0;            // its length; 0: there was none
+  bool balanced_ = true, balanced_old_ = true;
   Points x_hat_, v_hat_, g_hat_, y_;  // of the present step
   double h_ = 0.0, k_ = 0.0;
 };

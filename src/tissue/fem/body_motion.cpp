@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "body_motion.h"
 
+#include "palpate/solver/line_search.h"
+
 namespace palpate::tissue {
 
 BodyMotion::BodyMotion(FemBody* body)
@@ -20,7 +22,11 @@ void BodyMotion::restart() {
   integrator_.start(body_.x, body_.v);
   if (!integrator_.needsElasticGradient()) return;
   body_.elasticity->gradient(body_.x, &elastic_gradient_);
-  integrator_.setElasticGradient(elastic_gradient_);
+  Points all = elastic_gradient_;
+  body_.addLoads(body_.x, &all);
+  const double unbalanced = solver::freeNorm(all, body_.free);
+  const bool rests = unbalanced <= body_.leastTolerance();
+  integrator_.setElasticGradient(elastic_gradient_, rests ? 0.0 : unbalanced);
 }
 
 void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change) {
@@ -63,9 +69,9 @@ void BodyMotion::beginStep(double begin, double h) {
   body_.surroundings.beginStep(h, body_.x);
 }
 
-void BodyMotion::endStep() {
+void BodyMotion::endStep(double unbalanced) {
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
-  integrator_.endStep(body_.x, elastic_gradient_);
+  integrator_.endStep(body_.x, elastic_gradient_, unbalanced);
   body_.elasticity->endStep(body_.x);
   body_.touch.endStep(body_.x);
 }

@@ -99,8 +99,9 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
   solveStages(begin, end);
   if (!acceptable()) return false;
   const PhaseTimer timer(&out_->phases, Phase::kForces);
-  bodies_.endStep();
-  if (out_->status == solver::SolveStatus::kConverged) bodies_.learn(h);
+  const bool solved = out_->status == solver::SolveStatus::kConverged;
+  bodies_.endStep(solved ? 0.0 : out_->residual);
+  if (solved) bodies_.learn(h);
   return true;
 }
 

@@ -155,10 +155,10 @@ bool MovingBodies::beginStep(double begin, double h) {
   return joint_ && joint_->takeScales(&scales_);
 }
 
-void MovingBodies::endStep() {
+void MovingBodies::endStep(double unbalanced) {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (joint_) members_[k]->body().x = part(k, x_);
-    members_[k]->endStep();
+    members_[k]->endStep(unbalanced);
   }
   sumInteractionForces();
   forInteractions([](Placed& placed, const Points& x) { placed.what.term->endStep(x); });

@@ -58,7 +58,8 @@ class MovingBodies {
   /// A step of `h` [s] begins at x, at part `begin` of the cycle. True: the elastic part of the
   /// matrix is scaled otherwise than it was by a group's last step.
   bool beginStep(double begin, double h);
-  void endStep();
+  /// `unbalanced` by so much [N], summed over all of them.
+  void endStep(double unbalanced);
   void extrapolate(double h, Points* way) const;
   /// Whether surroundings carry nodes; they, and anchors, go to part `s` of the cycle.
   bool carries() const;
