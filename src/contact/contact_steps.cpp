@@ -10,8 +10,9 @@
 namespace palpate::contact {
 namespace {
 
-// In so many stages a ball goes through a cycle without its centre's getting behind the surface.
-constexpr double kCarefulStages = 8.0;
+// In so many stages a fast ball goes through a cycle without its centre's getting behind the
+// surface; of the way from which the surface comes back, so much at once does no harm.
+constexpr double kCarefulStages = 8.0, kHarmless = 0.125;
 
 // How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
 // next look: up to the surface, and half of what is left from there to the middle. With a smaller r
@@ -65,11 +66,13 @@ void ContactPotential::allowedMotions(const Points& x, const std::vector<double>
   faces_->forBalls(x, placed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
     const auto b = static_cast<std::size_t>(obstacle);
     // A fast one may get behind the surface, which is then brought back.
-    const double follow = FacePoints::kFollow * m.edge;
-    const double deep =
-        std::clamp(ways[b] / kCarefulStages, 0.5 * radius, std::max(0.5 * radius, follow));
-    const double room = m.distance < 0.0 ? std::max(deep + m.distance, 0.25 * deep)
-                                         : std::max(m.distance - radius, 0.0) + deep;
+    const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);
+    const double least = std::max(0.5 * radius, kHarmless * deepest);
+    const double deep = std::clamp(ways[b] / kCarefulStages, least, deepest);
+    double room = std::max(m.distance - radius, 0.0) + deep;
+    if (m.distance < 0.0) room = std::max(deep + m.distance, 0.25 * deep);
+    // A point that a soft contact holds there is behind it already, and is to stay near.
+    if (m.distance < -deep) room = std::max(room, 0.5 * (deepest + m.distance));
     (*allowed)[b] = std::min((*allowed)[b], room);
   });
 }
