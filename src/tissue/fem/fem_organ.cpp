@@ -12,6 +12,8 @@ namespace {
 constexpr double kKeptVolume = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
+// Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
+constexpr double kLittle = 1e-4;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -141,8 +143,11 @@ void FemOrgan::goAlone(double dt) {
       }
       fallAsleep();
     }
+    const bool stuck = isStuck();
+    if (stuck) freeze_.failed(solver::SolveStatus::kInverted);
+    if (stuck && freeze_.fails()) return leaveRest(solver::SolveStatus::kInverted);
     method_->reportForces(&out_);
-    reportSolved();
+    reportSolved(stuck);
   } else {
     const bool for_good = failsForGood(out_.status);
     fail();
@@ -194,8 +199,8 @@ void FemOrgan::addWork(const TissueStep& together) {
   out_.phases += together.phases;
 }
 
-void FemOrgan::reportSolved() {
-  freeze_.solved();
+void FemOrgan::reportSolved(bool stuck) {
+  if (!stuck) freeze_.solved();
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
   body_.touch.countInactive(&out_);
@@ -221,6 +226,14 @@ bool FemOrgan::cameToRest() {
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+}
+
+// Inside out and untouched it hardly moves, and yet does not come to rest: each such cycle counts
+// as a failure.
+bool FemOrgan::isStuck() const {
+  if (out_.status == solver::SolveStatus::kDeadline || body_.touch.possibleByTools()) return false;
+  return out_.newton_iterations > 0 && rest_.way(body_.x) <= kLittle * body_.size &&
+         body_.elasticity->minJacobianWithin(body_.x) <= 0.0;
 }
 
 // Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:

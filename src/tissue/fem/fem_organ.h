@@ -121,6 +121,7 @@ class FemOrgan final : public OrganBodies {
   void put(const Points& positions, const Points& velocities);
   bool cameToRest();
   bool isCrushed();
+  bool isStuck() const;
   bool isOutsideOfLaw() const;
   void beginAnew();
   void leaveRest(solver::SolveStatus why);
@@ -128,7 +129,7 @@ class FemOrgan final : public OrganBodies {
   void fail();
   void stop();
   void takeFigures(const TissueStep& together);
-  void reportSolved();
+  void reportSolved(bool stuck = false);
   void reportState();
 
   std::shared_ptr<const fem::EnergyTerm> own_load_;

@@ -9,7 +9,7 @@ bool Rest::isStill(const Points& x, const Touch& touch, const TissueStep& out) c
   // What was cut was not brought to its end, and would be told as that from now on.
   if (out.status == solver::SolveStatus::kDeadline) return false;
   if (!allowed_ || touch.possibleByTools()) return false;
-  const double motion = (x - x_begin_).cwiseAbs().maxCoeff();
+  const double motion = way(x);
   // Iterations that end where they began, to the bit, will do so again.
   return motion == 0.0 || (out.newton_iterations == 0 && motion <= motion_);
 }

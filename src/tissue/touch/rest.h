@@ -32,6 +32,8 @@ class Rest {
     x_begin_ = x;
     asleep_ = false;
   }
+  /// The longest way of a component since the cycle began, of points that are at x now [m].
+  double way(const Points& x) const { return (x - x_begin_).cwiseAbs().maxCoeff(); }
   /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed or
   /// they led back, and the cycle was not cut; the anatomy, on which they may lie, does not move.
   bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
