@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/solver/line_search.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace palpate::solver {

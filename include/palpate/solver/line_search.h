@@ -19,7 +19,8 @@ class LineSearch {
   /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
   /// do, and stay where they are if there is none, as where d goes uphill, or if `interrupt`, which
   /// may be null and is asked after `least_halvings`, comes before one is found: false.
-  /// `direction` is zero on held components; no node goes farther than the body is wide.
+  /// `direction` is zero on held components; no node goes farther than four times
+  /// the radius of gyration of all nodes.
   bool run(const Potential& potential, const Points& direction, Points* x, Points* g, double* value,
            const Interrupt* interrupt = nullptr, int least_halvings = 1);
   /// Times that the last run() halved its step.

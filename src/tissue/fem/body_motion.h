@@ -44,7 +44,7 @@ class BodyMotion {
 
   /// A step of `h` [s] begins at body.x, at part `begin` of the cycle.
   void beginStep(double begin, double h);
-  /// It has ended at body.x.
+  /// It has ended at body.x, with forces out of balance by `unbalanced` [N].
   void endStep(double unbalanced);
   /// Where the free nodes come in `h` [s] if they go on as they do, 3 x n [m].
   void extrapolate(double h, Points* way) const;
