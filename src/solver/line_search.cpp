@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
-// In radii of gyration: twice the width of a ball and more. Nothing in a body has to go farther.
+// In radii of gyration: one and a half times the width of a ball. Nothing in it has to go farther.
 constexpr double kFarthest = 4.0;
 
 double radiusOfGyration(const Points& x) {
