@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "factor_pcg.h"
 #include "palpate/solver/unit_costs.h"
 #include "stale_factor.h"
 
@@ -24,6 +25,7 @@ StalePcg::StalePcg(const fem::Stiffness& A, int max_iterations, bool own_thread)
       plain_(max_iterations),
       used_(std::make_unique<StaleFactor>()),
       next_(std::make_unique<StaleFactor>()),
+      iterations_(std::make_unique<FactorPcg>()),
       snapshot_(A),
       background_(std::make_unique<Background>(own_thread)) {
   used_->analyze(A);
@@ -103,14 +105,8 @@ void StalePcg::factoriseSnapshot() {
   background_->begin([this] { next_->factorize(snapshot_); });
 }
 
-bool StalePcg::scaleFactor(const fem::Stiffness& A) {
-  A.diagonal(&diagonal_);
-  return used_->scaleTo(diagonal_);
-}
-
 double StalePcg::iterationSeconds(const fem::Stiffness& A) const {
-  const double product = BlockPcg::iterationSeconds(A);
-  return used_->ready() ? product + triangularSolveSeconds(used_->factor().nonzeros()) : product;
+  return used_->ready() ? FactorPcg::iterationSeconds(A, *used_) : BlockPcg::iterationSeconds(A);
 }
 
 // Until they cost what a factor does.
@@ -148,43 +144,11 @@ LinearReport StalePcg::iterateWithout(const fem::Stiffness& A, const Points& b,
 
 LinearReport StalePcg::iterate(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                                Points* x) {
-  LinearReport report;
-  x->setZero(3, b.cols());
-  const double target = relative_tolerance * b.norm();
-  if (!std::isfinite(target)) return {SolveStatus::kNonFinite, 0};
-  if (!scaleFactor(A)) return {SolveStatus::kNotPositiveDefinite, 0};
-  r_ = b;
-  double rz = 0.0;
-  const int most = mostIterations(A);
-  while (r_.norm() > target) {
-    if (report.iterations == most) {
-      report.status = SolveStatus::kIterationLimit;
-      report.in_vain = true;
-      break;
-    }
-    if (interrupted(report.iterations)) {
-      report.status = SolveStatus::kDeadline;
-      break;
-    }
-    if (!used_->apply(r_, &z_)) return {SolveStatus::kNonFinite, report.iterations};
-    const double rz_next = r_.cwiseProduct(z_).sum();
-    if (report.iterations == 0) {
-      p_ = z_;
-    } else {
-      p_ = z_ + (rz_next / rz) * p_;
-    }
-    rz = rz_next;
-    A.multiply(p_, &Ap_);
-    const double curvature = p_.cwiseProduct(Ap_).sum();
-    if (!(curvature > 0.0)) {
-      report.status =
-          std::isfinite(curvature) ? SolveStatus::kNotPositiveDefinite : SolveStatus::kNonFinite;
-      return report;
-    }
-    const double alpha = rz / curvature;
-    *x += alpha * p_;
-    r_ -= alpha * Ap_;
-    ++report.iterations;
+  const LinearReport report =
+      iterations_->solve(A, b, relative_tolerance, mostIterations(A), interrupt(), used_.get(), x);
+  if (report.status == SolveStatus::kNonFinite ||
+      report.status == SolveStatus::kNotPositiveDefinite) {
+    return report;
   }
   most_iterations_ = std::max(most_iterations_, report.iterations);
   if (wanted_ && !background_->underWay()) beginFactor(A);

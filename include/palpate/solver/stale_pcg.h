@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "palpate/base/background.h"
 #include "palpate/solver/block_pcg.h"
@@ -10,6 +9,7 @@
 
 namespace palpate::solver {
 
+class FactorPcg;
 class StaleFactor;
 
 /// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, which is made
@@ -45,12 +45,12 @@ class StalePcg final : public LinearSolver {
   int mostIterations(const fem::Stiffness& A) const;
   void beginFactor(const fem::Stiffness& A);
   void factoriseSnapshot();
-  bool scaleFactor(const fem::Stiffness& A);
 
   int max_iterations_;
   double flops_ = 0.0;  // of a factorisation without couplings: how long one may take
   BlockPcg plain_;
   std::unique_ptr<StaleFactor> used_, next_;
+  std::unique_ptr<FactorPcg> iterations_;
   fem::Stiffness snapshot_;
   long cycle_ = 0, take_at_ = 0;
   double dt_ = 0.0;
@@ -59,8 +59,6 @@ class StalePcg final : public LinearSolver {
   bool is_older_ = false;    // what is being made than what is used
   bool wanted_ = true;
   int waits_ = 0;
-  std::vector<Mat3> diagonal_;
-  Points r_, z_, p_, Ap_;
   std::unique_ptr<Background> background_;  // last: ends before what it works on
 };
 
