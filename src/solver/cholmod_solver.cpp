@@ -3,26 +3,37 @@
 
 #include <algorithm>
 
-#include "cholmod_factor.h"
+#include "factor_pcg.h"
 #include "palpate/solver/unit_costs.h"
 #include "pressure_system.h"
 #include "rank_one_correction.h"
+#include "stale_factor.h"
 
 namespace palpate::solver {
 namespace {
 
-// What Newton's method gains by a factor, iterations for pressures must not lose.
+// What Newton's method gains by a factor, iterations must not lose.
 constexpr double kLoosest = 1e-3, kTightest = 1e-12;
 // So many iterations are cheaper than the factor of a matrix over two rings of elements, always.
 constexpr double kFewIterations = 30.0;
 // For few right sides solves take 2.6 times what unit_costs.h says, for large fronts factors
 // a 2.3th of it: pressed cube of 24,576 tetrahedra, AVX-512.
 constexpr double kSolveBesideFactor = 6.0;
+// About what a factor costs: 12 to 27 of them for blocks of 64 to 6859 nodes, 37 to 150 with
+// averaged volumes; AVX-512. Random scenes take as long with 12, and a tenth longer with 7.
+constexpr int kMostIterations = 20;
+constexpr int kMostFactors = 64;
+
+double within(double relative_tolerance) {
+  return std::clamp(relative_tolerance, kTightest, kLoosest);
+}
 
 }  // namespace
 
 CholmodSolver::CholmodSolver()
-    : factor_(std::make_unique<CholmodFactor>()), pressures_(std::make_unique<PressureSystem>()) {}
+    : factor_(std::make_unique<StaleFactor>()),
+      iterations_(std::make_unique<FactorPcg>()),
+      pressures_(std::make_unique<PressureSystem>()) {}
 CholmodSolver::~CholmodSolver() = default;
 
 // By A and the number of operations alone.
@@ -33,34 +44,62 @@ bool CholmodSolver::iterationsPay(const fem::Stiffness& A) {
   const double each = kSolveBesideFactor * triangularSolveSeconds(own.nonzeros());
   factor_->analyze(A);
   return factorizationSeconds(own.flops()) + iterations * each <
-         factorizationSeconds(factor_->flops());
+         factorizationSeconds(factor_->factor().flops());
 }
 
 double CholmodSolver::seconds(const fem::Stiffness& A) {
   const bool iterates = A.hasVolume() && iterationsPay(A);
   if (!iterates) factor_->analyze(A);
-  const CholmodFactor& factor = iterates ? pressures_->analyze(A) : *factor_;
+  const CholmodFactor& factor = iterates ? pressures_->analyze(A) : factor_->factor();
   const double solves = iterates ? pressures_->prepare(A) : 1.0;
   return factorizationSeconds(factor.flops()) + solves * triangularSolveSeconds(factor.nonzeros());
+}
+
+void CholmodSolver::beginCycle(double /*dt*/) {
+  factor_->forget();
+  factors_left_ = 0;
+  factors_next_ = 1;
+}
+
+// Between two cycles there is nothing to remember.
+void CholmodSolver::restore(StateReader* /*in*/) { restart(); }
+
+// False: the matrix must be factorised.
+bool CholmodSolver::solveByEarlierFactor(const fem::Stiffness& A, const Points& b,
+                                         double relative_tolerance, Points* x,
+                                         LinearReport* report) {
+  if (!factor_->ready()) return false;
+  if (factors_left_ > 0) {
+    --factors_left_;
+    return false;
+  }
+  *report = iterations_->solve(A, b, within(relative_tolerance), kMostIterations, interrupt(),
+                               factor_.get(), x);
+  if (usable(report->status) && !report->in_vain) return true;
+  factors_left_ = factors_next_;
+  factors_next_ = std::min(kMostFactors, 2 * factors_next_);
+  return false;
 }
 
 LinearReport CholmodSolver::solve(const fem::Stiffness& A, const Points& b,
                                   double relative_tolerance, Points* x) {
   if (!b.allFinite()) return {SolveStatus::kNonFinite, 0};
+  LinearReport report;
+  if (solveByEarlierFactor(A, b, relative_tolerance, x, &report)) return report;
   if (A.hasVolume() && iterationsPay(A) && pressures_->factorize(A) == SolveStatus::kConverged) {
-    const double tolerance = std::clamp(relative_tolerance, kTightest, kLoosest);
+    const double tolerance = within(relative_tolerance);
     const auto solve_rest = [&](const Points& right, Points* solution) {
       return pressures_->solve(A, right, tolerance, solution).status;
     };
     const SolveStatus status = solveWithRankOnes(A.rankOnes(), solve_rest, b, x);
-    if (status == SolveStatus::kConverged) return {status, 0};
+    if (status == SolveStatus::kConverged) return {status, report.iterations};
   }
   const SolveStatus status = factor_->factorize(A);
-  if (status != SolveStatus::kConverged) return {status, 0};
+  if (status != SolveStatus::kConverged) return {status, report.iterations};
   const auto solve_rest = [&](const Points& right, Points* solution) {
     return factor_->solve(right, solution);
   };
-  return {solveWithRankOnes(A.rankOnes(), solve_rest, b, x), 0};
+  return {solveWithRankOnes(A.rankOnes(), solve_rest, b, x), report.iterations};
 }
 
 }  // namespace palpate::solver

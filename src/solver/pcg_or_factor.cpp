@@ -24,6 +24,7 @@ void PcgOrFactor::onlyChanged(const std::vector<int>& slots) {
 
 void PcgOrFactor::beginCycle(double dt) {
   pcg_.beginCycle(dt);
+  factor_.beginCycle(dt);
   if (!factorises_) cycles_next_ = 1;
   factorises_ = cycles_left_ > 0;
   if (factorises_) --cycles_left_;
@@ -33,6 +34,7 @@ void PcgOrFactor::beginCycle(double dt) {
 
 void PcgOrFactor::restart() {
   pcg_.restart();
+  factor_.restart();
   cycles_left_ = 0;
   cycles_next_ = 1;
   factorises_ = false;
@@ -53,6 +55,7 @@ void PcgOrFactor::restore(StateReader* in) {
   in->get(&factorises_);
   in->get(&in_vain_);
   in->get(&solves_in_vain_);
+  factor_.restart();
 }
 
 bool PcgOrFactor::factorPays(const fem::Stiffness& A) {
@@ -63,6 +66,7 @@ bool PcgOrFactor::factorPays(const fem::Stiffness& A) {
 LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                                 Points* x) {
   taken_ = !factorises_;
+  factor_.setInterrupt(interrupt());
   if (factorises_) return factor_.solve(A, b, relative_tolerance, x);
   pcg_.setInterrupt(interrupt());
   const LinearReport by_iterations = pcg_.solve(A, b, relative_tolerance, x);
@@ -74,7 +78,7 @@ LinearReport PcgOrFactor::solve(const fem::Stiffness& A, const Points& b, double
   cycles_left_ = cycles_next_;
   cycles_next_ = std::min(kMostCycles, 2 * cycles_next_);
   const LinearReport report = factor_.solve(A, b, relative_tolerance, x);
-  return {report.status, by_iterations.iterations};
+  return {report.status, by_iterations.iterations + report.iterations};
 }
 
 }  // namespace palpate::solver

@@ -12,9 +12,11 @@ namespace palpate::solver {
 /// one matrix to the next, and it is mostly on the diagonal. Always positive definite.
 class StaleFactor {
  public:
+  /// What a factor of A costs: factor(). Forgets the one that there is.
   void analyze(const fem::Stiffness& A) {
     factor_.analyze(A);
-    matrix_ = A;
+    if (matrix_.numNodes() == 0) matrix_ = A;
+    ready_ = false;
   }
   /// Makes F = A. kNotPositiveDefinite, kNonFinite: there is no factor.
   SolveStatus factorize(const fem::Stiffness& A);
@@ -26,6 +28,8 @@ class StaleFactor {
 
   /// The diagonal blocks of A; false if one is not positive definite.
   bool scaleTo(const std::vector<Mat3>& diagonal);
+  /// x = F^-1 b, both 3 x n. kNonFinite if x is not finite.
+  SolveStatus solve(const Points& b, Points* x) { return factor_.solve(b, x); }
   /// z = (S F S)^-1 r, both 3 x n; false if z is not finite.
   bool apply(const Points& r, Points* z);
 

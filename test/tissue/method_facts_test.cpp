@@ -37,6 +37,7 @@ TEST(MethodFacts, AreKnownOfEveryMethodAndOfNoOther) {
 
 // The figures of a short press say how the linear systems were solved.
 TEST(MethodFacts, FitWhatAMethodDoes) {
+  int by_iterations = 0;  // of the first method, which has nothing else
   for (const std::string& name : methodNames()) {
     if (name == "auto") continue;
     const MethodFacts facts = methodFacts(name);
@@ -47,9 +48,10 @@ TEST(MethodFacts, FitWhatAMethodDoes) {
     }
     if (facts.linear_systems == LinearSystems::kIterations) {
       EXPECT_GT(linear, 0) << name;
+      if (by_iterations == 0) by_iterations = linear;
     }
     if (facts.linear_systems == LinearSystems::kFactor) {
-      EXPECT_EQ(linear, 0) << name;
+      EXPECT_LT(linear, by_iterations / 2) << name;
     }
     if (facts.linear_systems == LinearSystems::kNone) {
       EXPECT_EQ(linear, 0) << name;

@@ -27,7 +27,7 @@ std::vector<std::string> minimizerNames();
 enum class LinearSystems {
   kNone,        ///< There are none.
   kIterations,  ///< By iterations from the matrix alone: their number grows with its condition.
-  kFactor,      ///< Each is factorised: time grows with the square of the nodes.
+  kFactor,      ///< By a factor of each cycle: time grows with the square of the nodes.
   kOldFactor    ///< By a factor that was made before or beside, alone or as a preconditioner.
 };
 
