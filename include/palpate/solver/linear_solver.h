@@ -12,7 +12,7 @@ namespace palpate::solver {
 
 struct LinearReport {
   SolveStatus status = SolveStatus::kConverged;
-  int iterations = 0;  ///< Zero for a direct solver.
+  int iterations = 0;  ///< Zero of a matrix that was factorised alone.
   /// At its limit, or where it takes A for indefinite that is not: `x` may be of little use.
   bool in_vain = false;
 };
