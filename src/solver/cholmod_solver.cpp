@@ -20,7 +20,8 @@ constexpr double kFewIterations = 30.0;
 // a 2.3th of it: pressed cube of 24,576 tetrahedra, AVX-512.
 constexpr double kSolveBesideFactor = 6.0;
 // About what a factor costs: 12 to 27 of them for blocks of 64 to 6859 nodes, 37 to 150 with
-// averaged volumes; AVX-512. Random scenes take as long with 12, and a tenth longer with 7.
+// averaged volumes; AMD EPYC, beside a build. Random scenes take as long with 12, and a tenth
+// longer with 7.
 constexpr int kMostIterations = 20;
 constexpr int kMostFactors = 64;
 
