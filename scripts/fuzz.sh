@@ -10,8 +10,9 @@
 #   TARGET          a kind of file; by default all. `scripts/fuzz.sh --list` prints them
 #
 # What a target has found to be new stays in build-fuzz/corpus/TARGET, so that the next run goes on from
-# there. Files with which something was wrong lie in build-fuzz/crashes/TARGET. Exit status 1: there are
-# some; the command that tries one again is printed.
+# there. Files with which something was wrong lie in build-fuzz/crashes/TARGET, beside those that took more
+# than ten seconds (`slow`). Exit status 1: there are some of the former; the command that tries one again
+# is printed.
 #
 # From the environment: JOBS (cores), PALPATE_NO_BUILD=1 takes the programs that are built,
 # PALPATE_NO_INSTALL=1 installs nothing.
@@ -36,7 +37,7 @@ while [ $# -gt 0 ]; do
       case ${2:-} in '' | *[!0-9]*) die "$1 needs a number" ;; esac
       if [ "$1" = --seconds ]; then limit=("-max_total_time=$2"); else limit=("-runs=$2"); fi
       shift ;;
-    -h | --help) sed -n '2,19s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,20s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) die "unknown option '$1'; see --help" ;;
     *) chosen+=("$1") ;;
   esac
@@ -133,17 +134,19 @@ wait
 
 failed=0
 replay=()
-format='%-12s %12s %8s %9s %8s %8s\n'
+format='%-12s %12s %8s %9s %8s %8s %8s\n'
 # shellcheck disable=SC2059  # one format for all rows
-printf "$format" target executions 'per s' coverage new crashes
+printf "$format" target executions 'per s' coverage new slow crashes
 for target in "${targets[@]}"; do
   log=$folder/logs/$target
   executions=$(number "$target" number_of_executed_units)
   coverage=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
-  mapfile -t found < <(find "$folder/crashes/$target" -type f | sort)
+  # A slow file came to its end all the same: libFuzzer keeps those of more than ten seconds.
+  slow=$(find "$folder/crashes/$target" -type f -name 'slow-unit-*' | wc -l)
+  mapfile -t found < <(find "$folder/crashes/$target" -type f ! -name 'slow-unit-*' | sort)
   # shellcheck disable=SC2059
   printf "$format" "$target" "${executions:--}" "$(number "$target" average_exec_per_sec)" \
-    "${coverage:--}" "$(number "$target" new_units_added)" "${#found[@]}"
+    "${coverage:--}" "$(number "$target" new_units_added)" "$slow" "${#found[@]}"
   printf '%s\t%s\t%s\n' "$commit" "$target" "${executions:-0}" >>"$folder/executions.tsv"
   if [ ${#found[@]} -gt 0 ]; then
     failed=1
