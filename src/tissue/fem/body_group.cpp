@@ -101,13 +101,26 @@ void BodyGroup::step(double dt) {
     });
     for (FemOrgan* member : members_) member->failTogether(out_, for_good);
   } else {
-    const bool at_rest = cameToRest();
-    for (std::size_t k = 0; k < members_.size(); ++k) {
+    endSolved();
+  }
+  members_.front()->addWork(out_);
+}
+
+// All are put back where one is: what they were settled in fits together.
+void BodyGroup::endSolved() {
+  const bool at_rest = cameToRest();
+  const bool touched = std::any_of(members_.begin(), members_.end(),
+                                   [](const FemOrgan* member) { return member->isTouched(); });
+  bool anew = false;
+  for (FemOrgan* member : members_) anew |= !touched && member->givesUp(out_, at_rest);
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    if (anew) {
+      members_[k]->beginAnewTogether(out_, solver::SolveStatus::kInverted);
+    } else {
       members_[k]->endTogether(out_, at_rest, bodies_.part(k, steps_.gradient()),
                                bodies_.interactionForces()[k]);
     }
   }
-  members_.front()->addWork(out_);
 }
 
 void BodyGroup::save(StateWriter* out) const {

@@ -35,6 +35,7 @@ class BodyGroup {
   std::unique_ptr<solver::Minimizer> makeMinimizer();
   const FemOrgan* frozenMember() const;
   bool cameToRest();
+  void endSolved();
 
   std::vector<FemOrgan*> members_;
   std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // for members that have none

@@ -95,6 +95,7 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.touch.forget();
   body_.guard.setActive(false);
   body_.elastic_energy.reset();
+  body_.min_jacobian.reset();
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
   freeze_ = Freeze();
@@ -124,6 +125,7 @@ void FemOrgan::restore(const State& state) {
 
 void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
+  stuck_ = false;
   body_.min_jacobian.reset();
   body_.surroundings.beginCycle(dt);
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
@@ -136,22 +138,20 @@ void FemOrgan::goAlone(double dt) {
   if (isFrozen()) return stayFrozen(failure());
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
-    if (cameToRest()) {
-      if (isCrushed()) return leaveRest(solver::SolveStatus::kInverted);
-      if (!method_->restsInMinimum()) {
-        return leaveRest(solver::SolveStatus::kNotPositiveDefinite);
-      }
-      fallAsleep();
+    const bool at_rest = cameToRest();
+    if (!isTouched() && givesUp(out_, at_rest)) {
+      return beginAnew(solver::SolveStatus::kInverted);
     }
-    const bool stuck = isStuck();
-    if (stuck) freeze_.failed(solver::SolveStatus::kInverted);
-    if (stuck && freeze_.fails()) return leaveRest(solver::SolveStatus::kInverted);
+    if (at_rest && !method_->restsInMinimum()) {
+      return beginAnew(solver::SolveStatus::kNotPositiveDefinite);
+    }
+    if (at_rest) fallAsleep();
     method_->reportForces(&out_);
-    reportSolved(stuck);
+    reportSolved();
   } else {
     const bool for_good = failsForGood(out_.status);
     fail();
-    if (for_good || isOutsideOfLaw()) return beginAnew();
+    if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
   }
   body_.surroundings.endCycle();
   reportState();
@@ -173,10 +173,15 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
   reportState();
 }
 
+void FemOrgan::beginAnewTogether(const TissueStep& together, solver::SolveStatus why) {
+  takeFigures(together);
+  beginAnew(why);
+}
+
 void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
   takeFigures(together);
   fail();
-  if (for_good || isOutsideOfLaw()) return beginAnew();
+  if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
   body_.surroundings.endCycle();
   reportState();
 }
@@ -199,8 +204,8 @@ void FemOrgan::addWork(const TissueStep& together) {
   out_.phases += together.phases;
 }
 
-void FemOrgan::reportSolved(bool stuck) {
-  if (!stuck) freeze_.solved();
+void FemOrgan::reportSolved() {
+  if (!stuck_) freeze_.solved();
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
   body_.touch.countInactive(&out_);
@@ -220,20 +225,26 @@ bool FemOrgan::cameToRest() {
   return method_->unbalancedForce() <= body_.tolerance();
 }
 
-// At rest and untouched, but folded through itself: what a leap of a tool can leave, which no force
-// mends, for the folds are in balance. Corners of quadratic elements are curled over where their
-// integration points see nothing.
+// At rest, but folded through itself: what a leap of a tool can leave, which no force mends, for
+// the folds are in balance. Corners of quadratic elements are curled over where their integration
+// points see nothing.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
 }
 
-// Inside out and untouched it hardly moves, and yet does not come to rest: each such cycle counts
-// as a failure.
-bool FemOrgan::isStuck() const {
-  if (out_.status == solver::SolveStatus::kDeadline || body_.touch.possibleByTools()) return false;
-  return out_.newton_iterations > 0 && rest_.way(body_.x) <= kLittle * body_.size &&
+// Inside out it hardly moves, and yet does not come to rest.
+bool FemOrgan::isStuck(const TissueStep& cycle) const {
+  return cycle.status != solver::SolveStatus::kDeadline && cycle.newton_iterations > 0 &&
+         rest_.way(body_.x) <= kLittle * body_.size &&
          body_.elasticity->minJacobianWithin(body_.x) <= 0.0;
+}
+
+bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
+  if (at_rest) return isCrushed();
+  stuck_ = isStuck(cycle);
+  if (stuck_) freeze_.failed(solver::SolveStatus::kInverted);
+  return stuck_ && freeze_.fails();
 }
 
 // Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
@@ -247,9 +258,14 @@ bool FemOrgan::isOutsideOfLaw() const {
   return !std::isfinite(energy) || !(g.norm() <= FemBody::kMostForce);
 }
 
-// No step leads away from where it is, or all fail with no tool near.
-void FemOrgan::beginAnew() {
-  const bool outside = isOutsideOfLaw();
+// Why, as it is reported.
+solver::SolveStatus FemOrgan::failureHere() const {
+  return isOutsideOfLaw() ? solver::SolveStatus::kInverted : out_.status;
+}
+
+// No step leads away from where it is, or all fail with no tool near, or what it came to rest in is
+// no shape of a body: where it was settled, at rest.
+void FemOrgan::beginAnew(solver::SolveStatus why) {
   const StepFigures figures = out_;
   put(settled_, Points::Zero(3, settled_.cols()));
   static_cast<StepFigures&>(out_) = figures;
@@ -259,19 +275,6 @@ void FemOrgan::beginAnew() {
   body_.addLoads(body_.x, &g);
   out_.residual = g.cwiseProduct(body_.free).norm();
   body_.reportSupport(g, &out_);
-  reportSolved();
-  body_.surroundings.endCycle();
-  reportState();
-  out_.status = outside ? solver::SolveStatus::kInverted : figures.status;
-}
-
-// What had come to rest was no shape of a body, or would not have stayed there: it begins anew.
-void FemOrgan::leaveRest(solver::SolveStatus why) {
-  const StepFigures figures = out_;
-  put(settled_, Points::Zero(3, settled_.cols()));
-  static_cast<StepFigures&>(out_) = figures;
-  out_.recover(Recovery::kPutBack);
-  method_->reportForces(&out_);
   reportSolved();
   body_.surroundings.endCycle();
   reportState();

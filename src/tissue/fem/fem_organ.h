@@ -90,7 +90,7 @@ class FemOrgan final : public OrganBodies {
   /// It does.
   void sleepOn() { rest_.report(&out_); }
   /// Whether it failed so often that the cycle is left out; asked once a cycle.
-  bool isFrozen() { return freeze_.holds(body_.touch.possibleByTools()); }
+  bool isFrozen() { return freeze_.holds(isTouched()); }
   /// Whether it failed that often at all, and of what.
   bool isFailing() const { return freeze_.fails(); }
   solver::SolveStatus failure() const { return freeze_.status(); }
@@ -105,6 +105,14 @@ class FemOrgan final : public OrganBodies {
   /// Its forces at body.x, into `out`; its tolerance is of them from now on. `gradient`: of the
   /// potential, 3 x n [N]; `others`: what they exert on it.
   void takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out);
+  /// Whether a tool may touch it in this cycle.
+  bool isTouched() const { return body_.touch.possibleByTools(); }
+  /// Asked once after a cycle that was solved, of a body that is touched by no tool, nor through
+  /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
+  /// cycle after the other, each of which counts as a failure.
+  bool givesUp(const TissueStep& cycle, bool at_rest);
+  /// It, or another member, does: where it was settled it was at rest with all the others.
+  void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                    const InteractionForce& others);
@@ -121,15 +129,15 @@ class FemOrgan final : public OrganBodies {
   void put(const Points& positions, const Points& velocities);
   bool cameToRest();
   bool isCrushed();
-  bool isStuck() const;
+  bool isStuck(const TissueStep& cycle) const;
   bool isOutsideOfLaw() const;
-  void beginAnew();
-  void leaveRest(solver::SolveStatus why);
+  solver::SolveStatus failureHere() const;
+  void beginAnew(solver::SolveStatus why);
   void fallAsleep();
   void fail();
   void stop();
   void takeFigures(const TissueStep& together);
-  void reportSolved(bool stuck = false);
+  void reportSolved();
   void reportState();
 
   std::shared_ptr<const fem::EnergyTerm> own_load_;
@@ -137,6 +145,7 @@ class FemOrgan final : public OrganBodies {
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
   Freeze freeze_;
+  bool stuck_ = false;  // in this cycle
   Points settled_;
   double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;

@@ -65,6 +65,7 @@ class FemOrgans final : public TissueModel {
     for (const GroupBody& b : bodies_) b.body->begin(obstacles, dt);
     meetings_.find(bodies_, dt, &apart_);
     groups_.step(bodies_, meetings_, dt);
+    if (anyPutBack()) moved();
     report(obstacles, dt);
     return out_;
   }
@@ -78,9 +79,7 @@ class FemOrgans final : public TissueModel {
   void place(int organ, const Points& positions, const Points& velocities) override {
     at(organ).place(0, positions, velocities);
     takeBodies();
-    for (const GroupBody& b : bodies_) b.body->wake();  // what it was to them is another
-    meetings_.forget();
-    groups_.forget();
+    moved();
   }
 
   State state() const override {
@@ -123,6 +122,18 @@ class FemOrgans final : public TissueModel {
   }
   bool mayMeet(const GroupBody& a, const GroupBody& b) const {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
+  }
+
+  bool anyPutBack() const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [](const GroupBody& b) {
+      return b.body->report().recovery == static_cast<int>(Recovery::kPutBack);
+    });
+  }
+  // One is where it did not go: what it was to the others is another.
+  void moved() {
+    for (const GroupBody& b : bodies_) b.body->wake();
+    meetings_.forget();
+    groups_.forget();
   }
 
   void takeBodies() {
