@@ -76,7 +76,7 @@ bool CholmodSolver::solveByEarlierFactor(const fem::Stiffness& A, const Points& 
   }
   *report = iterations_->solve(A, b, within(relative_tolerance), kMostIterations, interrupt(),
                                factor_.get(), x);
-  if (usable(report->status) && !report->in_vain) return true;
+  if (usable(report->status) && (!report->in_vain || isInterrupted(interrupt()))) return true;
   factors_left_ = factors_next_;
   factors_next_ = std::min(kMostFactors, 2 * factors_next_);
   return false;

@@ -38,7 +38,7 @@ LinearReport FactorPcg::solve(const fem::Stiffness& A, const Points& b, double r
     rz = rz_next;
     A.multiply(p_, &Ap_);
     const double curvature = p_.cwiseProduct(Ap_).sum();
-    if (!(curvature > 0.0)) {
+    if (!(curvature > 0.0) || !std::isfinite(curvature)) {
       report.status =
           std::isfinite(curvature) ? SolveStatus::kNotPositiveDefinite : SolveStatus::kNonFinite;
       return report;
@@ -48,6 +48,7 @@ LinearReport FactorPcg::solve(const fem::Stiffness& A, const Points& b, double r
     r_ -= alpha * Ap_;
     ++report.iterations;
   }
+  if (!x->allFinite() || !r_.allFinite()) report.status = SolveStatus::kNonFinite;
   return report;
 }
 

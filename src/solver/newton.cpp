@@ -74,17 +74,24 @@ void Newton::restore(StateReader* in) {
   linear_->restore(in);
 }
 
-// A_ at x, without what is held, about to be solved with. True: its elastic part is kept from an
-// earlier x.
-bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent) {
+// A_ at x, without what is held, and about to be solved with, unless the cycle is cut (false): what
+// it is then is not known to the linear solver, nor what changed since.
+bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent,
+                      const Interrupt* interrupt) {
+  kept_ = false;
   if (!elastic_) {
     potential.hessian(x, tangent, &A_);
     A_.constrain(potential.free);
-    return false;
+    return !isInterrupted(interrupt);
   }
   const KeptStiffness::Assembled assembled = elastic_->hessian(potential, x, tangent, &A_);
+  if (isInterrupted(interrupt)) {
+    elastic_->matrixWasOverwritten();
+    return false;
+  }
+  kept_ = assembled.kept && tangent == fem::Tangent::kExact;
   if (assembled.changed) linear_->onlyChanged(*assembled.changed);
-  return assembled.kept;
+  return true;
 }
 
 // Whether a kept stiffness may serve on.
@@ -98,15 +105,13 @@ LinearReport Newton::direction(const Potential& potential, const Points& x, doub
   constexpr fem::Tangent kTangents[] = {fem::Tangent::kExact, fem::Tangent::kConvexTerms,
                                         fem::Tangent::kProjected};
   LinearReport solved;
-  kept_ = false;
   for (const fem::Tangent* tangent = kTangents; tangent != std::end(kTangents);) {
     {
       const PhaseTimer timer(&report->phases, Phase::kAssembly);
-      kept_ = assemble(potential, x, *tangent) && *tangent == fem::Tangent::kExact;
-    }
-    if (isInterrupted(interrupt)) {
-      solved.status = SolveStatus::kDeadline;
-      return solved;
+      if (!assemble(potential, x, *tangent, interrupt)) {
+        solved.status = SolveStatus::kDeadline;
+        return solved;
+      }
     }
     const PhaseTimer timer(&report->phases, Phase::kLinearSolve);
     solved = linear_->solve(A_, right_, linear_tolerance, &d_);

@@ -45,12 +45,13 @@ class Newton final : public Minimizer {
   LinearReport direction(const Potential& potential, const Points& x, double linear_tolerance,
                          const Interrupt* interrupt, NewtonReport* report);
 
-  bool assemble(const Potential& potential, const Points& x, fem::Tangent tangent);
+  bool assemble(const Potential& potential, const Points& x, fem::Tangent tangent,
+                const Interrupt* interrupt);
   bool servedWell(double residual, double before) const;
 
   fem::Stiffness A_;
   std::unique_ptr<KeptStiffness> elastic_;  // null: none is kept
-  bool kept_ = false;                       // in the last direction
+  bool kept_ = false;  // in the last matrix: its elastic part is from an earlier x
   std::unique_ptr<LinearSolver> linear_;
   LineSearch line_search_;
   Points g_, d_, right_, x_trial_;
