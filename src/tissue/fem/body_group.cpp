@@ -106,7 +106,7 @@ void BodyGroup::step(double dt) {
   members_.front()->addWork(out_);
 }
 
-// All are put back where one is: what they were settled in fits together.
+// All are put back where one is: another one may be where that goes.
 void BodyGroup::endSolved() {
   const bool at_rest = cameToRest();
   const bool touched = std::any_of(members_.begin(), members_.end(),

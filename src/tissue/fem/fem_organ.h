@@ -111,7 +111,7 @@ class FemOrgan final : public OrganBodies {
   /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
   /// cycle after the other, each of which counts as a failure.
   bool givesUp(const TissueStep& cycle, bool at_rest);
-  /// It, or another member, does: where it was settled it was at rest with all the others.
+  /// It, or another member, does: it is where it was settled, at rest.
   void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
