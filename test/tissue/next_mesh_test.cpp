@@ -80,6 +80,51 @@ TEST_P(NextMeshOf, IsPreparedTheSameWhateverTheBodyTouched) {
   EXPECT_EQ(touched->body().x, other->body().x);
 }
 
+// It sags by its weight as the coarse one does, from where little is left to its own rest, which is
+// lower, for a finer mesh is softer.
+TEST(NextMesh, IsPutBackToWhereTheCoarseOneWasSettled) {
+  AdaptiveSlab slab("tet4");
+  slab.adapt.finest = 0.01;
+  slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
+  slab.settings.mass_damping = 60.0;
+  slab.composition = fem::Composition::uniform(
+      material::makeMaterial("st_venant_kirchhoff",
+                             {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.3}}}),
+      1060.0);
+  NextMesh next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
+  const std::unique_ptr<FemOrgan> coarse = next.make();
+  next.setCoarse(coarse.get());
+  coarse->settle();
+  ToolDistance tools(1e-4, 0.01);
+  Ball ball(Vec3(0.05, 0.05, 0.05));
+  tools.look({ball.to(Vec3(0.05, 0.05, 0.05))}, 0.0, coarse->body().x, 0.0);
+  next.begin(coarse->body().x, tools, kStep);
+  const std::unique_ptr<FemOrgan> fine = std::move(next.take().organ);
+  ASSERT_NE(fine, nullptr);
+  const Points& X = fine->body().mesh.points;
+  const double sag = (coarse->settledAt() - coarse->body().mesh.points).cwiseAbs().maxCoeff();
+  EXPECT_GT(sag, 5e-4);
+  EXPECT_NEAR((fine->settledAt() - X).cwiseAbs().maxCoeff(), sag, 1e-12);
+
+  Points x = X;
+  x.row(2) *= -1.0;  // through the plane that holds it
+  fine->place(0, x, Points::Zero(3, x.cols()));
+  int k = 0;
+  do {
+    fine->begin({}, kStep);
+    fine->goAlone(kStep);
+  } while (fine->report().recovery != static_cast<int>(Recovery::kPutBack) && ++k < 2000);
+  EXPECT_LT(k, 2000);
+  EXPECT_EQ(fine->body().x, fine->settledAt());
+  for (k = 0; !fine->report().slept && k < 2000; ++k) {
+    fine->begin({}, kStep);
+    fine->goAlone(kStep);
+  }
+  EXPECT_TRUE(fine->report().slept);
+  const Points& rest = fine->body().x;
+  EXPECT_LT((rest - fine->settledAt()).norm(), 0.25 * (rest - X).norm());
+}
+
 // While a helper makes the next mesh, or prepares the coarse one.
 TEST_P(NextMeshOf, EndsWithItsTissue) {
   AdaptiveSlab slab("tet4");

@@ -112,7 +112,13 @@ void BodyGroup::endSolved() {
   const bool touched = std::any_of(members_.begin(), members_.end(),
                                    [](const FemOrgan* member) { return member->isTouched(); });
   bool anew = false;
-  for (FemOrgan* member : members_) anew |= !touched && member->givesUp(out_, at_rest);
+  for (FemOrgan* member : members_) {
+    if (touched) {
+      member->reached();
+    } else {
+      anew |= member->givesUp(out_, at_rest);
+    }
+  }
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (anew) {
       members_[k]->beginAnewTogether(out_, solver::SolveStatus::kInverted);

@@ -14,6 +14,8 @@ constexpr double kKeptVolume = 0.5;
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
 // Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
 constexpr double kLittle = 1e-4;
+// Of det F: what is more, over some cycles, leads on.
+constexpr double kHeadway = 1e-4;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -59,6 +61,7 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
   freeze_ = Freeze();
+  put_back_ = old.put_back_;
   out_.clear();
 }
 
@@ -99,6 +102,7 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
   freeze_ = Freeze();
+  put_back_ = false;
   rest_.wake();
   out_.clear();
 }
@@ -109,6 +113,8 @@ State FemOrgan::state() const {
   method_->save(&out);
   rest_.save(&out);
   freeze_.save(&out);
+  out.put(stuck_at_);
+  out.put(put_back_);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
 }
 
@@ -119,6 +125,9 @@ void FemOrgan::restore(const State& state) {
   method_->restore(&in);
   rest_.restore(&in);
   freeze_.restore(&in);
+  in.get(&stuck_at_);
+  in.get(&put_back_);
+  if (!std::isfinite(stuck_at_)) StateReader::fail();
   in.finish();
   out_.clear();
 }
@@ -131,6 +140,7 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
   contact_force_ = body_.contact_force;
   support_force_ = body_.support_force;
+  if (isTouched()) reached();
 }
 
 void FemOrgan::goAlone(double dt) {
@@ -227,17 +237,25 @@ bool FemOrgan::cameToRest() {
 
 // At rest, but folded through itself: what a leap of a tool can leave, which no force mends, for
 // the folds are in balance. Corners of quadratic elements are curled over where their integration
-// points see nothing.
+// points see nothing. What comes to rest so again, with no tool in between, is pressed so: by its
+// load, or by another organ.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
-  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+  return !put_back_ && now < kCrushed &&
+         now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
 }
 
-// Inside out it hardly moves, and yet does not come to rest.
-bool FemOrgan::isStuck(const TissueStep& cycle) const {
-  return cycle.status != solver::SolveStatus::kDeadline && cycle.newton_iterations > 0 &&
-         rest_.way(body_.x) <= kLittle * body_.size &&
-         body_.elasticity->minJacobianWithin(body_.x) <= 0.0;
+// Inside out it hardly moves, and yet does not come to rest, nor nearer to being turned back.
+bool FemOrgan::isStuck(const TissueStep& cycle) {
+  if (cycle.status == solver::SolveStatus::kDeadline || cycle.newton_iterations == 0) return false;
+  if (rest_.way(body_.x) > kLittle * body_.size) return false;
+  const double now = body_.elasticity->minJacobianWithin(body_.x);
+  if (now > 0.0) return false;
+  if (!freeze_.any() || now > stuck_at_ + kHeadway) {
+    stuck_at_ = now;
+    freeze_.solved();
+  }
+  return true;
 }
 
 bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
@@ -268,6 +286,7 @@ solver::SolveStatus FemOrgan::failureHere() const {
 void FemOrgan::beginAnew(solver::SolveStatus why) {
   const StepFigures figures = out_;
   put(settled_, Points::Zero(3, settled_.cols()));
+  put_back_ = true;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;

@@ -69,6 +69,9 @@ class FemOrgan final : public OrganBodies {
   }
 
   const FemBody& body() const { return body_; }
+  /// Where it is at rest untouched, 3 x n [m]: where settle() found it, or as it was told.
+  const Points& settledAt() const { return settled_; }
+  void setSettledAt(Points x) { settled_ = std::move(x); }
   /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
   void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
   void goAlone(double dt);
@@ -111,6 +114,8 @@ class FemOrgan final : public OrganBodies {
   /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
   /// cycle after the other, each of which counts as a failure.
   bool givesUp(const TissueStep& cycle, bool at_rest);
+  /// A tool was near it, or near another member.
+  void reached() { put_back_ = false; }
   /// It, or another member, does: it is where it was settled, at rest.
   void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
@@ -129,7 +134,7 @@ class FemOrgan final : public OrganBodies {
   void put(const Points& positions, const Points& velocities);
   bool cameToRest();
   bool isCrushed();
-  bool isStuck(const TissueStep& cycle) const;
+  bool isStuck(const TissueStep& cycle);
   bool isOutsideOfLaw() const;
   solver::SolveStatus failureHere() const;
   void beginAnew(solver::SolveStatus why);
@@ -145,7 +150,9 @@ class FemOrgan final : public OrganBodies {
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
   Freeze freeze_;
-  bool stuck_ = false;  // in this cycle
+  bool stuck_ = false;     // in this cycle
+  double stuck_at_ = 0.0;  // least det F as it began to be
+  bool put_back_ = false;  // since a tool was near
   Points settled_;
   double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;
