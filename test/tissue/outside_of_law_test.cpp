@@ -60,5 +60,55 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereForcesCannotBeReckonedWith) {
   }
 }
 
+// An organ that is carried 25 mm, as high as an element: it goes on from there, not by a leap.
+TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereItIsCarriedTo) {
+  const material::Material law =
+      material::makeMaterial("neo_hookean", {{"young_modulus", {6e3}}, {"poisson_ratio", {0.45}}});
+  Wave wave;
+  wave.amplitude = Vec3(0.025, 0.0, 0.0);
+  for (const char* method : {"implicit_pcg", "implicit_direct", "lbfgs", "tled"}) {
+    for (const bool springs : {false, true}) {
+      Slab slab(Eigen::Vector3i(4, 4, 2));
+      slab.settings.method = method;
+      slab.settings.gravity.setZero();
+      slab.settings.mass_damping = 20.0;
+      Surroundings surroundings(slab.free);
+      std::vector<int> bottom;
+      for (int i = 0; i < slab.mesh.numPoints(); ++i) {
+        if (slab.free(2, i) == 0.0) bottom.push_back(i);
+      }
+      if (springs) {
+        surroundings.free.setOnes();
+        surroundings.springs.push_back({bottom, {1e7, 1e7, 0.0}, Motion(wave)});
+      } else {
+        surroundings.carried.push_back({bottom, Motion(wave)});
+      }
+      const auto make = [&] {
+        return makeFemTissue(slab.mesh, fem::Composition::uniform(law, 1060.0), surroundings,
+                             slab.settings, nullptr);
+      };
+      const auto tissue = make(), alike = make();
+      for (int k = 0; k < 124; ++k) {  // to the second crest
+        tissue->step({}, kStep);
+        alike->step({}, kStep);
+      }
+      Points inside_out = tissue->positions();
+      inside_out.row(2) *= -1.0;
+      tissue->place(0, inside_out, Points::Zero(3, inside_out.cols()));
+      const TissueStep& put = tissue->step({}, kStep);
+      EXPECT_EQ(put.recovery, static_cast<int>(Recovery::kPutBack)) << method;
+      alike->step({}, kStep);
+      // The braking of the crest, 1 m/s^2, and the way in a cycle without it.
+      const double off = (tissue->positions() - alike->positions()).colwise().norm().maxCoeff();
+      EXPECT_LT(off, 1e-3) << method << springs;
+      for (int k = 0; k < 20; ++k) {
+        const TissueStep& step = tissue->step({}, kStep);
+        EXPECT_TRUE(step.ok()) << method << springs << ", " << k;
+        EXPECT_GT(step.min_jacobian, 0.9) << method << springs << ", " << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace palpate::tissue

@@ -27,7 +27,7 @@ BodySurroundings::BodySurroundings(const Surroundings& surroundings, const mesh:
   const Eigen::MatrixXi surface = mesh::boundaryFaces(mesh);
   for (const SpringSupport& s : surroundings.springs) {
     const Eigen::MatrixXi faces = fem::selectFaces(surface, s.nodes);
-    springs_.push_back({fem::Foundation(mesh.points, faces, s.constants), s.motion});
+    springs_.push_back({s.nodes, fem::Foundation(mesh.points, faces, s.constants), s.motion});
     moves_ = moves_ || s.motion.has_value();
   }
   for (const PressedFaces& p : surroundings.pressures) {
@@ -89,6 +89,24 @@ void BodySurroundings::carryTo(double s, Points* x) const {
       x->col(c.nodes[k]) = c.rest.col(static_cast<Eigen::Index>(k)) + offset;
     }
   }
+}
+
+void BodySurroundings::follow(const fem::FreeMask& free, Points* x) const {
+  if (!moves_) return;
+  Vec3 sum = Vec3::Zero();
+  std::size_t count = 0;
+  for (const Carried& c : carried_) {
+    sum += static_cast<double>(c.nodes.size()) * c.motion.at(at(1.0));
+    count += c.nodes.size();
+  }
+  for (const Springs& s : springs_) {
+    if (s.motion) sum += static_cast<double>(s.nodes.size()) * s.motion->at(at(1.0));
+    count += s.nodes.size();
+  }
+  const fem::FreeMask can = movable(free);
+  for (Eigen::Index i = 0; i < can.cols(); ++i) count += can.col(i).isZero();
+  if (count > 0) *x += (sum / static_cast<double>(count)).asDiagonal() * can;
+  carryTo(1.0, x);
 }
 
 void BodySurroundings::reset() {

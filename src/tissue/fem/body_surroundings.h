@@ -51,6 +51,10 @@ class BodySurroundings {
   void carry(double s, const Points& x, Points* way) const;
   /// Puts the carried nodes of x there.
   void carryTo(double s, Points* x) const;
+  /// A body at x, 3 x n [m], at time zero, where it would be carried to by the end of the cycle: by
+  /// the mean way of all nodes that are held, carried or on springs, but for those whose way is
+  /// known. All of it is moved likewise where one motion moves all of these.
+  void follow(const fem::FreeMask& free, Points* x) const;
   /// Back to time zero.
   void reset();
 
@@ -73,6 +77,7 @@ class BodySurroundings {
     Motion motion;
   };
   struct Springs {
+    std::vector<int> nodes;
     fem::Foundation foundation;
     std::optional<Motion> motion;
   };

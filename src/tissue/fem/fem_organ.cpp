@@ -282,10 +282,13 @@ solver::SolveStatus FemOrgan::failureHere() const {
 }
 
 // No step leads away from where it is, or all fail with no tool near, or what it came to rest in is
-// no shape of a body: where it was settled, at rest.
+// no shape of a body: where it was settled, at rest, as its supports have moved since.
 void FemOrgan::beginAnew(solver::SolveStatus why) {
   const StepFigures figures = out_;
-  put(settled_, Points::Zero(3, settled_.cols()));
+  Points at = settled_;
+  body_.surroundings.place(1.0);
+  body_.surroundings.follow(body_.free, &at);
+  put(at, Points::Zero(3, at.cols()));
   put_back_ = true;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
