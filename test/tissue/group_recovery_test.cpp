@@ -169,6 +169,26 @@ TEST(GroupRecovery, PutsBackWhatRestsCrushed) {
   expectPutBack(slab, mirrored(slab), 0.01);
 }
 
+// Two that are far away, and remember where they met, take no notice of that.
+TEST(GroupRecovery, LeavesOthersAsTheyAre) {
+  const OrganSketch slab = foldable();
+  std::vector<OrganSketch> pair = test::twoBlocks(0.003);
+  for (OrganSketch& organ : pair) organ.mesh.points.row(1).array() += 1.0;
+  ModelSettings remember = settings();
+  remember.interactions = {test::repulsion<50>()};
+  const auto all = makeOrgans({slab, neighbour(), pair[0], pair[1]}, remember);
+  const auto alone = makeOrgans(pair, remember);
+  const Points x = mirrored(slab);
+  all->place(0, x, Points::Zero(3, x.cols()));
+  bool put_back = false;
+  for (int k = 0; k < 600 && !(put_back && k % 50 == 0); ++k) {
+    put_back |= all->step({}, 0.01).recovery == static_cast<int>(Recovery::kPutBack);
+    alone->step({}, 0.01);
+    for (int o = 0; o < 2; ++o) ASSERT_EQ(all->positions(2 + o), alone->positions(o)) << k;
+  }
+  EXPECT_TRUE(put_back);
+}
+
 // A slab that its neighbour presses flat: put back, it is pressed so again, and rests so.
 TEST(GroupRecovery, PutsBackOnceWhatIsPressed) {
   OrganSketch slab = foldable();

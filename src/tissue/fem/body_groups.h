@@ -22,6 +22,12 @@ class BodyGroups {
   void forget() {
     for (Group& group : groups_) group.lasts = false;
   }
+  /// Those are that belong together with one of these, of each whether it is one.
+  void forgetOf(const std::vector<char>& bodies) {
+    for (Group& group : groups_) {
+      for (const std::size_t k : group.bodies) group.lasts = group.lasts && !bodies[k];
+    }
+  }
   void save(StateWriter* out) const;
   void restore(const std::vector<GroupBody>& bodies, StateReader* in);
 

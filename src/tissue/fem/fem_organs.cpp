@@ -65,7 +65,7 @@ class FemOrgans final : public TissueModel {
     for (const GroupBody& b : bodies_) b.body->begin(obstacles, dt);
     meetings_.find(bodies_, dt, &apart_);
     groups_.step(bodies_, meetings_, dt);
-    if (anyPutBack()) moved();
+    startAnewWhatIsPutBack();
     report(obstacles, dt);
     return out_;
   }
@@ -79,7 +79,9 @@ class FemOrgans final : public TissueModel {
   void place(int organ, const Points& positions, const Points& velocities) override {
     at(organ).place(0, positions, velocities);
     takeBodies();
-    moved();
+    for (const GroupBody& b : bodies_) b.body->wake();
+    meetings_.forget();
+    groups_.forget();
   }
 
   State state() const override {
@@ -124,16 +126,20 @@ class FemOrgans final : public TissueModel {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
   }
 
-  bool anyPutBack() const {
-    return std::any_of(bodies_.begin(), bodies_.end(), [](const GroupBody& b) {
-      return b.body->report().recovery == static_cast<int>(Recovery::kPutBack);
-    });
-  }
-  // One is where it did not go: what it was to the others is another.
-  void moved() {
-    for (const GroupBody& b : bodies_) b.body->wake();
-    meetings_.forget();
-    groups_.forget();
+  // It is where it did not go: what it was to the others is another.
+  void startAnewWhatIsPutBack() {
+    put_back_.clear();
+    for (const GroupBody& b : bodies_) {
+      put_back_.push_back(b.body->report().recovery == static_cast<int>(Recovery::kPutBack));
+    }
+    if (std::find(put_back_.begin(), put_back_.end(), 1) == put_back_.end()) return;
+    for (const std::unique_ptr<Meeting>& m : meetings_.all()) {
+      if (!m->acts || (!put_back_[m->a] && !put_back_[m->b])) continue;
+      bodies_[m->a].body->wake();
+      bodies_[m->b].body->wake();
+    }
+    meetings_.forgetOf(put_back_);
+    groups_.forgetOf(put_back_);
   }
 
   void takeBodies() {
@@ -176,7 +182,8 @@ class FemOrgans final : public TissueModel {
   std::vector<FemOrgan*> found_;
   Meetings meetings_;
   BodyGroups groups_;
-  std::vector<int> apart_;  // of each body
+  std::vector<int> apart_;      // of each body
+  std::vector<char> put_back_;  // likewise, in this cycle
   std::vector<TissueStep> reports_;
   TissueStep out_;
 };

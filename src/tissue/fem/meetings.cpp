@@ -83,6 +83,12 @@ void Meetings::takeBodies(const std::vector<GroupBody>& bodies, Meeting* m) {
   m->revision_b = b;
 }
 
+void Meetings::forgetOf(const std::vector<char>& bodies) {
+  for (const std::unique_ptr<Meeting>& m : meetings_) {
+    if (bodies[m->a] || bodies[m->b]) m->term.reset();
+  }
+}
+
 void Meetings::save(StateWriter* out) const {
   std::int64_t count = 0;
   for (const std::unique_ptr<Meeting>& m : meetings_) count += m->term != nullptr;

@@ -48,6 +48,8 @@ class Meetings {
 
   /// As new.
   void forget() { meetings_.clear(); }
+  /// Likewise what concerns one of these bodies, of each whether it is one.
+  void forgetOf(const std::vector<char>& bodies);
   void save(StateWriter* out) const;
   void restore(const std::vector<GroupBody>& bodies, StateReader* in);
 
