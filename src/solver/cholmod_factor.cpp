@@ -29,15 +29,18 @@ void CholmodFactor::analyzeUncoupled(const fem::Stiffness& A) {
     common_.supernodal = CHOLMOD_SIMPLICIAL;
     common_.final_ll = 0;
   }
-  uncoupled_.factor = cholmod_analyze(uncoupled_.matrix->sparse(), &common_);
+  takeFactor(&uncoupled_, cholmod_analyze(uncoupled_.matrix->sparse(), &common_));
   padded_.setZero(static_cast<Eigen::Index>(uncoupled_.matrix->sparse()->nrow));
   const auto* order = static_cast<const int*>(uncoupled_.factor->Perm);
   order_.assign(order, order + uncoupled_.factor->n);
-  takeOrder(&uncoupled_);
   used_ = &uncoupled_;
 }
 
-void CholmodFactor::takeOrder(Analysed* analysed) {
+// The one that was analysed just now.
+void CholmodFactor::takeFactor(Analysed* analysed, cholmod_factor* factor) {
+  analysed->factor = factor;
+  analysed->flops = common_.fl;
+  analysed->nonzeros = common_.lnz;
   analysed->ordered.reset();
   if (!analysed->factor->is_super) return;
   analysed->ordered =
@@ -57,9 +60,8 @@ void CholmodFactor::analyze(const fem::Stiffness& A) {
   const int methods = common_.nmethods, ordering = common_.method[0].ordering;
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_GIVEN;
-  coupled_.factor =
-      cholmod_analyze_p(coupled_.matrix->sparse(), order_.data(), nullptr, 0, &common_);
-  takeOrder(&coupled_);
+  takeFactor(&coupled_,
+             cholmod_analyze_p(coupled_.matrix->sparse(), order_.data(), nullptr, 0, &common_));
   common_.nmethods = methods;
   common_.method[0].ordering = ordering;
 }

@@ -31,21 +31,22 @@ class CholmodFactor {
   /// x = A^-1 b, both 3 x n, with the last matrix that had a factor. kNonFinite if x is not finite.
   SolveStatus solve(const Points& b, Points* x);
 
-  /// Multiplications and additions of one factorize(), after analyze().
-  double flops() const { return common_.fl; }
-  /// Numbers in the factor, after analyze().
-  double nonzeros() const { return common_.lnz; }
+  /// Multiplications and additions of one factorize() of the matrix that was analysed last.
+  double flops() const { return used_->flops; }
+  /// Numbers in its factor.
+  double nonzeros() const { return used_->nonzeros; }
 
  private:
   struct Analysed {
     std::unique_ptr<CholmodMatrix> matrix;
     cholmod_factor* factor = nullptr;
     std::unique_ptr<OrderedMatrix> ordered;  // null: the factor is not supernodal
+    double flops = 0.0, nonzeros = 0.0;
   };
 
   bool positiveDefinite() const;
   void analyzeUncoupled(const fem::Stiffness& A);
-  void takeOrder(Analysed* analysed);
+  void takeFactor(Analysed* analysed, cholmod_factor* factor);
 
   Volumes volumes_;
   cholmod_common common_;

@@ -105,6 +105,16 @@ TEST_P(Coupled, HoldsBesideThePatternOnlyWhatIsNotInIt) {
   EXPECT_LT((s.dense - s.dense.transpose()).norm(), 1e-12 * s.dense.norm());
 }
 
+// Whichever was analysed first, and whichever last.
+TEST_P(Coupled, CostsWhatItsOwnAnalysisSays) {
+  fem::Stiffness alone = s.A;
+  alone.forgetAdded();
+  CholmodSolver solver;
+  const double seconds = solver.seconds(alone);
+  EXPECT_GT(solver.seconds(s.A), seconds);
+  EXPECT_EQ(solver.seconds(alone), seconds);
+}
+
 TEST_P(Coupled, MultipliesScalesAndIsConstrainedAsADenseMatrix) {
   Points y;
   s.A.multiply(s.b, &y);

@@ -19,10 +19,10 @@ class StaleFactor;
 /// pressures are found by iterations, to the tolerance asked for and 1e-3 at least; otherwise all
 /// of it is.
 ///
-/// A factor serves the matrices of its cycle that follow, which differ by contact and by what a
-/// Newton step moved: as the preconditioner of conjugate gradients, to the same tolerance, in no
-/// more iterations than cost as much as another factor. Where these find nothing, a matrix is
-/// factorised, and the next 1, 2, 4 ... of the cycle at once.
+/// A factor of all of a matrix serves those of its cycle that follow, which differ by contact and
+/// by what a Newton step moved: as the preconditioner of conjugate gradients, to the same
+/// tolerance, in no more iterations than cost as much as another factor. Where these find nothing,
+/// a matrix is factorised, and the next 1, 2, 4 ... of the cycle at once.
 class CholmodSolver final : public LinearSolver {
  public:
   CholmodSolver();
