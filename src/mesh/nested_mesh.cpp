@@ -221,6 +221,12 @@ std::unique_ptr<MeshChange> NestedMesh::adapt(const Points& x, const Size& size,
 
 bool NestedMesh::isComplete() const { return impl_->complete; }
 
+MeshChange NestedMesh::changeFromCoarse() const {
+  Cut none;
+  none.cover(impl_->tree);
+  return changeBetween(impl_->tree, impl_->leavesOf(none), none, impl_->leaves);
+}
+
 void NestedMesh::coarsen() {
   impl_->cut = Cut();
   impl_->cut.cover(impl_->tree);

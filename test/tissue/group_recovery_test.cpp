@@ -57,18 +57,17 @@ OrganSketch neighbour() {
   return organ;
 }
 
-// Pulls what is highest of the slab to a twentieth of its height above what is lowest of the wall,
-// in z.
+// Pulls what is highest of the slab to a part of its height above what is lowest of the wall, in z.
 class LidTerm final : public InteractionTerm {
  public:
-  LidTerm(const Points& slab, const Points& wall) {
+  LidTerm(const Points& slab, const Points& wall, double part) {
     for (int i = 0; i < slab.cols(); ++i) {
       if (slab(2, i) >= slab.row(2).maxCoeff()) top_.push_back(i);
     }
     Eigen::Index low = 0;
     wall.row(2).minCoeff(&low);
     low_ = static_cast<int>(slab.cols() + low);
-    gap_ = 0.05 * (slab.row(2).maxCoeff() - slab.row(2).minCoeff());
+    gap_ = part * (slab.row(2).maxCoeff() - slab.row(2).minCoeff());
   }
   void search(const Points&, double) override {}
   bool holds(const Points&) const override { return true; }
@@ -106,14 +105,25 @@ class LidTerm final : public InteractionTerm {
 
 class Lid final : public Interaction {
  public:
+  explicit Lid(double part) : part_(part) {}
   bool possible(const InteractingBody& a, const InteractingBody& b) const override {
     return &a != &b;
   }
   std::unique_ptr<InteractionTerm> make(const InteractingBody& a,
                                         const InteractingBody& b) const override {
-    return std::make_unique<LidTerm>(a.X, b.X);
+    return std::make_unique<LidTerm>(a.X, b.X, part_);
   }
+
+ private:
+  double part_;
 };
+
+template <int percent>
+InteractionEntry lid() {
+  return {"lid", [](const ModelSettings&) {
+            return std::shared_ptr<const Interaction>(new Lid(0.01 * percent));
+          }};
+}
 
 // Through its middle, but for what is held.
 Points pointReflected(const OrganSketch& organ) {
@@ -189,25 +199,43 @@ TEST(GroupRecovery, LeavesOthersAsTheyAre) {
   EXPECT_TRUE(put_back);
 }
 
-// A slab that its neighbour presses flat: put back, it is pressed so again, and rests so.
+// What became of a slab that its neighbour presses.
+struct Pressed {
+  int put_back = 0, asleep = 0;  // cycles
+  double least = 1.0;            // det F
+};
+Pressed press(const OrganSketch& slab, const InteractionEntry& lid, int cycles) {
+  ModelSettings pressed = settings();
+  pressed.interactions = {lid};
+  const auto tissue = makeOrgans({slab, neighbour()}, pressed);
+  Pressed out;
+  for (int k = 0; k < cycles && out.asleep < 100; ++k) {
+    const TissueStep& step = tissue->step({}, 0.01);
+    out.put_back += step.recovery == static_cast<int>(Recovery::kPutBack);
+    out.asleep += step.slept;
+    out.least = std::min(out.least, step.min_jacobian);
+  }
+  return out;
+}
+
+// Flat: put back, it is pressed so again, and rests so.
 TEST(GroupRecovery, PutsBackOnceWhatIsPressed) {
   OrganSketch slab = foldable();
   slab.solid = solidOf("stable_neo_hookean", 0.0);
-  ModelSettings pressed = settings();
-  pressed.interactions = {
-      {"lid", [](const ModelSettings&) { return std::shared_ptr<const Interaction>(new Lid()); }}};
-  const auto tissue = makeOrgans({slab, neighbour()}, pressed);
-  int put_back = 0, asleep = 0;
-  double least = 1.0;
-  for (int k = 0; k < 600 && asleep < 100; ++k) {
-    const TissueStep& step = tissue->step({}, 0.01);
-    put_back += step.recovery == static_cast<int>(Recovery::kPutBack);
-    asleep += step.slept;
-    least = std::min(least, step.min_jacobian);
-  }
-  EXPECT_LT(least, 0.1);  // else it is not as flat as what is taken for crushed
-  EXPECT_EQ(put_back, 1);
-  EXPECT_EQ(asleep, 100);
+  const Pressed done = press(slab, lid<5>(), 600);
+  EXPECT_LT(done.least, 0.1);  // else it is not as flat as what is taken for crushed
+  EXPECT_EQ(done.put_back, 1);
+  EXPECT_EQ(done.asleep, 100);
+}
+
+// Likewise inside out.
+TEST(GroupRecovery, PutsBackOnceWhatIsPressedInsideOut) {
+  OrganSketch slab = foldable();
+  slab.solid = solidOf("stable_neo_hookean", 0.3);
+  const Pressed done = press(slab, lid<-200>(), 600);
+  EXPECT_LT(done.least, 0.0);
+  EXPECT_EQ(done.put_back, 1);
+  EXPECT_EQ(done.asleep, 100);
 }
 
 }  // namespace

@@ -82,9 +82,14 @@ TEST_P(NextMeshOf, IsPreparedTheSameWhateverTheBodyTouched) {
 
 // It sags by its weight as the coarse one does, from where little is left to its own rest, which is
 // lower, for a finer mesh is softer.
-TEST(NextMesh, IsPutBackToWhereTheCoarseOneWasSettled) {
-  AdaptiveSlab slab("tet4");
-  slab.adapt.finest = 0.01;
+class RefinedOrgan : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Elements, RefinedOrgan, ::testing::Values("tet4", "tet10"),
+                         [](const auto& element) { return std::string(element.param); });
+
+TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
+  const bool quadratic = std::string(GetParam()) == "tet10";
+  AdaptiveSlab slab(GetParam(), quadratic ? Eigen::Vector3i(2, 2, 1) : Eigen::Vector3i(4, 4, 2));
+  slab.adapt.finest = quadratic ? 0.025 : 0.015;
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   slab.settings.mass_damping = 60.0;
   slab.composition = fem::Composition::uniform(
@@ -105,6 +110,11 @@ TEST(NextMesh, IsPutBackToWhereTheCoarseOneWasSettled) {
   const double sag = (coarse->settledAt() - coarse->body().mesh.points).cwiseAbs().maxCoeff();
   EXPECT_GT(sag, 5e-4);
   EXPECT_NEAR((fine->settledAt() - X).cwiseAbs().maxCoeff(), sag, 1e-12);
+  // As the coarse one has it there, by the shape functions of its elements.
+  const FemBody &of_coarse = coarse->body(), &of_fine = fine->body();
+  EXPECT_NEAR(of_fine.elasticity->energy(fine->settledAt()),
+              of_coarse.elasticity->energy(coarse->settledAt()),
+              1e-2 * of_coarse.elasticity->energy(coarse->settledAt()));
 
   Points x = X;
   x.row(2) *= -1.0;  // through the plane that holds it

@@ -60,7 +60,7 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereForcesCannotBeReckonedWith) {
   }
 }
 
-// An organ that is carried 25 mm, as high as an element: it goes on from there, not by a leap.
+// An organ that is carried 25 mm, as wide as an element: it goes on from there, not by a leap.
 TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereItIsCarriedTo) {
   const material::Material law =
       material::makeMaterial("neo_hookean", {{"young_modulus", {6e3}}, {"poisson_ratio", {0.45}}});
@@ -106,6 +106,41 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereItIsCarriedTo) {
         EXPECT_TRUE(step.ok()) << method << springs << ", " << k;
         EXPECT_GT(step.min_jacobian, 0.9) << method << springs << ", " << k;
       }
+    }
+  }
+}
+
+// Of which a part is held and another one carried, as far as half an element, there is no such
+// place: it goes on from where it was at rest first, in as many cycles as it takes.
+TEST(OutsideOfItsLaw, AnOrganBeginsAnewThatIsHeldAndCarried) {
+  const material::Material law =
+      material::makeMaterial("neo_hookean", {{"young_modulus", {6e3}}, {"poisson_ratio", {0.45}}});
+  Wave wave;
+  wave.amplitude = Vec3(0.0, 0.0, 0.0125);
+  for (const char* method : {"implicit_pcg", "implicit_direct", "lbfgs"}) {
+    Slab slab(Eigen::Vector3i(4, 4, 2));
+    slab.settings.method = method;
+    slab.settings.gravity.setZero();
+    slab.settings.mass_damping = 20.0;
+    Surroundings surroundings(slab.free);
+    std::vector<int> top;
+    for (int i = 0; i < slab.mesh.numPoints(); ++i) {
+      if (slab.mesh.points(2, i) > slab.mesh.points.row(2).maxCoeff() - 1e-9) top.push_back(i);
+    }
+    for (const int i : top) surroundings.free.col(i).setZero();
+    surroundings.carried.push_back({top, Motion(wave)});
+    const auto tissue = makeFemTissue(slab.mesh, fem::Composition::uniform(law, 1060.0),
+                                      surroundings, slab.settings, nullptr);
+    for (int k = 0; k < 124; ++k) tissue->step({}, kStep);
+    Points inside_out = tissue->positions();
+    inside_out.row(2) *= -1.0;
+    tissue->place(0, inside_out, Points::Zero(3, inside_out.cols()));
+    EXPECT_EQ(tissue->step({}, kStep).recovery, static_cast<int>(Recovery::kPutBack)) << method;
+    for (int k = 0; k < 50; ++k) tissue->step({}, kStep);
+    for (int k = 0; k < 50; ++k) {
+      const TissueStep& step = tissue->step({}, kStep);
+      EXPECT_TRUE(step.ok()) << method << ", " << k;
+      EXPECT_GT(step.min_jacobian, 0.3) << method << ", " << k;
     }
   }
 }

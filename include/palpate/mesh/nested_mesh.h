@@ -59,6 +59,8 @@ class NestedMesh {
   std::unique_ptr<MeshChange> adapt(const Points& x, const Size& size, const Limits& limits);
   /// Whether the last adapt() did all that it was asked for.
   bool isComplete() const;
+  /// How the coarse mesh, numbered as mesh() was then, became this one.
+  MeshChange changeFromCoarse() const;
   /// Becomes the coarse mesh.
   void coarsen();
 

@@ -82,12 +82,20 @@ bool BodyGroup::cameToRest() {
   return unbalanced <= bodies_.tolerance();
 }
 
+bool BodyGroup::isTouched() const {
+  return std::any_of(members_.begin(), members_.end(),
+                     [](const FemOrgan* member) { return member->isTouched(); });
+}
+
 void BodyGroup::step(double dt) {
   const bool sleeps = std::all_of(members_.begin(), members_.end(),
                                   [](const FemOrgan* member) { return member->sleeps(); });
   if (sleeps) {
     for (FemOrgan* member : members_) member->sleepOn();
     return;
+  }
+  if (isTouched()) {
+    for (FemOrgan* member : members_) member->reached();
   }
   if (const FemOrgan* failing = frozenMember()) {
     for (FemOrgan* member : members_) member->stayFrozen(failing->failure());
@@ -109,16 +117,9 @@ void BodyGroup::step(double dt) {
 // All are put back where one is: another one may be where that goes.
 void BodyGroup::endSolved() {
   const bool at_rest = cameToRest();
-  const bool touched = std::any_of(members_.begin(), members_.end(),
-                                   [](const FemOrgan* member) { return member->isTouched(); });
+  const bool touched = isTouched();
   bool anew = false;
-  for (FemOrgan* member : members_) {
-    if (touched) {
-      member->reached();
-    } else {
-      anew |= member->givesUp(out_, at_rest);
-    }
-  }
+  for (FemOrgan* member : members_) anew |= !touched && member->givesUp(out_, at_rest);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (anew) {
       members_[k]->beginAnewTogether(out_, solver::SolveStatus::kInverted);

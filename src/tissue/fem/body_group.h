@@ -35,6 +35,7 @@ class BodyGroup {
   std::unique_ptr<solver::Minimizer> makeMinimizer();
   const FemOrgan* frozenMember() const;
   bool cameToRest();
+  bool isTouched() const;
   void endSolved();
 
   std::vector<FemOrgan*> members_;

@@ -23,11 +23,12 @@ BodySurroundings::BodySurroundings(const Surroundings& surroundings, const mesh:
     carried.rest = mesh.points(Eigen::all, carried.nodes);
     carried_.push_back(carried);
   }
+  holds_still_ = (movable(surroundings.free).array() == 0.0).any();
   if (surroundings.springs.empty() && surroundings.pressures.empty()) return;
   const Eigen::MatrixXi surface = mesh::boundaryFaces(mesh);
   for (const SpringSupport& s : surroundings.springs) {
     const Eigen::MatrixXi faces = fem::selectFaces(surface, s.nodes);
-    springs_.push_back({s.nodes, fem::Foundation(mesh.points, faces, s.constants), s.motion});
+    springs_.push_back({fem::Foundation(mesh.points, faces, s.constants), s.motion});
     moves_ = moves_ || s.motion.has_value();
   }
   for (const PressedFaces& p : surroundings.pressures) {
@@ -91,30 +92,28 @@ void BodySurroundings::carryTo(double s, Points* x) const {
   }
 }
 
-void BodySurroundings::follow(const fem::FreeMask& free, Points* x) const {
-  if (!moves_) return;
-  Vec3 sum = Vec3::Zero();
-  std::size_t count = 0;
-  for (const Carried& c : carried_) {
-    sum += static_cast<double>(c.nodes.size()) * c.motion.at(at(1.0));
-    count += c.nodes.size();
+Vec3 BodySurroundings::commonWay(double s) const {
+  std::optional<Vec3> common;
+  bool alike = !holds_still_;
+  const auto take = [&](const Vec3& way) {
+    alike = alike && way == common.value_or(way);
+    common = way;
+  };
+  for (const Carried& c : carried_) take(c.motion.at(at(s)));
+  for (const Springs& springs : springs_) {
+    take(springs.motion ? springs.motion->at(at(s)) : Vec3::Zero());
   }
-  for (const Springs& s : springs_) {
-    if (s.motion) sum += static_cast<double>(s.nodes.size()) * s.motion->at(at(1.0));
-    count += s.nodes.size();
-  }
-  const fem::FreeMask can = movable(free);
-  for (Eigen::Index i = 0; i < can.cols(); ++i) count += can.col(i).isZero();
-  if (count > 0) *x += (sum / static_cast<double>(count)).asDiagonal() * can;
-  carryTo(1.0, x);
+  return alike ? common.value_or(Vec3::Zero()) : Vec3::Zero();
+}
+
+void BodySurroundings::rest() {
+  place(1.0);
+  for (Springs& s : springs_) s.foundation.beginStep(std::numeric_limits<double>::infinity(), {});
 }
 
 void BodySurroundings::reset() {
   time_ = cycle_ = 0.0;
-  place(0.0);
-  for (Springs& s : springs_) {
-    s.foundation.beginStep(std::numeric_limits<double>::infinity(), {});
-  }
+  rest();
 }
 
 fem::FreeMask BodySurroundings::movable(fem::FreeMask free) const {

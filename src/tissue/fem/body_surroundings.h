@@ -51,10 +51,11 @@ class BodySurroundings {
   void carry(double s, const Points& x, Points* way) const;
   /// Puts the carried nodes of x there.
   void carryTo(double s, Points* x) const;
-  /// A body at x, 3 x n [m], at time zero, where it would be carried to by the end of the cycle: by
-  /// the mean way of all nodes that are held, carried or on springs, but for those whose way is
-  /// known. All of it is moved likewise where one motion moves all of these.
-  void follow(const fem::FreeMask& free, Points* x) const;
+  /// How far all that holds the body has moved by part `s` of the cycle [m]; zero where it does not
+  /// move alike, or a component is held that does not move.
+  Vec3 commonWay(double s) const;
+  /// Springs are where they are at the end of the cycle, as if nothing moved.
+  void rest();
   /// Back to time zero.
   void reset();
 
@@ -77,7 +78,6 @@ class BodySurroundings {
     Motion motion;
   };
   struct Springs {
-    std::vector<int> nodes;
     fem::Foundation foundation;
     std::optional<Motion> motion;
   };
@@ -86,7 +86,7 @@ class BodySurroundings {
   std::vector<Carried> carried_;
   std::vector<Springs> springs_;
   std::vector<fem::CavityPressure> cavities_;
-  bool moves_, damps_, resists_volumes_;
+  bool moves_, damps_, resists_volumes_, holds_still_;
   double time_ = 0.0, cycle_ = 0.0;  // [s]
 };
 

@@ -14,8 +14,8 @@ constexpr double kKeptVolume = 0.5;
 constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
 // Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
 constexpr double kLittle = 1e-4;
-// Of det F: what is more, over some cycles, leads on.
-constexpr double kHeadway = 1e-4;
+// Of det F, or of one: what is more, over some cycles, leads on.
+constexpr double kHeadway = 0.01;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -61,7 +61,8 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
   freeze_ = Freeze();
-  put_back_ = old.put_back_;
+  stuck_at_ = kNotStuck;
+  was_folded_ = old.was_folded_;
   out_.clear();
 }
 
@@ -102,7 +103,8 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
   freeze_ = Freeze();
-  put_back_ = false;
+  stuck_at_ = kNotStuck;
+  was_folded_ = false;
   rest_.wake();
   out_.clear();
 }
@@ -114,7 +116,7 @@ State FemOrgan::state() const {
   rest_.save(&out);
   freeze_.save(&out);
   out.put(stuck_at_);
-  out.put(put_back_);
+  out.put(was_folded_);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
 }
 
@@ -126,7 +128,7 @@ void FemOrgan::restore(const State& state) {
   rest_.restore(&in);
   freeze_.restore(&in);
   in.get(&stuck_at_);
-  in.get(&put_back_);
+  in.get(&was_folded_);
   if (!std::isfinite(stuck_at_)) StateReader::fail();
   in.finish();
   out_.clear();
@@ -215,7 +217,10 @@ void FemOrgan::addWork(const TissueStep& together) {
 }
 
 void FemOrgan::reportSolved() {
-  if (!stuck_) freeze_.solved();
+  if (!stuck_) {
+    freeze_.solved();
+    stuck_at_ = kNotStuck;
+  }
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
   body_.touch.countInactive(&out_);
@@ -237,21 +242,26 @@ bool FemOrgan::cameToRest() {
 
 // At rest, but folded through itself: what a leap of a tool can leave, which no force mends, for
 // the folds are in balance. Corners of quadratic elements are curled over where their integration
-// points see nothing. What comes to rest so again, with no tool in between, is pressed so: by its
-// load, or by another organ.
+// points see nothing.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
-  return !put_back_ && now < kCrushed &&
-         now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+}
+
+// In this cycle, but for what its supports have moved all of it.
+double FemOrgan::wayOfShape() const {
+  return rest_.way(body_.x, body_.surroundings.commonWay(1.0) - body_.surroundings.commonWay(0.0));
 }
 
 // Inside out it hardly moves, and yet does not come to rest, nor nearer to being turned back.
 bool FemOrgan::isStuck(const TissueStep& cycle) {
   if (cycle.status == solver::SolveStatus::kDeadline || cycle.newton_iterations == 0) return false;
-  if (rest_.way(body_.x) > kLittle * body_.size) return false;
+  if (wayOfShape() > kLittle * body_.size) return false;
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   if (now > 0.0) return false;
-  if (!freeze_.any() || now > stuck_at_ + kHeadway) {
+  if (stuck_at_ == kNotStuck) {
+    stuck_at_ = now;
+  } else if (now > stuck_at_ + kHeadway * std::max(1.0, -stuck_at_)) {
     stuck_at_ = now;
     freeze_.solved();
   }
@@ -259,10 +269,16 @@ bool FemOrgan::isStuck(const TissueStep& cycle) {
 }
 
 bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
-  if (at_rest) return isCrushed();
+  const bool before = was_folded_;
+  if (at_rest) {
+    was_folded_ = isCrushed();
+    return was_folded_ && !before;
+  }
   stuck_ = isStuck(cycle);
-  if (stuck_) freeze_.failed(solver::SolveStatus::kInverted);
-  return stuck_ && freeze_.fails();
+  if (!stuck_) return false;
+  freeze_.failed(solver::SolveStatus::kInverted);
+  was_folded_ |= freeze_.fails();
+  return was_folded_ && !before;
 }
 
 // Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
@@ -285,11 +301,10 @@ solver::SolveStatus FemOrgan::failureHere() const {
 // no shape of a body: where it was settled, at rest, as its supports have moved since.
 void FemOrgan::beginAnew(solver::SolveStatus why) {
   const StepFigures figures = out_;
-  Points at = settled_;
-  body_.surroundings.place(1.0);
-  body_.surroundings.follow(body_.free, &at);
-  put(at, Points::Zero(3, at.cols()));
-  put_back_ = true;
+  const bool was_folded = was_folded_;
+  body_.surroundings.rest();
+  put(settled_.colwise() + body_.surroundings.commonWay(1.0), Points::Zero(3, settled_.cols()));
+  was_folded_ = was_folded;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;

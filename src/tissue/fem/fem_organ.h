@@ -69,7 +69,7 @@ class FemOrgan final : public OrganBodies {
   }
 
   const FemBody& body() const { return body_; }
-  /// Where it is at rest untouched, 3 x n [m]: where settle() found it, or as it was told.
+  /// Where it is at rest untouched at first, 3 x n [m]: where settle() found it, or as it was told.
   const Points& settledAt() const { return settled_; }
   void setSettledAt(Points x) { settled_ = std::move(x); }
   /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
@@ -112,11 +112,13 @@ class FemOrgan final : public OrganBodies {
   bool isTouched() const { return body_.touch.possibleByTools(); }
   /// Asked once after a cycle that was solved, of a body that is touched by no tool, nor through
   /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
-  /// cycle after the other, each of which counts as a failure.
+  /// cycle after the other, each of which counts as a failure as long as they lead nowhere. What
+  /// does so again once it was put back is pressed so, by its load or by another organ: it stays,
+  /// and if it trembles it is frozen.
   bool givesUp(const TissueStep& cycle, bool at_rest);
   /// A tool was near it, or near another member.
-  void reached() { put_back_ = false; }
-  /// It, or another member, does: it is where it was settled, at rest.
+  void reached() { was_folded_ = false; }
+  /// It, or another member, does: it is where it was settled, at rest, and moved with its supports.
   void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
@@ -135,6 +137,7 @@ class FemOrgan final : public OrganBodies {
   bool cameToRest();
   bool isCrushed();
   bool isStuck(const TissueStep& cycle);
+  double wayOfShape() const;
   bool isOutsideOfLaw() const;
   solver::SolveStatus failureHere() const;
   void beginAnew(solver::SolveStatus why);
@@ -145,14 +148,16 @@ class FemOrgan final : public OrganBodies {
   void reportSolved();
   void reportState();
 
+  static constexpr double kNotStuck = 1.0;
+
   std::shared_ptr<const fem::EnergyTerm> own_load_;
   FemBody body_;
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
   Freeze freeze_;
-  bool stuck_ = false;     // in this cycle
-  double stuck_at_ = 0.0;  // least det F as it began to be
-  bool put_back_ = false;  // since a tool was near
+  bool stuck_ = false;           // in this cycle
+  double stuck_at_ = kNotStuck;  // least det F as it began to be
+  bool was_folded_ = false;      // and put back, since it was at rest otherwise or a tool was near
   Points settled_;
   double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;

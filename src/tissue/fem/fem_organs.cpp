@@ -79,7 +79,10 @@ class FemOrgans final : public TissueModel {
   void place(int organ, const Points& positions, const Points& velocities) override {
     at(organ).place(0, positions, velocities);
     takeBodies();
-    for (const GroupBody& b : bodies_) b.body->wake();
+    for (const GroupBody& b : bodies_) {
+      b.body->wake();
+      b.body->reached();
+    }
     meetings_.forget();
     groups_.forget();
   }

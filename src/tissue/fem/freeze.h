@@ -26,8 +26,6 @@ class Freeze {
     ++waited_;
     return true;
   }
-  /// Whether it failed in the last cycle.
-  bool any() const { return failures_ > 0; }
   /// Whether it failed so often that only a trial is not left out.
   bool fails() const { return failures_ >= kFailures; }
   /// Asked in a trial that failed, before failed(): whether no other one would do better.

@@ -42,29 +42,10 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
   }
   auto organ = std::make_unique<FemOrgan>(nested_.mesh(), composition, surroundings(), settings_,
                                           pool_, nested_.surface());
-  if (coarse_organ_) organ->setSettledAt(settledAt());
+  if (coarse_organ_) {
+    organ->setSettledAt(nested_.changeFromCoarse().interpolate(coarse_organ_->settledAt()));
+  }
   return organ;
-}
-
-void NextMesh::setCoarse(FemOrgan* organ) {
-  coarse_organ_ = organ;
-  point_of_.resize(static_cast<std::size_t>(nested_.mesh().numPoints()));
-  for (int i = 0; i < nested_.mesh().numPoints(); ++i) point_of_[nested_.coarsePoint(i)] = i;
-}
-
-// On the present mesh, as that on the coarse one was settled.
-Points NextMesh::settledAt() const {
-  const Points& X = nested_.mesh().points;
-  const Points sag = coarse_organ_->settledAt() - coarse_organ_->body().mesh.points;
-  Points way(3, X.cols());
-  for (int i = 0; i < X.cols(); ++i) {
-    const int coarse = nested_.coarsePoint(i);
-    if (coarse >= 0) way.col(i) = sag.col(point_of_[coarse]);
-  }
-  for (const mesh::MeshChange::Middle& m : nested_.middles()) {
-    if (nested_.coarsePoint(m.point) < 0) way.col(m.point) = 0.5 * (way.col(m.a) + way.col(m.b));
-  }
-  return X + way;
 }
 
 // On the present mesh: a point between two others has what they have in common.

@@ -30,8 +30,8 @@ class NextMesh {
 
   /// A body on the present mesh, not settled and as yet anywhere.
   std::unique_ptr<FemOrgan> make() const;
-  /// That on the coarse mesh, the present one, which outlives it and is in use now or later.
-  void setCoarse(FemOrgan* organ);
+  /// That on the coarse mesh, which outlives it and is in use now or later.
+  void setCoarse(FemOrgan* organ) { coarse_organ_ = organ; }
   bool isCoarse() const { return coarse_; }
   /// The present mesh, see mesh::NestedMesh::bisected(); also while the next one is being made.
   const std::string& bisected() const { return bisected_; }
@@ -64,7 +64,6 @@ class NextMesh {
   void beginWork();
   void work();
   Surroundings surroundings() const;
-  Points settledAt() const;
 
   fem::Composition composition_;  // of the coarse mesh
   Surroundings surroundings_;     // likewise
@@ -75,7 +74,6 @@ class NextMesh {
   mesh::NestedMesh nested_;
   bool coarse_ = true;
   FemOrgan* coarse_organ_ = nullptr;
-  std::vector<int> point_of_;  // in its body, of each one of the coarse mesh
   std::string bisected_;
 
   Points x_;

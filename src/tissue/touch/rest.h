@@ -32,8 +32,11 @@ class Rest {
     x_begin_ = x;
     asleep_ = false;
   }
-  /// The longest way of a component since the cycle began, of points that are at x now [m].
-  double way(const Points& x) const { return (x - x_begin_).cwiseAbs().maxCoeff(); }
+  /// The longest way of a component since the cycle began, of points that are at x now, beside that
+  /// of all of them [m].
+  double way(const Points& x, const Vec3& of_all = Vec3::Zero()) const {
+    return ((x - x_begin_).colwise() - of_all).cwiseAbs().maxCoeff();
+  }
   /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed or
   /// they led back, and the cycle was not cut; the anatomy, on which they may lie, does not move.
   bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
