@@ -4,7 +4,7 @@
 #   scripts/fuzz.sh [--quick] [--seconds S | --executions N] [TARGET ...]
 #
 #   --quick         only what reads files is built for fuzzing, in build-fuzz-quick/; the rest of the
-#                   core is that of build/ (scripts/test.sh runs so, always with the same files)
+#                   core is that of build/ (scripts/test.sh runs so, 2000 files of each, always the same)
 #   --seconds S     of each target; by default 60
 #   --executions N  of each target
 #   TARGET          a kind of file; by default all. `scripts/fuzz.sh --list` prints them

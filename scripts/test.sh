@@ -147,6 +147,8 @@ if $checks; then
   check "configuring without gtest" scripts/check_configure.sh
   start=$SECONDS
   check "clang-tidy" scripts/check_tidy.sh
+  check "files made to harm" \
+    env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/fuzz.sh --quick --executions 2000
   echo "tidy took $((SECONDS - start)) s"
 fi
 

@@ -101,6 +101,22 @@ TEST(HostileMeshes, ABillionPointsInAHundredBytesAreRefused) {
                       "</UnstructuredGrid></VTKFile>"));
 }
 
+// A strip of tetrahedra as flat as numbers allow, half of them turned, all on each other's faces.
+TEST(HostileMeshes, AMillionSliversAreReadOrRefused) {
+  constexpr int kSlivers = 1000000;
+  std::string text =
+      "MeshVersionFormatted 1\nDimension 3\nVertices\n" + std::to_string(kSlivers + 3) + "\n";
+  for (int i = 0; i < kSlivers + 3; ++i) {
+    text += std::to_string(i) + " " + std::to_string(i % 2) + (i % 3 ? " 0 0\n" : " 1e-12 0\n");
+  }
+  text += "Tetrahedra\n" + std::to_string(kSlivers) + "\n";
+  for (int i = 1; i <= kSlivers; ++i) {
+    for (int corner = 0; corner < 4; ++corner) text += std::to_string(i + corner) + " ";
+    text += "0\n";
+  }
+  EXPECT_NO_THROW(tryBytes(targetNamed("mesh"), text + "End\n"));
+}
+
 // Tags that a table of hashes, of a size that libstdc++ chooses, would have in one place.
 TEST(HostileMeshes, TagsOfNodesMayBeAnyNumbers) {
   constexpr std::int64_t kApart = std::int64_t{520241} * 1056323;
