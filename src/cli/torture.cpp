@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "commands.h"
+#include "palpate/tissue/method_facts.h"
 #include "palpate/tissue/model_list.h"
 #include "palpate/torture/result_table.h"
 #include "palpate/torture/torture_report.h"
@@ -95,6 +96,10 @@ void addTorture(CLI::App& app, Action& action) {
       .oneOf(torture::categories());
   command.option("--model", &options->model, "Scenes of one tissue model alone")
       .oneOf(tissue::modelNames());
+  command
+      .option("--method", &options->method,
+              "Solve by this one in place of the drawn one, to compare: into another folder")
+      .oneOf(tissue::methodNames());
   command.option("--tetrahedra", &options->tetrahedra, "Scenes of at most so many; 0: all");
   command.option("--scene-limit", &options->scene_limit, "Leave a scene off after so long [s]");
   command.option("--cycle-limit", &options->cycle_limit, "End a cycle after so long [s]");

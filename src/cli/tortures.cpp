@@ -99,7 +99,10 @@ void Tortures::runCut(const torture::TortureScene& scene, const std::string& fol
 }
 
 torture::TortureScene Tortures::drawn(int number) const {
-  return torture::drawScene(static_cast<std::uint64_t>(options_.seed), number);
+  torture::TortureScene scene =
+      torture::drawScene(static_cast<std::uint64_t>(options_.seed), number);
+  if (!options_.method.empty()) scene.method = options_.method;
+  return scene;
 }
 
 std::string Tortures::commandOf(const torture::TortureScene& scene) const {

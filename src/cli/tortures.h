@@ -14,7 +14,7 @@ namespace palpate::cli {
 struct TortureOptions {
   int count = 100, seed = 1, first = 0;
   std::optional<int> only;
-  std::string out = "torture", part = "1/1", category, model, report, table, commit = "-";
+  std::string out = "torture", part = "1/1", category, model, method, report, table, commit = "-";
   double minutes = 0.0, scene_limit = 60.0, cycle_limit = 60.0, shrink = 30.0;
   int tetrahedra = 0;
   bool keep = false, again = false;

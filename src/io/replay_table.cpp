@@ -26,8 +26,8 @@ std::vector<std::string> replayColumns(const scene::Scene& scene) {
   }
   for (const char* name :
        {"newton_iterations", "cg_iterations", "residual", "min_jacobian", "kinetic_energy",
-        "elastic_energy", "status", "step_ms", "skipped", "mesh_error", "nodes", "mesh_changes",
-        "walk_steps", "tree_queries", "state_hash"}) {
+        "elastic_energy", "status", "recovery", "step_ms", "skipped", "mesh_error", "nodes",
+        "mesh_changes", "walk_steps", "tree_queries", "state_hash"}) {
     names.emplace_back(name);
   }
   return names;
@@ -42,9 +42,9 @@ void writeReplayRow(double t, const sim::StepResult& result, double step_ms, Csv
   }
   const sim::StepReport& r = result.report;
   *csv << r.newton_iterations << r.linear_iterations << r.residual << r.min_jacobian
-       << r.kinetic_energy << r.elastic_energy << std::string(solver::toString(r.status)) << step_ms
-       << static_cast<int>(r.skipped.total()) << r.mesh_error << r.nodes << r.mesh_changes
-       << r.walk_steps << r.tree_queries << hexText(r.state_hash);
+       << r.kinetic_energy << r.elastic_energy << std::string(solver::toString(r.status))
+       << r.recovery << step_ms << static_cast<int>(r.skipped.total()) << r.mesh_error << r.nodes
+       << r.mesh_changes << r.walk_steps << r.tree_queries << hexText(r.state_hash);
   csv->endRow();
 }
 

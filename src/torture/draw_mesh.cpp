@@ -70,7 +70,7 @@ std::vector<std::vector<Eigen::Index>> tetsAround(const mesh::TetMesh& mesh) {
   return around;
 }
 
-// One point in twenty goes towards the opposite face of one of its tetrahedra, as far as the angles
+// One point in five goes towards the opposite face of one of its tetrahedra, as far as the angles
 // around it stay above `least` [degrees].
 void makeSlivers(double least, Draw* draw, mesh::TetMesh* mesh) {
   const auto around = tetsAround(*mesh);

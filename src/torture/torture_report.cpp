@@ -153,15 +153,15 @@ Random scenes, and whether anything blows up in them. This page is written by
 | `time` | no cycle of a replay takes 100 times as long as the median one in contact, and 20 ms |
 | `crash` | the program does not end |
 | `cycle` | no cycle takes a minute: it would be ended there |
-| `deadline` | no cycle of a live run goes on for twice its deadline of two steps, or of 20 ms if that is longer |
+| `deadline` | no cycle of a live run goes on for twice its deadline, which is two steps, or 20 ms if that is longer: the other half is for what an interrupt cannot end |
 | `same` | two threads give the bits of one (every tenth scene) |
 | `cut` | all but `time` holds as well when cycles are asked to end after a number of questions that is drawn for each, until half of the rest is over (every tenth scene) |
 
 `time`, `cycle` and `deadline` are wall time, and fail more often on a machine that does something else as well; what they
 cut short then goes on otherwise, and all other runs have the same bits. `deadline` is of the core's interrupt, which is asked as long before it as the last cycles took to come to an end; the node cuts no step short (docs/theory.md, Deadline). Live runs of meshes that adapt have two threads, and wait for their next period.
 
-A scene that is refused while loading has a message and no cycle. One that takes longer than the limit is left off, and
-is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
+A scene that is refused while loading has a message and no cycle. One that takes longer than `--scene-limit`, 60 s if
+nothing else is said, is left off, and is judged as far as it came. Forces are not summed anew where elements are flatter than a tenth of their volume, whose
 guard against turning inside out is an energy beside their law's, and no energy is judged then. Energy is not judged of viscous organs, of elements with middle nodes and of `neural`
 under gravity, and not across a cycle that put an organ back to rest; return to rest not of organs that fly, and not
 where 700 rows of the time that the slowest motion is estimated to need would not do: all get three times that.
@@ -205,6 +205,14 @@ where 700 rows of the time that the slowest motion is estimated to need would no
     std::replace(what.begin(), what.end(), '|', '/');
     out << "| `" << commandOf(line) << "` | " << line.cell("criteria") << " | " << what << " | "
         << line.cell("category") << ": " << scenery(line) << " |\n";
+  }
+  out << "\n## What is left off\n\n| scene | cycles | longest [ms] | made of "
+         "|\n|---|---|---|---|\n";
+  for (const ResultLine& line : lines) {
+    if (line.cell("verdict") != "left") continue;
+    out << "| `" << commandOf(line) << "` | " << line.cell("cycles") << " | "
+        << line.cell("longest_ms") << " | " << line.cell("category") << ": " << scenery(line)
+        << " |\n";
   }
   out << "\n## What is refused\n\n| scene | what | made of |\n|---|---|---|\n";
   for (const ResultLine& line : lines) {

@@ -61,7 +61,7 @@ TEST_F(ReplayCommand, SameInputsSameBytesWhateverTheThreads) {
   EXPECT_EQ(a, withoutTimes(test::fileBytes(file("c.csv"))));
   EXPECT_EQ(a.substr(0, a.find('\n')),
             "t,fx,fy,fz,tx,ty,tz,contacts,max_penetration,newton_iterations,cg_iterations,residual,"
-            "min_jacobian,kinetic_energy,elastic_energy,status,skipped,mesh_error,"
+            "min_jacobian,kinetic_energy,elastic_energy,status,recovery,skipped,mesh_error,"
             "nodes,mesh_changes,walk_steps,tree_queries,state_hash,");
   EXPECT_EQ(std::count(a.begin(), a.end(), '\n'), 152);
 }

@@ -161,6 +161,20 @@ class Saves(unittest.TestCase):
         self.assertIn("the state at the end is lost", self.ends(node, signal.SIGTERM, 1))
         self.assertNotIn("last-palpate.state", self.files())
 
+    def test_a_step_of_seconds_is_a_fault_until_it_has_ended(self):
+        node = self.start("_solver/deadline:=1", scene=self.slow())
+        self.hand.hold(ABOVE)
+        self.heard(lambda m: m.state == "RUNNING" and m.cycle_ms > 0.0, 30.0)
+        self.hand.hold(-0.0651)
+        self.heard(lambda m: m.state == "FAULT", 30.0)
+        self.spatial.clear()
+        self.assertEqual(self.heard(lambda m: m.cycle_ms > 500.0, 30.0).state, "RUNNING")
+        self.assertIsNotNone(self.spatial.wait(lambda m: force(m) > 0.0, 5.0))
+        self.heard(lambda m: m.state == "FAULT", 30.0)
+        self.spatial.clear()
+        self.assertIsNotNone(self.spatial.wait(lambda m: force(m) == 0.0, 2.0))
+        self.ends(node, signal.SIGTERM)
+
     def ask_for_a_state(self):
         try:
             rospy.ServiceProxy("/palpate/save_state", Trigger)()
