@@ -22,8 +22,10 @@ class Inverted : public Criterion {
       return said("converged with a told det F of", report.min_jacobian, "");
     for (int i = 0; i < cycle.simulator.numOrgans(); ++i) {
       const mesh::CellMesh& cells = cells_.of(cycle.simulator, i);
-      if (!areLinearTets(cells)) continue;
-      const double least = leastVolumeRatio(cells, cycle.simulator.positions(i));
+      const Points& x = cycle.simulator.positions(i);
+      double least = 1.0;
+      if (areLinearTets(cells)) least = leastVolumeRatio(cells, x);
+      if (areQuadraticTets(cells)) least = leastAtQuadraturePoints(cells, x);
       if (least <= 0.0) return said("converged with a computed det F of", least, "");
     }
     return "";

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace palpate::torture {
@@ -13,21 +14,34 @@ namespace {
 constexpr std::array<std::array<int, 4>, 4> kMiddle = {
     {{-1, 4, 6, 7}, {4, -1, 5, 8}, {6, 5, -1, 9}, {7, 8, 9, -1}}};
 
-// det of the derivative of position by three of the barycentric coordinates, at a corner.
+// det of the derivative of position by three of the barycentric coordinates, where these are w.
 template <class Cell>
-double jacobianAt(int corner, const Points& x, const Cell& cell) {
-  const auto c = static_cast<std::size_t>(corner);
+double jacobianAt(const Eigen::Vector4d& w, const Points& x, const Cell& cell) {
   Eigen::Matrix<double, 3, 4> by;
-  for (int i = 0; i < 4; ++i) {
-    if (i == corner) {
-      by.col(i) = 3.0 * x.col(cell[i]);
-    } else {
-      by.col(i) = 4.0 * x.col(cell[kMiddle[c][static_cast<std::size_t>(i)]]) - x.col(cell[i]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto col = static_cast<Eigen::Index>(i);
+    by.col(col) = (4.0 * w[col] - 1.0) * x.col(cell[col]);
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j != i) by.col(col) += 4.0 * w[static_cast<int>(j)] * x.col(cell[kMiddle[i][j]]);
     }
   }
   Mat3 D;
   for (int k = 0; k < 3; ++k) D.col(k) = by.col(k + 1) - by.col(0);
   return D.determinant();
+}
+
+// At four points, each `near` a corner: its own coordinate there, and the other ones.
+double leastAtFour(double near, double other, const mesh::CellMesh& rest, const Points& now) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index t = 0; t < rest.numCells(); ++t) {
+    const auto cell = rest.cells.col(t);
+    for (int k = 0; k < 4; ++k) {
+      Eigen::Vector4d w = Eigen::Vector4d::Constant(other);
+      w[k] = near;
+      least = std::min(least, jacobianAt(w, now, cell) / jacobianAt(w, rest.points, cell));
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -60,14 +74,12 @@ bool areQuadraticTets(const mesh::CellMesh& cells) {
 }
 
 double leastAtCorners(const mesh::CellMesh& rest, const Points& now) {
-  double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index t = 0; t < rest.numCells(); ++t) {
-    const auto cell = rest.cells.col(t);
-    for (int k = 0; k < 4; ++k) {
-      least = std::min(least, jacobianAt(k, now, cell) / jacobianAt(k, rest.points, cell));
-    }
-  }
-  return least;
+  return leastAtFour(1.0, 0.0, rest, now);
+}
+
+double leastAtQuadraturePoints(const mesh::CellMesh& rest, const Points& now) {
+  const double other = (5.0 - std::sqrt(5.0)) / 20.0;
+  return leastAtFour(1.0 - 3.0 * other, other, rest, now);
 }
 
 }  // namespace palpate::torture

@@ -34,4 +34,8 @@ bool areQuadraticTets(const mesh::CellMesh& cells);
 /// [Johnen, Remacle, Geuzaine 2013].
 double leastAtCorners(const mesh::CellMesh& rest, const Points& now);
 
+/// Likewise at the four points of the quadrature that is exact for quadratic polynomials
+/// [Hammer, Marlowe, Stroud 1956].
+double leastAtQuadraturePoints(const mesh::CellMesh& rest, const Points& now);
+
 }  // namespace palpate::torture

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <limits>
 #include <map>
 #include <string>
@@ -182,7 +184,7 @@ TEST_F(Criteria, SeeEnergyThatAFallMakes) {
 }
 
 // A middle node that is pulled past a corner turns the element over there; its volume stays
-// positive.
+// positive, and so does what integration points see, for a while.
 TEST(QuadraticCorners, AreSeenWhereTheyCurl) {
   mesh::TetMesh linear;
   linear.points = (Points(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished();
@@ -194,6 +196,10 @@ TEST(QuadraticCorners, AreSeenWhereTheyCurl) {
   x = rest.points;
   x(0, rest.cells(4, 0)) = 0.2;  // of the edge from 0 to 1: det F at 0 is 4 * 0.2 - 1
   EXPECT_NEAR(leastAtCorners(rest, x), -0.2, 1e-12);
+  // det F = 1 - 4 (0.5 - 0.2) (w_0 - w_1), where w_0 - w_1 is 1/sqrt(5) at the point near 0.
+  EXPECT_NEAR(leastAtQuadraturePoints(rest, x), 1.0 - 1.2 / std::sqrt(5.0), 1e-12);
+  x(0, rest.cells(4, 0)) = -0.2;
+  EXPECT_NEAR(leastAtQuadraturePoints(rest, x), 1.0 - 2.8 / std::sqrt(5.0), 1e-12);
 }
 
 TEST_F(Criteria, SeeEnergyThatGrows) {
