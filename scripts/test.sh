@@ -147,9 +147,11 @@ if $checks; then
   check "configuring without gtest" scripts/check_configure.sh
   start=$SECONDS
   check "clang-tidy" scripts/check_tidy.sh
+  echo "tidy took $((SECONDS - start)) s"
+  start=$SECONDS
   check "files made to harm" \
     env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/fuzz.sh --quick --executions 2000
-  echo "tidy took $((SECONDS - start)) s"
+  echo "files made to harm took $((SECONDS - start)) s"
 fi
 
 # Tests with a ROS graph are marked RUN_SERIAL: each brings its own master, and they measure time.

@@ -244,8 +244,7 @@ void describe(keys::FieldVisitor& v, SolverConfig& solver) {
            solver.position_tolerance, keys::Range::closed(1.0e-15, 1.0e-3));
   v.integer({"max_newton_iterations", "",
              "Newton iterations in a solve; a cycle has four times as many for all of its solves, "
-             "and more "
-             "where it is solved in parts."},
+             "and more where it is solved in parts."},
             solver.max_newton_iterations, keys::Range::closed(1, 1000));
   v.number(
       {"linear_tolerance", "",

@@ -22,7 +22,7 @@ class BodyGroups {
   void forget() {
     for (Group& group : groups_) group.lasts = false;
   }
-  /// Those are that belong together with one of these, of each whether it is one.
+  /// Bodies are alone that belonged together with a marked one; a mark for each body.
   void forgetOf(const std::vector<char>& bodies) {
     for (Group& group : groups_) {
       for (const std::size_t k : group.bodies) group.lasts = group.lasts && !bodies[k];

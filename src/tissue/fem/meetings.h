@@ -48,7 +48,7 @@ class Meetings {
 
   /// As new.
   void forget() { meetings_.clear(); }
-  /// Likewise what concerns one of these bodies, of each whether it is one.
+  /// As new where one of the two bodies is marked; a mark for each body.
   void forgetOf(const std::vector<char>& bodies);
   void save(StateWriter* out) const;
   void restore(const std::vector<GroupBody>& bodies, StateReader* in);
