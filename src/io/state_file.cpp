@@ -15,7 +15,7 @@
 namespace palpate::io {
 namespace {
 
-constexpr char kFormat[] = "palpate state 8";
+constexpr char kFormat[] = "palpate state 9";
 constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2", "palpate state 3",
                                        "palpate state 4",   "palpate state 5", "palpate state 6",
                                        "palpate state 7"};

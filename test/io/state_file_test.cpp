@@ -61,7 +61,7 @@ TEST_F(StateFile, GivesTheSameStateBack) {
   EXPECT_TRUE(readState(file()) == state);
   EXPECT_FALSE(std::filesystem::exists(file() + ".part"));
   const std::string bytes = test::fileBytes(file());
-  for (const char* line : {"palpate state 8\n", "\nscene: slab\n", "\ntime: 0.03 s\n",
+  for (const char* line : {"palpate state 9\n", "\nscene: slab\n", "\ntime: 0.03 s\n",
                            "\norgans: slab; model: fem; state: fem, 1 organs\n", "\npayload: "}) {
     EXPECT_TRUE(contains(bytes, line)) << line;
   }
@@ -92,7 +92,7 @@ TEST_F(StateFile, SaysWhatAFileIsThatIsNone) {
   EXPECT_TRUE(contains(errorOf("t,x,y\n1,2,3\n"), "is no state"));
   EXPECT_TRUE(contains(errorOf(""), "is no state"));
   EXPECT_TRUE(
-      contains(errorOf(std::string("palpate state 8\n") + std::string(1000, '\n')), "is cut off"));
+      contains(errorOf(std::string("palpate state 9\n") + std::string(1000, '\n')), "is cut off"));
   std::filesystem::remove(file());
   EXPECT_THROW(readState(file()), InputError);
   EXPECT_THROW(readState("/dev/zero"), InputError);

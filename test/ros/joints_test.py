@@ -256,7 +256,7 @@ class Joints(unittest.TestCase):
             lines = f.read().split(b"\n")
         os.remove(saved.message)
         os.rmdir(os.path.dirname(saved.message))
-        self.assertEqual(lines[0], b"palpate state 8")
+        self.assertEqual(lines[0], b"palpate state 9")
         self.assertTrue(lines[3].startswith(b"organs: block; model: fem; state: "), lines[3])
         self.hand.stop()
         self.assertIsNotNone(self.reports.wait(lambda m: m.state == "PAUSED", 3.0))

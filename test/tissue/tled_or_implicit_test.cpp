@@ -122,6 +122,43 @@ TEST(TledOrImplicit, GoesOnFromASavedStateWithTheSameBits) {
   }
 }
 
+// A ball is deep in the slab at once, and sub-steps move no node as far in a cycle as it would have
+// to go. They left tissue on a tool that had leapt away, or threw it. (Searches on the way there
+// give implicit steps other candidates than those that they begin with alone.)
+TEST(TledOrImplicit, TakesImplicitStepsWhereACycleEndsWithAToolDeepInTissue) {
+  Slab leapt("tled"), implicit("implicit_pcg");
+  leapt.settings.mass_damping = implicit.settings.mass_damping = 60.0;
+  const auto a = leapt.make(), b = implicit.make();
+  const instrument::Geometry ball = instrument::Sphere{0.01};
+  const Pose far = poseFromXyzRpy(Vec3(0.052, 0.047, 0.15), Vec3::Zero());
+  const Pose deep = poseFromXyzRpy(Vec3(0.052, 0.047, 0.03), Vec3::Zero());
+  for (int k = 0; k < 5; ++k) {
+    const Pose from = k == 0 ? far : deep;
+    const TissueStep& step = a->step({{&ball, 0, from, deep}}, kStep);
+    const TissueStep& other = b->step({{&ball, 0, from, deep}}, kStep);
+    EXPECT_TRUE(step.ok() && other.ok()) << k;
+    EXPECT_EQ(step.recovery, static_cast<int>(Recovery::kShorterSteps)) << k;
+    EXPECT_NEAR(step.elastic_energy, other.elastic_energy, 0.1 * other.elastic_energy) << k;
+  }
+  EXPECT_NEAR(test::onTool(a->step({{&ball, 0, deep, deep}}, kStep)).norm(),
+              test::onTool(b->step({{&ball, 0, deep, deep}}, kStep)).norm(), 0.1);
+}
+
+// All the energy of what is inside out would be motion: in cut cycles it threw a point by 1.2 m.
+TEST(TledOrImplicit, TakesImplicitStepsFromWhereItIsPlacedInverted) {
+  Slab slab = dampedSlab();
+  const auto tissue = slab.make();
+  Points x = slab.mesh.points;
+  x.row(2) *= -0.5;
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  const TissueStep& step = tissue->step({}, kStep);
+  EXPECT_GT(step.newton_iterations, 0);
+  EXPECT_EQ(step.recovery, static_cast<int>(Recovery::kShorterSteps));
+  x.row(2) *= -1.0;
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  EXPECT_EQ(tissue->step({}, kStep).newton_iterations, 0);
+}
+
 // Each cycle is cut after so many sub-steps: too few for energy that the scheme makes to be seen in
 // one. Of a height of 40 mm made `scale` times that, it was 13 and 36 times what there was.
 TEST(TledOrImplicit, MakesNoEnergyInCyclesThatAreCut) {

@@ -37,6 +37,9 @@ class ExplicitTouch {
   double residual() const { return update_.residual(); }
   /// How far the fastest tool went in it [m].
   double toolWay() const { return tool_way_; }
+  /// Whether it held nodes back that would have gone too far at once: a tool has leapt into them,
+  /// and they are not out of it.
+  bool limited() const { return limited_; }
   /// Of a cycle that ends with the last go(), or `late`, with sub-steps left. `tolerance` [N].
   solver::SolveStatus status(double tolerance, bool late) const;
   /// Cube root of the volume of a node [m].

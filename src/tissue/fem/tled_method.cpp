@@ -34,6 +34,7 @@ TledMethod::TledMethod(FemBody* body)
 
 void TledMethod::restart() {
   caution_ = 1;
+  overran_ = !(body_.elasticity->minJacobian(body_.x) > 0.0);
   account_ = Account();
   touch_.clear();
   contact_g_.setZero();
@@ -53,6 +54,7 @@ void TledMethod::save(StateWriter* out) const {
   for (const Points* p : {&g_, &contact_g_, &inertia_}) out->put(*p);
   out->put(potential_);
   out->put(caution_);
+  out->put(overran_);
   for (double d : {account_.kinetic, account_.potential, account_.least_potential, account_.work,
                    account_.cycles}) {
     out->put(d);
@@ -66,6 +68,7 @@ void TledMethod::restore(StateReader* in) {
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
   in->get(&caution_);
+  in->get(&overran_);
   for (double* d : {&account_.kinetic, &account_.potential, &account_.least_potential,
                     &account_.work, &account_.cycles}) {
     in->get(d);
@@ -122,7 +125,7 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.elasticity->restoreViscousState(viscous.get());
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
-    if (late || labours_) return false;
+    if (late || labours_ || overran_) return false;
     if (gained_ && account_.isOpen()) return false;  // over more cycles than are taken back
   }
   caution_ = kMaxCaution;
@@ -136,7 +139,8 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   if (!account.isOpen()) account = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   work_ = account.work;
-  jumped_ = labours_ = gained_ = false;
+  jumped_ = labours_ = gained_ = overran_ = false;
+  bool touched = false;
   int touch_iterations = 0;
   out->time_steps = caution_;
   out->sweep_stages = steps;
@@ -151,6 +155,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
     if (k > 1) u_ *= 1.0 - damping;
     subStep(h, k / static_cast<double>(steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
+    touched = touched || !touch_.nodes().empty();
     touch_iterations += touch_.iterations();
     labours_ = touch_iterations > kFewTouchIterations + kTouchIterations * k;
     if (labours_) {
@@ -163,6 +168,12 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   if (late) body_.touch.sides.doubt();
   if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
   if (jumped_ || !std::isfinite(potential_) || !body_.x.allFinite()) return false;
+  const double least = touched ? body_.elasticity->minJacobian(body_.x) : 1.0;
+  overran_ = (touched && touch_.limited()) || !(least > 0.0);
+  if (overran_ && !late) {
+    out->status = solver::SolveStatus::kLineSearchFailed;
+    return false;
+  }
 
   contact_g_ = touch_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
@@ -170,6 +181,7 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   account.least_potential = std::min(account.least_potential, potential_);
   gained_ = !plausible(account);
   if (gained_) return false;
+  if (touched) body_.min_jacobian = least;
   account_ = account;
   account_.work = work_;
   account_.cycles = late ? account.cycles + (k - 1) / static_cast<double>(steps) : 1.0;

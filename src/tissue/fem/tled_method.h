@@ -22,14 +22,18 @@ namespace palpate::tissue {
 /// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
 /// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
 /// repeated with twice the sub-steps, then fails; so does, at once, one in which elements are
-/// squeezed so that it would take 20 times the sub-steps of rest, or that takes more than 2000, and
-/// one in which contact takes many iterations in most of them. Status line_search_failed with a
-/// state that went on: a tool is deep in the tissue, which is still being pushed out.
+/// squeezed so that it would take 20 times the sub-steps of rest, or that takes more than 2000, one
+/// in which contact takes many iterations in most of them, and one in which a tool overran tissue:
+/// it ends deep in it, or with touched elements inverted, which would stay on the tool or be
+/// thrown. What is placed with elements inverted is overrun as well: it would be thrown by all
+/// their energy.
 class TledMethod final : public StepMethod {
  public:
   explicit TledMethod(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;
+  /// Whether tissue is overrun where the last cycle ended, which was cut, or where it was placed.
+  bool overran() const { return overran_; }
   void reportForces(TissueStep* out) override;
   double unbalancedForce() override;
   const Eigen::VectorXd& masses() const override { return masses_; }
@@ -78,6 +82,7 @@ class TledMethod final : public StepMethod {
   bool gained_ = false;   // energy that nothing brought
   bool jumped_ = false;   // tissue would have gone through a tool
   bool labours_ = false;  // contact takes many iterations in most sub-steps
+  bool overran_ = false;  // a tool left tissue deep in it, or inverted
   int caution_ = 1;       // times as many sub-steps as the critical one needs
 };
 

@@ -10,6 +10,7 @@ TledOrImplicit::TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer>
 
 bool TledOrImplicit::advance(double dt, TissueStep* out) {
   failed_ = false;
+  if (!given_up_ && explicit_.overran()) giveUp();
   if (!given_up_) {
     if (explicit_.advance(dt, out)) return true;
     if (!body_.v.allFinite()) return false;
@@ -17,12 +18,16 @@ bool TledOrImplicit::advance(double dt, TissueStep* out) {
       out->status = solver::SolveStatus::kDeadline;  // implicit steps were not tried
       return false;
     }
-    given_up_ = true;
-    implicit_.restart();
+    giveUp();
   }
   out->recover(Recovery::kShorterSteps);
   failed_ = !implicit_.advance(dt, out);
   return !failed_;
+}
+
+void TledOrImplicit::giveUp() {
+  given_up_ = true;
+  implicit_.restart();
 }
 
 void TledOrImplicit::restart() {

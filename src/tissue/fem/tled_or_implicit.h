@@ -9,8 +9,9 @@ namespace palpate::tissue {
 
 /// Method `tled` of a scene: TledMethod, and implicit steps by `implicit_pcg`, which go on in the
 /// same cycle where it fails: it made energy, left what is finite, lost a tool, labours in contact,
-/// or would need many times the sub-steps that it needs at rest, or thousands. They go on until the
-/// body has come to rest or was placed anew.
+/// or would need many times the sub-steps that it needs at rest, or thousands; where a tool overran
+/// tissue, in the next one if this was cut; or from where it was placed inverted. They go on until
+/// the body has come to rest or was placed anew.
 class TledOrImplicit final : public StepMethod {
  public:
   TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
@@ -26,6 +27,7 @@ class TledOrImplicit final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
+  void giveUp();
   StepMethod& now() {
     return given_up_ ? static_cast<StepMethod&>(implicit_) : static_cast<StepMethod&>(explicit_);
   }
