@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "checks.h"
-#include "independent_forces.h"
 #include "organ_cells.h"
 #include "palpate/fem/inversion_guard.h"
+#include "textbook_solid.h"
 
 namespace palpate::torture {
 namespace {
@@ -68,7 +68,9 @@ class Energy : public Criterion {
     const mesh::CellMesh cells = simulator.cells(0);
     if (scene.gravity.isZero()) return;
     applies_ = applies_ && areLinearTets(cells) && organ.adapt == 0.0 && organ.model != "neural";
-    if (applies_) masses_ = lumpedMasses(cells, organ.density);
+    if (applies_) {
+      masses_ = TextbookSolid(cells, "tet4", {}, organ.density, Mat3::Identity()).loaded();
+    }
   }
 
   std::string check(const Cycle& cycle) override {

@@ -33,6 +33,16 @@ std::string drawModel(Draw* draw) {
 
 }  // namespace
 
+material::Constants stiffened(material::Constants constants, double times) {
+  for (const char* name :
+       {"young_modulus", "c10", "c01", "c1", "c2", "c3", "a", "af", "as", "afs", "mu", "k1", "c"}) {
+    const auto found = constants.find(name);
+    if (found == constants.end()) continue;
+    for (double& value : found->second) value *= times;
+  }
+  return constants;
+}
+
 material::Constants constantsOf(const std::string& law, double young, double poisson) {
   if (has(material::constantNames(law), "young_modulus")) {
     return {{"young_modulus", {young}}, {"poisson_ratio", {poisson}}};

@@ -10,6 +10,9 @@ namespace palpate::torture {
 /// one with fibres its matrix has.
 material::Constants constantsOf(const std::string& law, double young, double poisson);
 
+/// Of the same law, so many times as stiff.
+material::Constants stiffened(material::Constants constants, double times);
+
 /// Gives the organ a tissue model, an element and a law with its constants, and a density.
 void drawBody(Draw* draw, TortureOrgan* organ);
 

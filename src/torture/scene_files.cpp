@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "draw_body.h"
 #include "learned_files.h"
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/number.h"
@@ -27,15 +28,8 @@ std::string boxText(const Vec3& low, const Vec3& high) {
 }
 
 std::string materialText(const TortureOrgan& organ, double stiffer) {
-  material::Constants constants = organ.constants;
-  for (const char* name :
-       {"young_modulus", "c10", "c01", "c1", "c2", "c3", "a", "af", "as", "afs", "mu", "k1", "c"}) {
-    const auto found = constants.find(name);
-    if (found == constants.end()) continue;
-    for (double& value : found->second) value *= stiffer;
-  }
   std::string text = "{law: " + organ.law;
-  for (const auto& [name, values] : constants) {
+  for (const auto& [name, values] : stiffened(organ.constants, stiffer)) {
     std::string list;
     for (const double value : values) list += (list.empty() ? "" : ", ") + formatNumber(value);
     text += ", " + name + ": " + (values.size() == 1 ? list : "[" + list + "]");
