@@ -154,11 +154,13 @@ if $checks; then
   echo "files made to harm took $((SECONDS - start)) s"
 fi
 
+# As many at once as there are cores, which are counted before OMP_THREAD_LIMIT is set: nproc heeds it.
+cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 # Tests with a ROS graph are marked RUN_SERIAL: each brings its own master, and they measure time.
 unset ROS_MASTER_URI
 # shellcheck disable=SC1091
 . scripts/env.sh
 start=$SECONDS
-run_ctest -j "$(nproc)" --no-tests=error ${only:+-R "$only"} ${left_out:+-E "$left_out"}
+run_ctest -j "$cores" --no-tests=error ${only:+-R "$only"} ${left_out:+-E "$left_out"}
 echo "tests took $((SECONDS - start)) s"
 finish
