@@ -9,7 +9,6 @@
 #include "checks.h"
 #include "draw_body.h"
 #include "organ_cells.h"
-#include "palpate/fem/inversion_guard.h"
 
 namespace palpate::torture {
 namespace {
@@ -18,8 +17,6 @@ constexpr double kRounding = 1e-9;  // of the forces that are summed
 constexpr double kTwice = 2.0;      // what is unbalanced may be told by so much too small
 // Of what presses: as much friction beyond Coulomb's law is taken back without another solution.
 constexpr double kOfFriction = 1e-4;
-// det F of quadratic tetrahedra where one of the small ones that the guard looks at may be flat.
-constexpr double kMayBeFlat = 0.4;
 
 bool isKnown(const TortureScene& scene) {
   const TortureOrgan& organ = scene.organs.front();
@@ -31,6 +28,14 @@ bool isKnown(const TortureScene& scene) {
 // Without inertia.
 bool isStatic(const TortureScene& scene) {
   return scene.integrator == "static" || scene.method == "newton_bicgstab";
+}
+
+mesh::TetMesh tetsOf(const mesh::CellMesh& cells) {
+  mesh::TetMesh tets;
+  tets.points = cells.points;
+  tets.tets = cells.cells.topRows<4>();
+  if (areQuadraticTets(cells)) tets.midnodes = cells.cells.bottomRows<6>();
+  return tets;
 }
 
 bool hasFibres(const TortureOrgan& organ) {
@@ -61,6 +66,7 @@ RecomputedResidual::RecomputedResidual(const TortureScene& scene, const sim::Sim
   }
   const Mat3 frame = hasFibres(organ) ? fibreFrame() : Mat3(Mat3::Identity());
   solid_ = std::make_unique<TextbookSolid>(rest_, organ.element, laws, organ.density, frame);
+  guard_ = std::make_unique<fem::InversionGuard>(tetsOf(rest_), 1.0);
   remember(simulator);
 }
 
@@ -80,12 +86,6 @@ bool RecomputedResidual::isOneStep(const Cycle& cycle) const {
   return report.ok() && implicit && cycle.parts == 1 && report.time_steps == 1 &&
          report.sweep_stages > 0 && report.skipped.sleeping_organs == 0 &&
          report.recovery != static_cast<int>(tissue::Recovery::kPutBack);
-}
-
-// Elements as flat as that have an energy beside their law's.
-bool RecomputedResidual::isGuarded(const Points& x) const {
-  if (areLinearTets(rest_)) return leastVolumeRatio(rest_, x) < fem::InversionGuard::kLeast;
-  return std::min(leastAtQuadraturePoints(rest_, x), leastAtCorners(rest_, x)) < kMayBeFlat;
 }
 
 // What acts at a point of the surface acts on the corners of its triangle; of a triangle whose
@@ -126,7 +126,8 @@ double RecomputedResidual::unbalanced(const Cycle& cycle, const Points& forces, 
 std::string RecomputedResidual::check(const Cycle& cycle) {
   if (!knows() || !isOneStep(cycle)) return "";
   const Points& x = cycle.simulator.positions(0);
-  if (isGuarded(x)) return "";
+  // Elements as flat as that have an energy beside their law's.
+  if (guard_->least(x) < fem::InversionGuard::kLeast) return "";
   ++checked_;
   const sim::StepReport& report = cycle.result.report;
   Points forces = solid_->elasticForces(x);

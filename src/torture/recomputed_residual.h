@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "palpate/fem/inversion_guard.h"
 #include "palpate/torture/criteria.h"
 #include "textbook_solid.h"
 
@@ -28,7 +29,6 @@ class RecomputedResidual {
 
  private:
   bool isOneStep(const Cycle& cycle) const;
-  bool isGuarded(const Points& x) const;
   double unbalanced(const Cycle& cycle, const Points& forces, double k, const Points& x_hat,
                     const Points& v_hat) const;
   void take(const sim::ContactPoint& point, const tissue::Shape& shape, Points* forces) const;
@@ -36,6 +36,7 @@ class RecomputedResidual {
   const TortureScene& scene_;
   mesh::CellMesh rest_;
   std::unique_ptr<TextbookSolid> solid_;
+  std::unique_ptr<fem::InversionGuard> guard_;
   Points x_, v_;                // where the cycle begins
   Points x_before_, v_before_;  // and the one before it
   int checked_ = 0;
