@@ -8,11 +8,6 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the forces that are summed
-constexpr double kTwice = 2.0;      // what is unbalanced may be told by so much too small
-// Of what presses: as much friction beyond Coulomb's law is taken back without another solution.
-constexpr double kOfFriction = 1e-4;
-
 // The wrench of a cycle that is told is the sum of what touches; in a scene with bone too.
 std::string wrongWrench(const sim::StepResult& result) {
   for (std::size_t i = 0; i < result.instruments.size(); ++i) {
@@ -28,7 +23,7 @@ std::string wrongWrench(const sim::StepResult& result) {
     }
     const double off =
         std::max((sum.force - tool.solved.force).norm(), (sum.torque - tool.solved.torque).norm());
-    if (off > kRounding * parts + 1e-12)
+    if (off > kRoundingOfForces * parts + 1e-12)
       return said("wrench is off the sum of contacts by", off, "N");
   }
   return "";
@@ -42,7 +37,7 @@ std::string wrongSum(const Cycle& cycle, bool friction) {
   for (const sim::ContactPoint& point : cycle.result.contacts) forces += point.force_W.norm();
   const double left = std::max(report.residual, report.tolerance);
   const double bound = kTwice * std::sqrt(static_cast<double>(report.nodes)) * left;
-  const double part = friction ? kOfFriction : kRounding;
+  const double part = friction ? kOfFriction : kRoundingOfForces;
   if (report.imbalance <= bound + part * forces + 1e-12) return "";
   return said("forces add up to", report.imbalance, "N,") + said(" told", left, "N at the points") +
          " after " + std::to_string(report.sweep_stages) + " stages";

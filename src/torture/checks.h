@@ -7,6 +7,13 @@
 
 namespace palpate::torture {
 
+// Of the forces that are summed: what sums of them are off by rounding.
+inline constexpr double kRoundingOfForces = 1e-9;
+// What is unbalanced may be told by so much too small.
+inline constexpr double kTwice = 2.0;
+// Of what presses: as much friction beyond Coulomb's law is taken back without another solution.
+inline constexpr double kOfFriction = 1e-4;
+
 // One file each.
 std::unique_ptr<Criterion> checkFinite();
 std::unique_ptr<Criterion> checkBounded(const TortureScene& scene);

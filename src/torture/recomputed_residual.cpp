@@ -13,11 +13,6 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the forces that are summed
-constexpr double kTwice = 2.0;      // what is unbalanced may be told by so much too small
-// Of what presses: as much friction beyond Coulomb's law is taken back without another solution.
-constexpr double kOfFriction = 1e-4;
-
 bool isKnown(const TortureScene& scene) {
   const TortureOrgan& organ = scene.organs.front();
   return scene.organs.size() == 1 && organ.model == "fem" && organ.prony_g == 0.0 &&
@@ -144,7 +139,7 @@ std::string RecomputedResidual::check(const Cycle& cycle) {
     const double fastest = ((x - x_) / report.step - v_).norm() / report.step;
     sum += solid_->masses().maxCoeff() * fastest;
   }
-  const double part = scene_.friction > 0.0 ? kOfFriction : kRounding;
+  const double part = scene_.friction > 0.0 ? kOfFriction : kRoundingOfForces;
   if (found <= kTwice * std::max(report.residual, report.tolerance) + part * sum) return "";
   return said("computed anew", found, "N are unbalanced,") +
          said(" told", report.residual, "N of") + said(" at most", report.tolerance, "N");
