@@ -152,6 +152,9 @@ if $checks; then
   check "files made to harm" \
     env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/fuzz.sh --quick --executions 2000
   echo "files made to harm took $((SECONDS - start)) s"
+  start=$SECONDS
+  check "races" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/check_threads.sh
+  echo "races took $((SECONDS - start)) s"
 fi
 
 # As many at once as there are cores, which are counted before OMP_THREAD_LIMIT is set: nproc heeds it.
