@@ -105,17 +105,35 @@ std::vector<Edit> edits(const TortureScene& scene, const Failure& failure) {
   return all;
 }
 
+// Where `outcome` fails it; null if it does not.
+const Failure* failureOf(const Outcome& outcome, const std::string& criterion) {
+  for (const Failure& failure : outcome.failures) {
+    if (failure.criterion == criterion) return &failure;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 TortureScene shrunk(const TortureScene& scene, const Failure& failure, const std::string& folder,
                     const RunLimits& limits, double seconds) {
   TortureScene best = scene;
+  Failure of_best = failure;
   const double begin = steadySeconds();
-  for (const Edit& edit : edits(scene, failure)) {
-    TortureScene tried = best;
-    if (steadySeconds() - begin > seconds) break;
-    if (!edit(&tried)) continue;
-    if (run(tried, folder, limits).fails(failure.criterion)) best = tried;
+  // What one edit could not leave out, it can after another one.
+  for (bool plainer = true; plainer;) {
+    plainer = false;
+    for (const Edit& edit : edits(best, of_best)) {
+      TortureScene tried = best;
+      if (steadySeconds() - begin > seconds) return best;
+      if (!edit(&tried)) continue;
+      const Outcome outcome = run(tried, folder, limits);
+      if (const Failure* still = failureOf(outcome, failure.criterion)) {
+        best = tried;
+        of_best = *still;
+        plainer = true;
+      }
+    }
   }
   return best;
 }

@@ -37,6 +37,27 @@ TEST(Shrunk, IsPlainerAndFailsTheSame) {
   EXPECT_EQ(small.organs.front().law, "stable_neo_hookean");
 }
 
+// Tools that stand still at first, for so long that leaving out halves of it once is not enough.
+TEST(Shrunk, LeavesNothingOutThatAnotherPassWould) {
+  TortureScene scene = endedTooEarly();
+  formats::Trajectory& all = scene.trajectory;
+  constexpr Eigen::Index kStill = 300;
+  const Eigen::Index rows = all.values.cols();
+  Eigen::MatrixXd values(all.values.rows(), kStill + rows);
+  values << all.values.col(0).replicate(1, kStill), all.values;
+  all.values = values;
+  const double step = all.t[1] - all.t[0];
+  all.t.resize(static_cast<std::size_t>(kStill + rows));
+  for (std::size_t k = 0; k < all.t.size(); ++k) all.t[k] = step * static_cast<double>(k);
+  scene.leave += kStill;
+  const test::TempFolder folder;
+  const TortureScene small = shrunk(scene, {"rest", 0, ""}, folder.path(""), RunLimits(), 1e9);
+  EXPECT_TRUE(run(small, folder.path(""), RunLimits()).fails("rest"));
+  EXPECT_LE(small.trajectory.t.size(), endedTooEarly().trajectory.t.size());
+  const TortureScene again = shrunk(small, {"rest", 0, ""}, folder.path(""), RunLimits(), 1e9);
+  EXPECT_EQ(again.trajectory.t.size(), small.trajectory.t.size());
+}
+
 // What does not fail is left as it is.
 TEST(Shrunk, IsTheSceneItselfWhereNothingPlainerFails) {
   TortureScene scene = endedTooEarly();
