@@ -13,25 +13,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "palpate/formats/trajectory.h"
-#include "palpate/io/replay.h"
-#include "palpate/sim/simulator.h"
 #include "palpate/sim/state_hash.h"
+#include "sim/shipped_scenes.h"
 #include "support/source_folder.h"
 
 namespace palpate::sim {
 namespace {
-
-namespace fs = std::filesystem;
-constexpr double kUntil = 1.3;       // of the trajectory [s]: tools have gone in
-constexpr double kWithoutOne = 0.2;  // at rest, of scenes without a trajectory
 
 std::string hex(std::uint64_t value) {
   std::ostringstream text;
@@ -79,49 +72,9 @@ std::string roundingOfThisMachine() {
   return hex(hash.value());
 }
 
-std::vector<std::string> scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(test::sourceFolder() + "/config/scenes")) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::string hashAtTheEnd(const std::string& name) { return hex(test::hashesOf(name).back()); }
 
-// Its own, or that of the scene whose name begins alike, as scripts/demo.sh takes it; else all
-// joints stay at zero.
-formats::Trajectory trajectoryOf(const std::string& scene, const Simulator& simulator) {
-  const std::string folder = test::sourceFolder() + "/config/trajectories/";
-  const std::string first = scene.substr(0, scene.find('_'));
-  for (const std::string& name : {scene, first == "slab" ? std::string("slab_probe") : scene}) {
-    if (!fs::exists(folder + name + ".csv")) continue;
-    formats::Trajectory read = formats::readTrajectory(folder + name + ".csv");
-    const auto end = std::upper_bound(read.t.begin(), read.t.end(), kUntil);
-    read.t.erase(end, read.t.end());
-    read.values.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(read.t.size()));
-    return read;
-  }
-  formats::Trajectory still;
-  for (std::size_t i = 0; i < simulator.scene().instruments.size(); ++i) {
-    for (const std::string& joint : simulator.instrument(static_cast<int>(i)).jointNames()) {
-      still.columns.push_back(simulator.scene().instruments[i].name + "/" + joint);
-    }
-  }
-  for (double t = 0.0; t < kWithoutOne; t += simulator.scene().solver.step) still.t.push_back(t);
-  still.values.setZero(static_cast<Eigen::Index>(still.columns.size()),
-                       static_cast<Eigen::Index>(still.t.size()));
-  return still;
-}
-
-std::string hashAtTheEnd(const std::string& name) {
-  Simulator simulator(scene::readScene(test::sourceFolder() + "/config/scenes/" + name + ".yaml"));
-  io::Replay replay(&simulator, trajectoryOf(name, simulator), name);
-  std::uint64_t hash = 0;
-  while (replay.hasNext()) hash = replay.next().report.state_hash;
-  return hex(hash);
-}
-
-const std::string kFile = test::sourceFolder() + "/test/sim/golden_hashes.csv";
+const std::string kFile = palpate::test::sourceFolder() + "/test/sim/golden_hashes.csv";
 
 // From "rounding,scene" to its hash.
 std::map<std::string, std::string> readHashes(const std::string& file) {
@@ -144,7 +97,7 @@ bool writeHashes(const std::string& file, const std::map<std::string, std::strin
 }
 
 class GoldenHash : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHash, ::testing::ValuesIn(scenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHash, ::testing::ValuesIn(test::shippedScenes()),
                          [](const auto& name) { return name.param; });
 
 TEST_P(GoldenHash, IsThatOfTheFile) {
