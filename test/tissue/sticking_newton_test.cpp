@@ -278,5 +278,22 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
   EXPECT_THROW(other.restore(&cut), std::invalid_argument);
 }
 
+// Ten iterations of a linear solve in each cycle are less than nothing, and were the same each
+// time.
+TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3), "tet10p");
+  slab.settings.gravity.setZero();
+  const auto tissue = slab.make();
+  const solver::Interrupt at_once = [] { return true; };
+  tissue->setInterrupt(&at_once);
+  Points x = slab.mesh.points;
+  x.row(2) *= 1.1;
+  x.row(0) += 0.5 * x.row(2);
+  tissue->place(0, x, Points::Zero(3, x.cols()));
+  const double first = tissue->step({}, kStep).elastic_energy;
+  for (int k = 0; k < 60; ++k) tissue->step({}, kStep);
+  EXPECT_LT(tissue->step({}, kStep).elastic_energy, 1e-6 * first);
+}
+
 }  // namespace
 }  // namespace palpate::tissue

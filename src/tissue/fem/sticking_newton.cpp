@@ -264,9 +264,13 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
     out->linear_iterations += static_cast<int>(solver.iterations());
   } catch (const InterruptibleMatrix::Interrupted&) {
     out->linear_iterations += matrix.products() / 2 - 1;
-    // On its way it may be worse than nothing.
+    // On its way it may be worse than nothing, and be the same in each cycle: as much of it, or of
+    // its opposite, as leaves the least.
     const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
-    if (!((A * solution - b).norm() <= b.norm())) solution.setZero();
+    const Eigen::VectorXd turned = A * solution;
+    const double part = turned.dot(b) / turned.squaredNorm();
+    solution =
+        std::isfinite(part) ? Eigen::VectorXd(part * solution) : Eigen::VectorXd::Zero(A.rows());
   }
   step_ =
       Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());
