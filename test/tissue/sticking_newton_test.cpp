@@ -279,20 +279,22 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
 }
 
 // Ten iterations of a linear solve in each cycle are less than nothing, and were the same each
-// time.
+// time; far from rest they may lead up.
 TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3), "tet10p");
-  slab.settings.gravity.setZero();
-  const auto tissue = slab.make();
-  const solver::Interrupt at_once = [] { return true; };
-  tissue->setInterrupt(&at_once);
-  Points x = slab.mesh.points;
-  x.row(2) *= 1.1;
-  x.row(0) += 0.5 * x.row(2);
-  tissue->place(0, x, Points::Zero(3, x.cols()));
-  const double first = tissue->step({}, kStep).elastic_energy;
-  for (int k = 0; k < 60; ++k) tissue->step({}, kStep);
-  EXPECT_LT(tissue->step({}, kStep).elastic_energy, 1e-6 * first);
+  for (const double height : {1.1, 3.0}) {
+    Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+    slab.settings.gravity.setZero();
+    const auto tissue = slab.make();
+    const solver::Interrupt at_once = [] { return true; };
+    tissue->setInterrupt(&at_once);
+    Points x = slab.mesh.points;
+    x.row(2) *= height;
+    x.row(0) += 0.5 * x.row(2);
+    tissue->place(0, x, Points::Zero(3, x.cols()));
+    const double first = tissue->step({}, kStep).elastic_energy;
+    for (int k = 0; k < 100; ++k) tissue->step({}, kStep);
+    EXPECT_LT(tissue->step({}, kStep).elastic_energy, 1e-6 * first) << height;
+  }
 }
 
 }  // namespace

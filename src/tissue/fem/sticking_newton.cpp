@@ -167,7 +167,7 @@ void StickingNewton::solveStage(double begin, TissueStep* out) {
 void StickingNewton::newton(TissueStep* out) {
   bool to_rest = false;  // the last step moved nothing that is held
   for (int k = 0;; ++k) {
-    const double before = residual_;
+    const double before = value_;
     {
       const PhaseTimer timer(&out->phases, Phase::kForces);
       residual_ = gradient();
@@ -186,7 +186,7 @@ void StickingNewton::newton(TissueStep* out) {
     out->status = solver::SolveStatus::kIterationLimit;
     if (k == body_.settings.max_newton_iterations) return;
     if (k > 0 && solver::isInterrupted(body_.interrupt)) {
-      if (to_rest && residual_ > before) shorten(before);
+      if (to_rest && !shorten(before)) descend(before);
       out->status = solver::SolveStatus::kDeadline;
       return;
     }
@@ -197,17 +197,33 @@ void StickingNewton::newton(TissueStep* out) {
 }
 
 // Nothing globalises Newton's steps but those that follow. One to where forces are not finite, and
-// the last one, are shortened until they leave no more unbalanced than `most` [N], and taken back
-// if none does.
-void StickingNewton::shorten(double most) {
-  for (int k = 0; k < kMaxHalvings && !(residual_ <= most); ++k) {
+// the last one, are shortened until they leave less energy than `most` [J], and taken back if none
+// does (false).
+bool StickingNewton::shorten(double most) {
+  const auto good = [&] { return std::isfinite(residual_) && value_ < most; };
+  for (int k = 0; k < kMaxHalvings && !good(); ++k) {
     step_ *= 0.5;
     body_.x = trial_ + step_;
     residual_ = gradient();
   }
-  if (residual_ <= most) return;
+  if (good()) return true;
   body_.x = trial_;
   residual_ = gradient();
+  return false;
+}
+
+// Where Newton's step leads up, and no time is left for what may come after that, in cycle after
+// cycle: down, as the forces and the tangent's diagonal say.
+void StickingNewton::descend(double most) {
+  const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
+  const Eigen::VectorXd way = b.cwiseQuotient(diagonal_);
+  if (!way.allFinite()) return;
+  step_ = Eigen::Map<const Points>(way.data(), 3, right_.cols()).cwiseProduct(contact_->free());
+  contact_->expand(&step_);
+  trial_ = body_.x;
+  body_.x += step_;
+  residual_ = gradient();
+  shorten(most);
 }
 
 // x += move - K^-1 (g + K move), the second part where nothing is held, and as much of it as the
@@ -258,19 +274,18 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
   solver.setMaxIterations(body_.settings.max_linear_iterations);
   const InterruptibleMatrix matrix(A, body_.interrupt);
   solver.compute(matrix);
+  diagonal_ = A.diagonal().cwiseAbs();
   Eigen::VectorXd solution = Eigen::VectorXd::Zero(A.rows());
   try {
     solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), right_.size()));
     out->linear_iterations += static_cast<int>(solver.iterations());
   } catch (const InterruptibleMatrix::Interrupted&) {
     out->linear_iterations += matrix.products() / 2 - 1;
-    // On its way it may be worse than nothing, and be the same in each cycle: as much of it, or of
-    // its opposite, as leaves the least.
+    // As much of it as leads down the tangent the most; on its way it may lead up.
     const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
-    const Eigen::VectorXd turned = A * solution;
-    const double part = turned.dot(b) / turned.squaredNorm();
-    solution =
-        std::isfinite(part) ? Eigen::VectorXd(part * solution) : Eigen::VectorXd::Zero(A.rows());
+    const double down = b.dot(solution), curved = solution.dot(A * solution);
+    solution = down > 0.0 && curved > 0.0 ? Eigen::VectorXd(down / curved * solution)
+                                          : Eigen::VectorXd::Zero(A.rows());
   }
   step_ =
       Eigen::Map<const Points>(solution.data(), 3, right_.cols()).cwiseProduct(contact_->free());

@@ -42,7 +42,8 @@ class StickingNewton final : public StepMethod {
   void solveStage(double begin, TissueStep* out);
   void newton(TissueStep* out);
   bool isPlausible(bool held, const TissueStep& out);
-  void shorten(double most);
+  bool shorten(double most);
+  void descend(double most);
   bool iterate(TissueStep* out);
   Eigen::SparseMatrix<double> assemble(TissueStep* out);
   bool solve(const Eigen::SparseMatrix<double>& A, TissueStep* out);
@@ -54,7 +55,8 @@ class StickingNewton final : public StepMethod {
   fem::Stiffness stiffness_;
   Points g_, move_, stiff_move_, right_, step_, trial_, x_begin_;
   Points held_way_, unused_;
-  double part_ = 0.0;  // of the cycle, where the tools are
+  Eigen::VectorXd diagonal_;  // of the last matrix, without signs
+  double part_ = 0.0;         // of the cycle, where the tools are
   double residual_ = 0.0;
   double value_ = 0.0;                 // energy at x [J]
   std::optional<double> value_begin_;  // where the sweep began
