@@ -297,5 +297,24 @@ TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
   }
 }
 
+// A ball that wanders deep in the slab, where ten iterations a cycle follow it no way.
+TEST(NewtonBicgstab, IsNotTurnedInsideOutByToolsInCyclesThatAreAlwaysCut) {
+  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  slab.settings.gravity.setZero();
+  const auto tissue = slab.make();
+  const solver::Interrupt at_once = [] { return true; };
+  tissue->setInterrupt(&at_once);
+  const LargeBall ball;
+  const auto depth = [](int k) { return k < 80 ? 0.03 * std::sin(0.3 * k) : -0.05; };
+  double most = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const TissueStep& step = tissue->step({ball.move(depth(k), depth(k + 1))}, kStep);
+    most = std::max(most, step.elastic_energy);
+    EXPECT_GT(step.min_jacobian, 0.0) << k;
+  }
+  EXPECT_LT(most, 10.0);
+  EXPECT_LT(tissue->step({}, kStep).elastic_energy, 1e-6);
+}
+
 }  // namespace
 }  // namespace palpate::tissue

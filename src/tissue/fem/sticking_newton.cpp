@@ -92,10 +92,15 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
 }
 
 // Untouched, Newton's steps may lead up to another root of the forces, and with tools to forces
-// that are none.
+// that are none, or, cut on their way, farther and farther inside out.
 bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
   if (!(contact_->nodalNorm(g_) <= FemBody::kMostForce)) return false;
-  if (held || contact_->holds() || body_.heldMoves() || body_.surroundings.moves()) return true;
+  const bool holds = held || contact_->holds();
+  if (holds && out.status == solver::SolveStatus::kDeadline) {
+    const double least = body_.elasticity->minJacobian(body_.x);
+    if (!(least > 0.0 || least >= body_.elasticity->minJacobian(x_begin_))) return false;
+  }
+  if (holds || body_.heldMoves() || body_.surroundings.moves()) return true;
   const double unbalanced = out.ok() ? residual_ * (body_.x - x_begin_).norm() : 0.0;
   return value_ - *value_begin_ <= unbalanced + kOfEnergy * std::abs(*value_begin_);
 }
