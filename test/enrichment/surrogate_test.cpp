@@ -187,6 +187,27 @@ TEST(SurrogateTraining, RefusesWhatItCannotLearn) {
   EXPECT_THROW(trainSurrogate(springBed(40), settingsOf("forest")), std::invalid_argument);
 }
 
+TEST(SurrogateTraining, SaysWhichSettingIsNone) {
+  const struct {
+    void (*spoil)(TrainingSettings*);
+    const char* said;
+  } cases[] = {{[](TrainingSettings* s) { s->modes = 0; }, "modes must be at least 1"},
+               {[](TrainingSettings* s) { s->held_out = 1.0; }, "holdout must be in [0, 1)"},
+               {[](TrainingSettings* s) { s->held_out = NAN; }, "holdout must be in [0, 1)"},
+               {[](TrainingSettings* s) { s->iterations = 0; }, "iterations must be at least 1"},
+               {[](TrainingSettings* s) { s->decay = -1.0; }, "decay must be at least 0"}};
+  for (const auto& of : cases) {
+    TrainingSettings settings = settingsOf("network");
+    of.spoil(&settings);
+    try {
+      trainSurrogate(springBed(40), settings);
+      ADD_FAILURE() << of.said;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_STREQ(error.what(), of.said);
+    }
+  }
+}
+
 TEST(RankCorrelation, IsOfTheOrderAlone) {
   EXPECT_DOUBLE_EQ(rankCorrelation({1.0, 2.0, 3.0}, {1.0, 10.0, 100.0}), 1.0);
   EXPECT_DOUBLE_EQ(rankCorrelation({1.0, 2.0, 3.0}, {3.0, 2.0, 1.0}), -1.0);
