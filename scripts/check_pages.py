@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says how old the measured pages are: docs/accuracy.md, docs/benchmarks.md, docs/hands.md, docs/models.md and
-docs/stability.md name the commits that made them. Fails if one names none, or a commit that HEAD does not come from. That a page is of a tree with
+"""Says how old the measured pages are: docs/accuracy.md, docs/benchmarks.md, docs/coverage.md, docs/hands.md,
+docs/models.md and docs/stability.md name the commits that made them. Fails if one names none, or a commit that HEAD does not come from. That a page is of a tree with
 changes that are in no commit, and how many commits have since changed what decides its figures, is
 information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
 each commit. With --release a page of a tree with changes, or older than what decides its figures, fails.
@@ -24,6 +24,7 @@ PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS an
                                                  "test/accuracy"]),
     "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
                                                     "benchmarks"]),
+    "docs/coverage.md": ("scripts/coverage.sh", ["include", "src", "test"]),
     "docs/hands.md": ("scripts/hands.sh", ["include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
     "docs/models.md": ("scripts/reproduce.sh", ["include/palpate/analysis", "src/analysis", "include/palpate/skin",
                                                 "src/skin", "include/palpate/enrichment", "src/enrichment",

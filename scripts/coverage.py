@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Of what gcovr counted: how much of each room the tests reach, and the errors that none of them raises.
 
-    scripts/coverage.py LINES.json [--untested]
+    scripts/coverage.py LINES.json [--untested | --commit HASH --tests "N of M"]
 
-With --untested only the errors, as FILE:LINE: TEXT.
+With --untested only the errors, as FILE:LINE: TEXT. Else the page, of this commit and of so many tests.
 """
 import argparse
 import collections
@@ -70,6 +70,19 @@ def untested(files, branches):
                 yield name, number, statement(source, number)
 
 
+HEAD = """# Coverage
+
+What the tests of the core and of the command line reach of the core, and which errors none of them raises: exceptions,
+refusals, and the solvers' own failures. What only rostests reach of it counts as not reached; branches are those of
+optimised code, without what throws in libraries. This page is written by
+
+    scripts/coverage.sh        # copied from build/coverage/coverage.md
+
+Commit %s; %s tests passed. The others, if any, failed or were cut off, and count as not run: what is
+said of `tissue` and `sim`, whose tests are the slowest, is then less than what they reach.
+"""
+
+
 def percent(part, whole):
     return "%.1f" % (100.0 * part / whole) if whole else "-"
 
@@ -78,6 +91,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lines")
     parser.add_argument("--untested", action="store_true")
+    parser.add_argument("--commit", default="-")
+    parser.add_argument("--tests", default="-")
     options = parser.parse_args()
     files = read(options.lines)
     branches = read_branches(options.lines)
@@ -93,6 +108,7 @@ def main():
     for name, lines in files.items():
         lines_of[room_of(name)] += len(lines)
         reached[room_of(name)] += sum(count > 0 for count in lines.values())
+    print(HEAD % (options.commit, options.tests))
     print("| room | lines | reached [%] | branches | taken [%] | errors that no test raises |")
     print("|---|---|---|---|---|---|")
     missing = collections.Counter(room_of(name) for name, _, _ in errors)
@@ -102,9 +118,13 @@ def main():
     print("| all | %d | %s | %d | %s | %d |" % (
         sum(lines_of.values()), percent(sum(reached.values()), sum(lines_of.values())), sum(every.values()),
         percent(sum(taken.values()), sum(every.values())), len(errors)))
-    print("\n| error that no test raises | |\n|---|---|")
-    for name, number, text in errors:
-        print("| `%s:%d` | `%s` |" % (name, number, text.replace("|", "\\|")))
+    print("\n## Errors that no test raises\n")
+    file = None
+    for name, _, text in errors:
+        if name != file:
+            print("%s`%s`:\n" % ("" if file is None else "\n", name))
+            file = name
+        print("- `%s`" % text)
 
 
 if __name__ == "__main__":

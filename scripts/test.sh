@@ -1,14 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every check and every test, and counts.
 #
-#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [--coverage] [CTEST_REGEX]
+#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [CTEST_REGEX]
 #
 #   --no-checks         only the tests, not format, tidy and the like
 #   --sanitize          the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
 #   --sanitize=thread   those of its tests that name threads with ThreadSanitizer, in
 #                       build-sanitize-thread/
-#   --coverage          the tests of the core with a counter in each line, in build-coverage/, with
-#                       --sanitize or without (scripts/coverage.sh says what they reached)
 #   CTEST_REGEX         only the tests whose names match; implies --no-checks
 #
 # From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
@@ -19,7 +17,7 @@ cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 checks=true
-sanitize= coverage=false
+sanitize=
 left_out=
 only=
 for argument in "$@"; do
@@ -27,8 +25,7 @@ for argument in "$@"; do
     --no-checks) checks=false ;;
     --sanitize) sanitize=address,undefined checks=false ;;
     --sanitize=thread) sanitize=thread checks=false ;;
-    --coverage) coverage=true checks=false ;;
-    -h | --help) sed -n '2,16s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "test.sh: unknown option '$argument'; see --help" >&2; exit 1 ;;
     *) only=$argument checks=false ;;
   esac
@@ -41,11 +38,10 @@ if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
 fi
 
 targets=(all tests)
-if [ -n "$sanitize" ] || $coverage; then
+if [ -n "$sanitize" ]; then
   # ROS's own libraries are not instrumented, so the core and the command line only.
-  flags="-O1 -fno-omit-frame-pointer"
-  if [ -n "$sanitize" ]; then BUILD_DIR=build-sanitize flags+=" -fsanitize=$sanitize -fno-sanitize-recover=all"; fi
-  if $coverage; then BUILD_DIR=build-coverage flags+=" --coverage -fprofile-update=atomic"; fi
+  flags="-O1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all"
+  BUILD_DIR=build-sanitize
   if [ "$sanitize" = thread ]; then
     BUILD_DIR=build-sanitize-thread
     mapfile -t targets < <(
