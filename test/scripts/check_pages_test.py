@@ -16,7 +16,7 @@ PROGRAM = SOURCES / "scripts" / "check_pages.py"
 sys.path.insert(0, str(SOURCES / "benchmarks"))
 import provenance  # noqa: E402
 
-PAGES = ("accuracy", "benchmarks", "hands", "models", "stability")
+PAGES = ("accuracy", "benchmarks", "coverage", "hands", "models", "stability")
 
 
 class Pages(unittest.TestCase):
