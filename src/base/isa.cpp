@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/base/isa.h"
 
-namespace palpate {
-namespace {
+#include "detect_isas.h"
 
-std::vector<Isa> detect() {
+namespace palpate {
+
+std::vector<Isa> detectIsas() {
   std::vector<Isa> isas{Isa::kBaseline};
 #ifdef PALPATE_X86_KERNELS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) isas.push_back(Isa::kAvx2);
@@ -16,8 +17,6 @@ std::vector<Isa> detect() {
   return isas;
 }
 
-}  // namespace
-
 std::string_view toString(Isa isa) {
   switch (isa) {
     case Isa::kAvx2:
@@ -27,11 +26,6 @@ std::string_view toString(Isa isa) {
     default:
       return "baseline";
   }
-}
-
-const std::vector<Isa>& availableIsas() {
-  static const std::vector<Isa> kIsas = detect();
-  return kIsas;
 }
 
 }  // namespace palpate

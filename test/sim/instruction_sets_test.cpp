@@ -7,25 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/isa.h"
+#include "base/detect_isas.h"
 #include "sim/shipped_scenes.h"
 
 namespace palpate {
 namespace {
 
-std::vector<Isa> ofThisProcessor() {
-  std::vector<Isa> isas{Isa::kBaseline};
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) isas.push_back(Isa::kAvx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
-    isas.push_back(Isa::kAvx512);
-  }
-#endif
-  return isas;
-}
-
-std::vector<Isa> available = ofThisProcessor();
+std::vector<Isa> available = detectIsas();
 std::atomic<int> times_asked{0};
 
 }  // namespace
@@ -41,7 +29,7 @@ namespace {
 
 // On a processor that has no more than `isa`.
 std::vector<std::uint64_t> hashesBy(Isa isa, const std::string& scene) {
-  available = ofThisProcessor();
+  available = detectIsas();
   while (available.back() > isa) available.pop_back();
   return test::hashesOf(scene);
 }
@@ -51,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, InstructionSets, ::testing::ValuesIn(test::ship
                          [](const auto& name) { return name.param; });
 
 TEST_P(InstructionSets, GiveTheSameStates) {
-  const std::vector<Isa> isas = ofThisProcessor();
+  const std::vector<Isa> isas = detectIsas();
   if (isas.size() < 2) GTEST_SKIP() << "this processor has the baseline's instructions only";
   const std::vector<std::uint64_t> hashes = hashesBy(Isa::kBaseline, GetParam());
   for (const Isa isa : isas) {
