@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says how old the measured pages are: docs/accuracy.md, docs/benchmarks.md, docs/coverage.md, docs/hands.md,
-docs/models.md and docs/stability.md name the commits that made them. Fails if one names none, or a commit that HEAD does not come from. That a page is of a tree with
-changes that are in no commit, and how many commits have since changed what decides its figures, is
+docs/models.md and docs/stability.md name the commits that made them. Fails if one names none, or a commit that
+HEAD does not come from. That a page is of a tree with changes that are in no commit, and how many commits have since changed what decides its figures, is
 information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
 each commit. With --release a page of a tree with changes, or older than what decides its figures, fails.
 Without git, in an export and in a clone that is too shallow it says that it cannot tell.

@@ -9,8 +9,8 @@
 #   CTEST_REGEX  only the tests whose names match
 #
 # Only the core is built anew, in build-coverage/; the tests of build/ run with it in place of their own. Nodes are
-# left out: what rostests reach of the core is not counted. Two cores take about two hours from nothing. Exit
-# status 1: a test failed. From the environment: PALPATE_NO_INSTALL=1 installs nothing.
+# left out: what rostests reach of the core is not counted. Two cores compile the core for half an hour, and
+# take hours for the tests. Exit status 1: a test failed. From the environment: PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
