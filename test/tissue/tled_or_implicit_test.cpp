@@ -189,5 +189,33 @@ TEST(TledOrImplicit, MakesNoEnergyInCyclesThatAreCut) {
   }
 }
 
+// Thrown at what holds it, a slab is squeezed within a cycle more than its sub-steps bear, which
+// are of its start. Twice as many are tried, then implicit steps; in each case nothing gains
+// energy.
+TEST(TledOrImplicit, GivesUpACycleThatGainsEnergy) {
+  const struct {
+    double rate;  // of squeezing [1/s]
+    int newton_at_least, newton_at_most;
+  } cases[] = {{600.0, 0, 0}, {1200.0, 1, 1000}};
+  for (const auto& of : cases) {
+    Slab slab("tled", Eigen::Vector3i(5, 5, 3), "tet4");
+    slab.settings.gravity.setZero();
+    const auto tissue = slab.make();
+    Points v = slab.free.cwiseProduct(Points(slab.mesh.points));
+    v.topRows(2).setZero();
+    v *= -of.rate;
+    tissue->place(0, slab.mesh.points, v);
+    const TissueStep& step = tissue->step({}, kStep);
+    // Of four layers of points, of a sixth, a third, a third and a sixth of its mass.
+    const double mass = 1060.0 * 0.1 * 0.1 * 0.04,
+                 squares = (1.0 / 27.0 + 4.0 / 27.0 + 1.0 / 6.0) * 0.04 * 0.04;
+    const double before = 0.5 * mass * squares * of.rate * of.rate;
+    EXPECT_EQ(step.recovery, static_cast<int>(Recovery::kShorterSteps)) << of.rate;
+    EXPECT_LE(of.newton_at_least, step.newton_iterations) << of.rate;
+    EXPECT_GE(of.newton_at_most, step.newton_iterations) << of.rate;
+    EXPECT_LE(energy(step), 1.1 * before) << of.rate;
+  }
+}
+
 }  // namespace
 }  // namespace palpate::tissue
