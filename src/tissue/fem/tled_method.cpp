@@ -132,66 +132,74 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   return false;
 }
 
+// All sub-steps of a cycle, and its account of energy.
 bool TledMethod::run(double dt, int steps, TissueStep* out) {
-  const double h = dt / steps;
-  const double damping = 0.5 * body_.settings.mass_damping * h;
+  Course course{dt / steps, steps};
   Account account = account_;
   if (!account.isOpen()) account = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
-  coefficients_ = (1.0 + damping) / (h * h) * masses_;
   work_ = account.work;
-  jumped_ = labours_ = gained_ = overran_ = false;
-  bool touched = false;
-  int touch_iterations = 0;
   out->time_steps = caution_;
   out->sweep_stages = steps;
-  out->status = solver::SolveStatus::kNonFinite;
+  if (!go(&course, out) || !end(&course, out)) return false;
+  account.least_potential = std::min(account.least_potential, potential_);
+  gained_ = !plausible(account);
+  if (gained_) return false;
+  if (course.touched) body_.min_jacobian = course.least_jacobian;
+  account_ = account;
+  account_.work = work_;
+  account_.cycles = course.late ? account.cycles + course.taken / static_cast<double>(steps) : 1.0;
+  const double h = course.h;
+  inertia_ =
+      -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
+  addHeldInertia(h);
+  out->residual = touch_.residual();
+  body_.contact.learn(body_.x, dt);
+  out->status = touch_.status(out->tolerance, course.late);
+  return true;
+}
 
+// Sub-steps, up to where the cycle is cut, or false where they fail.
+bool TledMethod::go(Course* course, TissueStep* out) {
+  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
+  coefficients_ = (1.0 + damping) / (h * h) * masses_;
+  jumped_ = labours_ = gained_ = overran_ = false;
+  int touch_iterations = 0;
   touch_.begin();
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  bool late = false;
-  int k = 1;
-  for (; k <= steps && !late; ++k) {
+  for (int k = 1; k <= course->steps && !course->late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
-    subStep(h, k / static_cast<double>(steps), out);
+    subStep(h, k / static_cast<double>(course->steps), out);
     if (jumped_ || !std::isfinite(potential_)) break;
-    touched = touched || !touch_.nodes().empty();
+    course->taken = k;
+    course->touched = course->touched || !touch_.nodes().empty();
     touch_iterations += touch_.iterations();
     labours_ = touch_iterations > kFewTouchIterations + kTouchIterations * k;
     if (labours_) {
       out->status = solver::SolveStatus::kIterationLimit;
       return false;
     }
-    late = k < steps && solver::isInterrupted(body_.interrupt);
+    course->late = k < course->steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.
-  if (late) body_.touch.sides.doubt();
-  if (jumped_) out->status = solver::SolveStatus::kLineSearchFailed;
-  if (jumped_ || !std::isfinite(potential_) || !body_.x.allFinite()) return false;
-  const double least = touched ? body_.elasticity->minJacobian(body_.x) : 1.0;
-  overran_ = (touched && touch_.limited()) || !(least > 0.0);
-  if (overran_ && !late) {
+  if (course->late) body_.touch.sides.doubt();
+  out->status = jumped_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
+  return !jumped_ && std::isfinite(potential_) && body_.x.allFinite();
+}
+
+// Velocities at the end of a cycle. False where it leaves a tool deep in tissue, or tissue
+// inverted, and was not cut: then the next one begins with implicit steps.
+bool TledMethod::end(Course* course, TissueStep* out) {
+  if (course->touched) course->least_jacobian = body_.elasticity->minJacobian(body_.x);
+  overran_ = (course->touched && touch_.limited()) || !(course->least_jacobian > 0.0);
+  if (overran_ && !course->late) {
     out->status = solver::SolveStatus::kLineSearchFailed;
     return false;
   }
-
+  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
   contact_g_ = touch_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  if (!body_.v.allFinite()) return false;
-  account.least_potential = std::min(account.least_potential, potential_);
-  gained_ = !plausible(account);
-  if (gained_) return false;
-  if (touched) body_.min_jacobian = least;
-  account_ = account;
-  account_.work = work_;
-  account_.cycles = late ? account.cycles + (k - 1) / static_cast<double>(steps) : 1.0;
-  inertia_ =
-      -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
-  addHeldInertia(h);
-  out->residual = touch_.residual();
-  body_.contact.learn(body_.x, dt);
-  out->status = touch_.status(out->tolerance, late);
-  return true;
+  return body_.v.allFinite();
 }
 
 // From x to the next x, with the braked velocities in u, where the tools are at part `s` of their

@@ -52,9 +52,19 @@ class TledMethod final : public StepMethod {
     double cycles = 1.0;                    // that it is of
     bool isOpen() const { return cycles < 1.0; }
   };
+  // The sub-steps of a cycle.
+  struct Course {
+    double h;  // [s]
+    int steps;
+    int taken = 0;
+    bool touched = false, late = false;  // late: cut after those that are taken
+    double least_jacobian = 1.0;         // where touched
+  };
 
   int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
+  bool go(Course* course, TissueStep* out);
+  bool end(Course* course, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
   void moveHeld(double h, double s);
   void addHeldInertia(double h);
