@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every check and every test, and counts.
 #
-#   scripts/test.sh [--no-checks] [--sanitize | --sanitize=thread] [CTEST_REGEX]
+#   scripts/test.sh [--no-checks] [--sanitize=thread] [CTEST_REGEX]
 #
 #   --no-checks         only the tests, not format, tidy and the like
-#   --sanitize          the tests of the core with AddressSanitizer and UBSan, in build-sanitize/
-#   --sanitize=thread   those of its tests that name threads with ThreadSanitizer, in
-#                       build-sanitize-thread/
+#   --sanitize=thread   those tests of the core that name threads, with ThreadSanitizer, in
+#                       build-sanitize-thread/; other sanitizers: scripts/check_addresses.sh
 #   CTEST_REGEX         only the tests whose names match; implies --no-checks
 #
 # From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
@@ -17,15 +16,14 @@ cd "$(dirname "$0")/.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 checks=true
-sanitize=
+threads=false
 left_out=
 only=
 for argument in "$@"; do
   case $argument in
     --no-checks) checks=false ;;
-    --sanitize) sanitize=address,undefined checks=false ;;
-    --sanitize=thread) sanitize=thread checks=false ;;
-    -h | --help) sed -n '2,14s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    --sanitize=thread) threads=true checks=false ;;
+    -h | --help) sed -n '2,13s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "test.sh: unknown option '$argument'; see --help" >&2; exit 1 ;;
     *) only=$argument checks=false ;;
   esac
@@ -38,22 +36,18 @@ if [ -z "${PALPATE_EXTRA_DATA:-}" ] && [ -d ../shared/data ]; then
 fi
 
 targets=(all tests)
-if [ -n "$sanitize" ]; then
+if $threads; then
   # ROS's own libraries are not instrumented, so the core and the command line only.
-  flags="-O1 -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all"
-  BUILD_DIR=build-sanitize
-  if [ "$sanitize" = thread ]; then
-    BUILD_DIR=build-sanitize-thread
-    mapfile -t targets < <(
-      grep -rlE 'ThreadPool|Background|std::(thread|async|atomic)' test --include='*_test.cpp' |
-        grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
-    only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
-    # libgomp and OpenBLAS are not instrumented: what their threads hand on looks like a race.
-    export OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1
-  fi
-  export BUILD_TYPE=RelWithDebInfo CXXFLAGS="$flags"
-  export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+  mapfile -t targets < <(
+    grep -rlE 'ThreadPool|Background|std::(thread|async|atomic)' test --include='*_test.cpp' |
+      grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
+  only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
+  BUILD_DIR=build-sanitize-thread
+  export BUILD_TYPE=RelWithDebInfo
+  export CXXFLAGS="-O1 -fno-omit-frame-pointer -fsanitize=thread -fno-sanitize-recover=all"
   export CMAKE_ARGS="-DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1"
+  # libgomp and OpenBLAS are not instrumented: what their threads hand on looks like a race.
+  export OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 TSAN_OPTIONS=halt_on_error=1
 fi
 export BUILD_DIR=${BUILD_DIR:-build}
 
@@ -151,6 +145,9 @@ if $checks; then
   start=$SECONDS
   check "races" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/check_threads.sh
   echo "races took $((SECONDS - start)) s"
+  start=$SECONDS
+  check "addresses" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/check_addresses.sh --quick
+  echo "addresses took $((SECONDS - start)) s"
 fi
 
 # As many at once as there are cores, which are counted before OMP_THREAD_LIMIT is set: nproc heeds it.
