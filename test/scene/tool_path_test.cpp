@@ -13,7 +13,7 @@ namespace {
 
 class ToolPath : public ::testing::Test {
  protected:
-  mesh::Polyline pathOf(const std::string& rows) const {
+  Scene sceneOf(const std::string& rows) const {
     folder_.write("way.csv", "t,x,y,z,roll,pitch,yaw\n" + rows);
     Scene scene;
     scene.file = folder_.path("scene.yaml");
@@ -22,13 +22,18 @@ class ToolPath : public ::testing::Test {
     probe.urdf = test::sourceFolder() + "/config/instruments/probe.urdf";
     probe.control_frame = "tip";
     scene.instruments = {probe};
+    return scene;
+  }
+  static mesh::Polyline pathOf(const Scene& scene, const std::string& instrument = "") {
     OrganConfig organ;
     organ.name = "liver";
     organ.edge_length.near.resize(1);
     organ.edge_length.near[0].finest = 0.001;
     organ.edge_length.near[0].trajectory = "way.csv";
+    organ.edge_length.near[0].instrument = instrument;
     return toolPath(scene, organ, 0);
   }
+  mesh::Polyline pathOf(const std::string& rows) const { return pathOf(sceneOf(rows)); }
   std::string complaintOf(const std::string& rows) const {
     return test::complaint([&] { pathOf(rows); });
   }
@@ -53,6 +58,26 @@ TEST_F(ToolPath, LeadsNowhereFarOrWithoutEnd) {
             std::to_string(1e-3 * (i * 57 % 97)) + ",0,0,0,0\n";
   }
   EXPECT_TRUE(test::contains(complaintOf(rows), "at most 20000 corners"));
+}
+
+TEST_F(ToolPath, IsThatOfAnInstrumentOfTheScene) {
+  const Scene good = sceneOf("0,0,0,0,0,0,0\n1,0.01,0,0,0,0,0\n");
+  const auto complaintOf = [&](const Scene& scene, const std::string& instrument = "") {
+    return test::complaint([&] { pathOf(scene, instrument); });
+  };
+  EXPECT_TRUE(
+      test::contains(complaintOf(good, "hook"), "near[0].instrument = hook: must be one of"));
+  Scene other = good;
+  other.instruments.clear();
+  EXPECT_TRUE(test::contains(complaintOf(other), "there is no instrument in the scene"));
+  other = good;
+  other.instruments[0].urdf = "package://no_such_package/probe.urdf";
+  EXPECT_TRUE(test::contains(complaintOf(other), "instrument probe.urdf"));
+  other = good;
+  other.instruments[0].control_frame = "top";
+  EXPECT_TRUE(test::contains(complaintOf(other), "control_frame = top: must be a link of"));
+  folder_.write("way.csv", "t,x,y\n0,0,0\n1,0,0\n");
+  EXPECT_TRUE(test::contains(complaintOf(good), "way.csv"));
 }
 
 }  // namespace
