@@ -2,19 +2,17 @@
 #include "palpate/scene/organ_assembly.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
 #include "organ_deformations.h"
+#include "organ_elements.h"
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/tet_io.h"
-#include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/mesh_cache.h"
-#include "palpate/mesh/remesh.h"
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
 #include "palpate/mesh/used_points.h"
@@ -26,11 +24,6 @@
 
 namespace palpate::scene {
 namespace {
-
-constexpr int kRemeshingRounds = 5, kRemeshings = 4;
-constexpr double kMeanOff = 0.03;  // of the mean edge that is wanted
-// Of its volume by an organ whose triangles are large: that is told, or refused.
-constexpr double kMuchLost = 0.1, kMostLost = 0.5;
 
 std::string resolve(const std::string& uri, const std::string& scene_file, const std::string& key) {
   try {
@@ -65,46 +58,6 @@ mesh::TetMesh readTetrahedra(const OrganConfig& organ, const std::string& scene_
   mesh.points *= organ.scale;
   mesh::checkSize(mesh.points, scene_file, key + ".scale");
   return mesh;
-}
-
-// Corners of larger triangles lie on the surface, what is between them within: it loses volume.
-void checkElements(const mesh::SurfaceMesh& made, const mesh::SurfaceMesh& surface,
-                   const Scene& scene, const OrganConfig& organ, const std::string& key,
-                   std::vector<std::string>* warnings) {
-  const double kept = mesh::enclosedVolume(made) / mesh::enclosedVolume(surface);
-  const std::string length = std::to_string(organ.edge_length.coarsest);
-  if (!mesh::checkSurface(made).ok() || !(kept >= 1.0 - kMostLost)) {
-    throw InputError(scene.file, key + ".edge_length", length,
-                     "triangles as large do not resolve the surface; must be smaller");
-  }
-  if (kept >= 1.0 - kMuchLost) return;
-  warnings->push_back(scene.file + ": " + key + ".edge_length = " + length +
-                      ": triangles as large enclose " + std::to_string(std::lround(100.0 * kept)) +
-                      " % of the organ's volume");
-}
-
-// In triangles of one edge length.
-mesh::SurfaceMesh readOrganElements(const Scene& scene, const OrganConfig& organ,
-                                    const std::string& key, std::vector<std::string>* warnings) {
-  const mesh::SurfaceMesh surface = readOrganSurface(organ, scene.file, warnings);
-  if (organ.surface.empty()) return surface;
-  if (!organ.edge_length.uniform()) {
-    throw InputError(scene.file, key + ".edge_length.near", "",
-                     "model " + organ.model + " has edges of one length; leave it out");
-  }
-  const double wanted = organ.edge_length.coarsest;
-  // Shorter edges first, so that those of the file leave no trace.
-  const mesh::SurfaceMesh fine = mesh::remeshWithEdges(surface, 0.5 * wanted, kRemeshingRounds);
-  mesh::SurfaceMesh made;
-  double asked = wanted;  // what comes out is shorter by a tenth or two
-  for (int k = 0; k < kRemeshings; ++k) {
-    made = mesh::remeshWithEdges(fine, asked, kRemeshingRounds);
-    const double mean = mesh::meanEdgeLength({made.points, made.triangles, {}});
-    if (std::abs(mean - wanted) < kMeanOff * wanted) break;
-    asked *= wanted / mean;
-  }
-  checkElements(made, surface, scene, organ, key, warnings);
-  return made;
 }
 
 tissue::ModelSettings settingsOf(const Scene& scene, const contact::SampleSpacing& sample_spacing) {

@@ -65,6 +65,13 @@ TEST_F(RefusedScenes, BoundaryElementsAreGluedAndAtRest) {
                "pressure: model bem knows none"));
 }
 
+// Of a slab 100 x 100 x 30 mm: they were made for minutes.
+TEST_F(RefusedScenes, TooManyTrianglesAreNotMade) {
+  EXPECT_TRUE(
+      contains(complaintWith("edge_length: 0.04", "edge_length: 1.0e-4"),
+               "edge_length = 0.0001: would make about 7390083 triangles, more than 20000"));
+}
+
 // A kidney of 0.03 m had half its volume left, one of 0.1 m a twentieth, and nobody said so.
 TEST_F(RefusedScenes, TrianglesResolveTheSurface) {
   const std::string from = "slab.obj\n    model: bem\n    edge_length: 0.04";
