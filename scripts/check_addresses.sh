@@ -32,9 +32,8 @@ built=$(find "$PWD/build" -name libpalpate_core.so | head -n 1)
 [ -n "$built" ] || { echo "check_addresses.sh: needs build/, with a shared core; run scripts/build.sh" >&2; exit 2; }
 
 folder=build-addresses target=palpate_core rooms='[a-z]+' slow=blas_speed_test
-# -Bsymbolic: it calls its own inline functions, not those of a test. Tests free matrices that the core allocates, so
-# Eigen must not allocate in another way because of the sanitizer.
-cmake=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1 "-DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic")
+cmake=(-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1)
+# Tests free matrices that the core allocates: Eigen must not allocate in another way because of the sanitizer.
 flags="-O1 -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS -DEIGEN_MALLOC_ALREADY_ALIGNED=1"
 flags+=" -fsanitize=address,undefined -fno-sanitize-recover=all"
 if $quick; then
