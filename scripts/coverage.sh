@@ -31,7 +31,8 @@ mkdir -p "$out"
 status=0
 if ! $report; then
   scripts/build.sh all tests
-  # With -Bsymbolic it calls its own inline functions, which count, not those of a test.
+  # With -Bsymbolic it calls its own inline functions, which count, not those of a test; nor does it see the table
+  # of models that changing_mesh_test has in place of its own.
   BUILD_DIR=build-coverage BUILD_TYPE=RelWithDebInfo \
     CXXFLAGS="-O1 -fno-omit-frame-pointer --coverage -fprofile-update=atomic" \
     CMAKE_ARGS="-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1 -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic" \
@@ -42,7 +43,7 @@ if ! $report; then
   . scripts/env.sh
   core=$(find "$PWD/build-coverage" -name libpalpate_core.so | head -n 1)
   export LD_LIBRARY_PATH="${core%/*}:${LD_LIBRARY_PATH:-}"
-  (cd build && ctest -j "$cores" --timeout 1800 -E '^(_ctest_|soak$)' ${only:+-R "$only"} --output-on-failure </dev/null) \
+  (cd build && ctest -j "$cores" --timeout 1800 -E '^(_ctest_|soak$|changing_mesh_test/)' ${only:+-R "$only"} --output-on-failure </dev/null) \
     >"$out/tests.log" 2>&1 || status=1
   grep -E '^ *[0-9]+% tests passed|\((Failed|Timeout|SEGFAULT)\)$' "$out/tests.log" || true
 fi
