@@ -29,6 +29,7 @@ if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build 
 out=build/coverage
 mkdir -p "$out"
 status=0
+cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 if ! $report; then
   scripts/build.sh all tests
   # With -Bsymbolic it calls its own inline functions, which count, not those of a test; nor does it see the table
@@ -38,7 +39,6 @@ if ! $report; then
     CMAKE_ARGS="-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-g1 -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic" \
     scripts/build.sh palpate_core
   find build-coverage -name '*.gcda' -delete
-  cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
   # shellcheck disable=SC1091
   . scripts/env.sh
   core=$(find "$PWD/build-coverage" -name libpalpate_core.so | head -n 1)
@@ -49,7 +49,7 @@ if ! $report; then
 fi
 [ -d build-coverage ] || { echo "coverage.sh: --report: nothing has run yet" >&2; exit 2; }
 gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --exclude-unreachable-branches \
-  --gcov-ignore-parse-errors -j "$(nproc)" --json "$out/lines.json" build-coverage
+  --gcov-ignore-parse-errors -j "$cores" --json "$out/lines.json" build-coverage
 # Of a run that was cut short not all tests came to their end.
 ended=$(grep -oE 'Test +#[0-9]+: .*Passed' "$out/tests.log" | grep -oE '#[0-9]+' | sort -u | wc -l || true)
 all=$(grep -oE '/[0-9]+ Test +#' "$out/tests.log" | grep -oE '[0-9]+' | sort -n | tail -n 1 || true)
