@@ -48,7 +48,7 @@ void checkElements(const mesh::SurfaceMesh& made, const mesh::SurfaceMesh& surfa
                    const Scene& scene, const OrganConfig& organ, const std::string& key,
                    std::vector<std::string>* warnings) {
   const double kept = mesh::enclosedVolume(made) / mesh::enclosedVolume(surface);
-  const std::string length = std::to_string(organ.edge_length.coarsest);
+  const std::string length = formatNumber(organ.edge_length.coarsest);
   if (!mesh::checkSurface(made).ok() || !(kept >= 1.0 - kMostLost)) {
     throw InputError(scene.file, key + ".edge_length", length,
                      "triangles as large do not resolve the surface; must be smaller");

@@ -88,7 +88,7 @@ TEST_F(RefusedScenes, TrianglesResolveTheSurface) {
     Simulator simulator(sceneWith({{from, of(length)}, {held, end}}));
     return joinNames(simulator.warnings());
   };
-  EXPECT_TRUE(contains(warningsOf("0.02"), "edge_length = 0.020000: triangles as large enclose"));
+  EXPECT_TRUE(contains(warningsOf("0.02"), "edge_length = 0.02: triangles as large enclose"));
   EXPECT_EQ(warningsOf("0.01"), "");
 }
 
