@@ -179,6 +179,23 @@ TEST(Honeycomb, SaysWhenItIsPressedTooFar) {
   }
 }
 
+// A ball that leaps through a block within one cycle turns cells inside out on its way, where they
+// would stay: the cycle is given up then, not solved at each stage of the way, and rolled back.
+TEST(Honeycomb, GivesUpALeapThatTurnsCellsInsideOut) {
+  const auto tissue = makeBlock({});
+  Visit visit(0.004, 1e9);
+  const contact::Obstacle first = visit.next();
+  tissue->step({first}, kStep);
+  const Points before = tissue->positions();
+  contact::Obstacle through = first;
+  through.X_WG_begin = first.X_WG_end;
+  through.X_WG_end.translation().z() -= 0.1;
+  const TissueStep& step = tissue->step({through}, kStep);
+  EXPECT_EQ(step.recovery, static_cast<int>(Recovery::kRolledBack));
+  EXPECT_LE(step.sweep_stages, 12);  // 31 where it goes on
+  EXPECT_EQ(tissue->positions(), before);
+}
+
 // Cells whose centres are in the organ: a block of which a quarter is missing.
 TEST(Honeycomb, FillsWhatIsNoBox) {
   const ModelVariant variant = variantOf({});

@@ -42,14 +42,13 @@ void ContactSides::takeCells(int unknown) {
   }
 }
 
-// What touches in this state, the unknowns that it acts on, and the other sides of their cells:
-// without these the cells' volumes would let nothing move.
-bool ContactSides::gather(const Points& x) {
+// The unknowns that what touches acts on, and the other sides of their cells: without these the
+// cells' volumes would let nothing move.
+bool ContactSides::gather() {
   for (const int u : unknowns_) local_[index(u)] = -1;
   for (const int c : cells_) cell_local_[index(c)] = -1;
   unknowns_.clear();
   cells_.clear();
-  contact_.collect(x, &contacts_);
   for (const contact::Contact& c : contacts_) {
     for (int k = 0; k < 3; ++k) {
       if (c.touch.weights[k] == 0.0) continue;
@@ -176,8 +175,7 @@ void ContactSides::assemble(const CellState& state) {
 }
 
 // Along y_: d/dt of the energy, with the pressures of `state`.
-double ContactSides::slope(const CellState& state, const Points& x) {
-  contact_.collect(x, &contacts_);
+double ContactSides::slope(const CellState& state) const {
   double slope = 0.0;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
     slope -= y_[i] * internalForce(state, unknowns_[i]);
@@ -198,7 +196,7 @@ void ContactSides::findWay() {
   }
 }
 
-// g_ is the gradient here.
+// g_ is the gradient here; what touches, before and after, is in contacts_.
 bool ContactSides::step(CellState* state, Points* x) {
   if (factored_ != unknowns_) {
     assemble(*state);
@@ -225,15 +223,16 @@ bool ContactSides::step(CellState* state, Points* x) {
   };
   findWay();
   double t = contact_.maxStep(*x, d_);
-  for (int k = 0; k < kMaxSearches; ++k) {
+  for (int k = 0;; ++k) {
     go(t);
     x_ = *x + t * d_;
-    const double now = slope(trial_, x_);
+    contact_.collect(x_, &contacts_);
+    if (k == kMaxSearches) break;
+    const double now = slope(trial_);
     if (!(now > kSteep * std::abs(first))) break;
     t *= first < 0.0 ? std::clamp(first / (first - now), 0.1, 0.9) : 0.5;
   }
-  go(t);
-  *x += t * d_;
+  x->swap(x_);
   state->sides = trial_.sides;
   state->turns = trial_.turns;
   return true;
@@ -245,8 +244,9 @@ bool ContactSides::solve(double tolerance, CellState* state, Points* x, CellCont
   *moved = -state->sides;
   bool touches = false;
   double before = 0.0;
+  contact_.collect(*x, &contacts_);
   for (int k = 0; k <= kMaxSteps; ++k) {
-    if (!gather(*x)) break;
+    if (!gather()) break;
     touches = true;
     const double left = unbalanced(*state);
     if (left <= kPart * tolerance || !(left < 1e30) || k == kMaxSteps) break;

@@ -30,13 +30,13 @@ class ContactSides {
              Eigen::VectorXd* moved);
 
  private:
-  bool gather(const Points& x);
+  bool gather();
   void take(int unknown);
   void takeCells(int unknown);
   double unbalanced(const CellState& state);
   void findWay();
   bool step(CellState* state, Points* x);
-  double slope(const CellState& state, const Points& x);
+  double slope(const CellState& state) const;
   double internalForce(const CellState& state, int unknown) const;
   void assemble(const CellState& state);
   void addContacts();
@@ -46,12 +46,12 @@ class ContactSides {
   const contact::ContactPotential& contact_;
   int num_sides_;
 
-  std::vector<int> local_;             // of each unknown, or -1
-  std::vector<int> cell_local_;        // of each cell, or -1
-  std::vector<int> unknowns_, cells_;  // that are solved for
-  int num_touched_ = 0;                // of the unknowns, first: they move what is touched
-  std::vector<contact::Contact> contacts_;
-  Points x_, d_;  // corners, and a step of them [m]
+  std::vector<int> local_;                  // of each unknown, or -1
+  std::vector<int> cell_local_;             // of each cell, or -1
+  std::vector<int> unknowns_, cells_;       // that are solved for
+  int num_touched_ = 0;                     // of the unknowns, first: they move what is touched
+  std::vector<contact::Contact> contacts_;  // in the state that is solved, or tried
+  Points x_, d_;                            // corners, and a step of them [m]
   DenseSaddle matrix_;
   std::vector<int> factored_;  // unknowns that the matrix is factored for; empty: none
   std::vector<double> g_, v_, y_, p_;

@@ -9,7 +9,8 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr int kWavesOnTheWay = 10;  // of a stage that is not the last of a cycle
+constexpr int kWavesOnTheWay = 10;   // of a stage that is not the last of a cycle
+constexpr int kStagesInsideOut = 6;  // in a row, after which a cycle is given up
 constexpr int kMaxSearches = 3;
 constexpr int kMaxSettlings = 3;
 constexpr int kMaxSettlingsOfFriction = 6;
@@ -147,7 +148,8 @@ void HoneycombOrgan::add(const CellSolve& solve) {
   map_.place(state_, &x_);
 }
 
-// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+// The tools go on as far as the tissue can follow, it is solved, and so on to the end. Cells that
+// they keep turned inside out do not come back: such a cycle will be rolled back.
 void HoneycombOrgan::solveStages() {
   touch_.place(0.0);
   touch_.sweep.beginStep(x_);
@@ -160,6 +162,7 @@ void HoneycombOrgan::solveStages() {
       touch_.sweep.search(x_);
     }
   };
+  int inside_out = 0;
   for (double s = 0.0; s < 1.0;) {
     const bool late = s > 0.0 && solver::isInterrupted(interrupt_);
     s = late ? 1.0 : touch_.sweep.next(x_, s, 1.0);
@@ -168,6 +171,8 @@ void HoneycombOrgan::solveStages() {
     ++out_.sweep_stages;
     solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);
     if (!solver::usable(out_.status)) return;
+    inside_out = balance_.leastRatio(state_) > 0.0 ? 0 : inside_out + 1;
+    if (inside_out == kStagesInsideOut) return;
   }
   const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
   for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
