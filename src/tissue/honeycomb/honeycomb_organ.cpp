@@ -107,6 +107,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
   rest_.begin(x_);
   x_begin_ = x_;
   begin_state_ = state_;
+  begin_memory_ = solver_.waves().memory();
   out_.tolerance = tolerance_;
   solveStages();
   if (isPierced()) out_.status = solver::SolveStatus::kLineSearchFailed;
@@ -114,6 +115,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
   if (!solver::usable(out_.status) || !x_.allFinite() || !(out_.min_jacobian > 0.0)) {
     out_.recover(Recovery::kRolledBack);
     state_ = begin_state_;
+    solver_.waves().remember(begin_memory_);
     x_ = x_begin_;
     v_.setZero();
     touch_.contact.forget();

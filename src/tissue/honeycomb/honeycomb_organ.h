@@ -66,6 +66,7 @@ class HoneycombOrgan final : public TissueModel {
   CellSolver solver_;
   const solver::Interrupt* interrupt_ = nullptr;
   CellState settled_, state_, begin_state_;
+  std::vector<double> begin_memory_;  // of the waves
   Points x_, v_, x_begin_, f_;
   std::vector<contact::Contact> contacts_;  // scratch
   TissueStep out_;
