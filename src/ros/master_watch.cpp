@@ -7,7 +7,9 @@
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <algorithm>
 #include <chrono>
+#include <set>
 #include <utility>
 
 #include "ending.h"
@@ -31,6 +33,17 @@ void addConnected(const XmlRpcValue& topic, XmlRpcValue* publishers) {
     bool there = false;
     for (int k = 0; k < publishers->size(); ++k) there |= (*publishers)[k] == connection[1];
     if (!there) (*publishers)[publishers->size()] = connection[1];
+  }
+}
+
+// Adds what stands in a part of the master's table, [[name, [node, ...]], ...], beside this node.
+void addOwn(const XmlRpcValue& part, std::set<std::string>* names) {
+  const XmlRpcValue self(ros::this_node::getName());
+  for (int i = 0; i < part.size(); ++i) {
+    const XmlRpcValue& nodes = part[i][1];
+    for (int k = 0; k < nodes.size(); ++k) {
+      if (nodes[k] == self) names->insert(XmlRpcValue(part[i][0]));
+    }
   }
 }
 
@@ -65,10 +78,25 @@ void MasterWatch::look() {
     return;
   }
   const int pid = answer;
-  if (pid == pid_ && askMaster("lookupNode", {ros::this_node::getName()}, &answer)) return;
+  if (pid == pid_ && isKnown()) return;
   registerAgain();
   pid_ = pid;
   ROS_INFO("registered again with the ROS master");
+}
+
+bool MasterWatch::isKnown() const {
+  std::vector<std::string> advertised, subscribed;
+  ros::this_node::getAdvertisedTopics(advertised);
+  ros::this_node::getSubscribedTopics(subscribed);
+  XmlRpcValue state;  // [publishers, subscribers, services]
+  if (!askMaster("getSystemState", {}, &state) || state.size() != 3) return true;
+  const auto has = [&state](int part, const std::vector<std::string>& names) {
+    std::set<std::string> own;
+    addOwn(state[part], &own);
+    return std::all_of(names.begin(), names.end(),
+                       [&own](const std::string& name) { return own.count(name) != 0; });
+  };
+  return has(0, advertised) && has(1, subscribed) && has(2, services_);
 }
 
 void MasterWatch::registerAgain() const {

@@ -10,7 +10,7 @@ namespace palpate::node {
 
 /// Sees when the ROS master is gone, and registers this node again with the next one, which knows
 /// nobody, or with one that was told to forget it, as `rosnode cleanup` does with nodes that do not
-/// answer: topics both ways and services. Connections that there are live on without a master.
+/// answer, or one of its topics or services. Connections that there are live on without a master.
 class MasterWatch {
  public:
   /// `services`: resolved names of those that this node offers.
@@ -23,6 +23,8 @@ class MasterWatch {
  private:
   void loop();
   void look();
+  /// Whether the master has all topics and services of this node; true where it does not answer.
+  bool isKnown() const;
   void registerAgain() const;
 
   std::vector<std::string> services_;
