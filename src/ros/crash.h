@@ -15,7 +15,7 @@ class Crash {
   /// The others cannot do without this thread.
   static void isFatalHere();
   /// This one, too, if it is a thread of ROS, which block all signals; and with a stack of its own
-  /// for crashes: one by recursion has none left.
+  /// for crashes: one by recursion has none left. Ending::guard does so for our threads.
   static void catchHere();
 
   /// The signal that a thread crashed by; 0: none.

@@ -136,6 +136,7 @@ void Ending::limit(double seconds, int status) {
 }
 
 void Ending::guard(const char* thread, const std::function<void()>& body) {
+  Crash::catchHere();
   try {
     body();
   } catch (const std::exception& error) {

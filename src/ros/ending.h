@@ -37,7 +37,8 @@ class Ending {
   /// several limits the first counts. Safe in a signal's handler.
   static void limit(double seconds, int status);
 
-  /// Runs the body of a thread; an exception in it is a fail() that names the thread.
+  /// Runs the body of a thread; an exception in it is a fail() that names the thread, and one that
+  /// has used up its stack is a Crash as others are.
   static void guard(const char* thread, const std::function<void()>& body);
 };
 

@@ -57,6 +57,11 @@ TEST_F(CrashDeathTest, TheOthersGoOnAfterARecursionWithoutEnd) {
   EXPECT_EXIT(crashIn(body), ::testing::KilledBySignal(SIGSEGV), "the others go on");
 }
 
+TEST_F(CrashDeathTest, AThreadOfOursHasAStackForIt) {
+  const auto body = [] { Ending::guard("step", [] { fallWithoutEnd(0); }); };
+  EXPECT_EXIT(crashIn(body), ::testing::KilledBySignal(SIGSEGV), "the others go on");
+}
+
 TEST_F(CrashDeathTest, TheOthersGoOnAfterAnExceptionThatNobodyCatches) {
   const auto body = [] { throw std::runtime_error("nobody catches this"); };
   EXPECT_EXIT(crashIn(body), ::testing::KilledBySignal(SIGABRT), "the others go on");
