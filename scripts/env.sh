@@ -30,7 +30,8 @@ export OMP_THREAD_LIMIT=${OMP_THREAD_LIMIT:-1}
 # OpenBLAS's own threads spin while they wait.
 export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}
 # OpenBLAS 0.3.21 takes recent Intel processors for a Prescott and leaves AVX-512 unused.
-if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -qw avx512f /proc/cpuinfo 2>/dev/null; then
+if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -q GenuineIntel /proc/cpuinfo 2>/dev/null &&
+  grep -qw avx512f /proc/cpuinfo; then
   export OPENBLAS_CORETYPE=SKYLAKEX
 fi
 
