@@ -44,4 +44,11 @@ if [ -f "$_palpate_root/build/devel/setup.bash" ]; then
   if $_palpate_nounset; then set -u; fi
   unset _palpate_nounset
 fi
+# rosrun looks into no folder of a package that is called build.
+if [ -d "$_palpate_root/build/devel/lib/palpate" ]; then
+  case :$PATH: in
+    *:"$_palpate_root/build/devel/lib/palpate":*) ;;
+    *) PATH=$PATH:$_palpate_root/build/devel/lib/palpate ;;
+  esac
+fi
 unset _palpate_root
