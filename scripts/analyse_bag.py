@@ -18,6 +18,7 @@ import numpy as np  # noqa: E402
 import rosbag  # noqa: E402
 
 SKIP = "skipped_"  # what the counters of skipped work begin with
+REAL_TIME = 0.9  # the share of it that has to be simulated, or forces are those of a faster hand
 BLUE, RED, GREEN, GREY = "#1f4e79", "#b5322a", "#3a7d44", "#777777"
 
 
@@ -179,6 +180,11 @@ def main():
     width = max(len(name) for name, _ in rows)
     for name, value in rows:
         print("  %-*s  %s" % (width, name, value))
+    simulated = column(reports, "step")[running].sum() / (span[1] - span[0])
+    if simulated < REAL_TIME:
+        print("WARNING: %.0f %% of real time was simulated: tools went as much faster through the tissue than the arm"
+              " did,\n  and forces may be too large. palpate_replay_bag gives those of the same joints on any machine."
+              % (100.0 * simulated))
 
 
 if __name__ == "__main__":
