@@ -76,14 +76,14 @@ std::optional<Tool> toolOf(const sim::Simulator& simulator, int index) {
   return tool;
 }
 
-std::string rounded(double x) {
+std::string roundedText(double x) {
   std::ostringstream text;
   text.precision(2);
   text << x;
   return text.str();
 }
 
-std::string millimetres(double length) { return rounded(1e3 * length) + " mm"; }
+std::string millimetres(double length) { return roundedText(1e3 * length) + " mm"; }
 
 // To the nearest ten percent: no estimate is better than that.
 std::string percent(double part) {
@@ -100,8 +100,8 @@ bool hasBentEdges(const mesh::CellMesh& cells) {
 
 // What to write for edges that make the force too large by kWanted.
 std::string remedy(const mesh::CellMesh& cells, double edge) {
-  if (hasBentEdges(cells)) return "a mesh with edges of " + rounded(edge) + " m there";
-  return "adapt: {finest: " + rounded(edge) + "}";
+  if (hasBentEdges(cells)) return "a mesh with edges of " + roundedText(edge) + " m there";
+  return "adapt: {finest: " + roundedText(edge) + "}";
 }
 
 std::string adviceFor(const scene::OrganConfig& organ, const mesh::CellMesh& cells,

@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
 std::string reason(int error) { return std::strerror(error); }
 
 /// A file descriptor that is closed at the end.
-class Descriptor {
+class WriteDescriptor {
  public:
-  Descriptor(const std::string& file, int flags)
+  WriteDescriptor(const std::string& file, int flags)
       : value_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  ~WriteDescriptor() { close(); }
+  WriteDescriptor(const WriteDescriptor&) = delete;
+  WriteDescriptor& operator=(const WriteDescriptor&) = delete;
 
   bool ok() const { return value_ >= 0; }
   bool write(std::string_view bytes) const {
@@ -68,7 +68,7 @@ std::string makePart(const std::string& file) {
   for (int attempt = 0;; ++attempt) {
     const std::string part =
         file + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    if (Descriptor(part, O_WRONLY | O_CREAT | O_EXCL).ok()) return part;
+    if (WriteDescriptor(part, O_WRONLY | O_CREAT | O_EXCL).ok()) return part;
     if (errno != EEXIST || attempt == 1000) fail(file, reason(errno));
   }
 }
@@ -87,7 +87,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
-  Descriptor descriptor(part_, O_RDONLY);
+  WriteDescriptor descriptor(part_, O_RDONLY);
   if (!descriptor.ok() || !descriptor.sync()) fail(file_, reason(errno));
   if (std::rename(part_.c_str(), file_.c_str()) != 0) fail(file_, reason(errno));
   part_.clear();
@@ -95,7 +95,7 @@ void AtomicFile::commit() {
 
 void writeFileAtomically(const std::string& file, std::string_view bytes) {
   AtomicFile whole(file);
-  Descriptor out(whole.part(), O_WRONLY);
+  WriteDescriptor out(whole.part(), O_WRONLY);
   if (!out.ok() || !out.write(bytes) || !out.close()) fail(file, reason(errno));
   whole.commit();
 }

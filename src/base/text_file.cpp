@@ -17,16 +17,16 @@ namespace {
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
 /// An open file that is closed at the end.
-class Descriptor {
+class ReadDescriptor {
  public:
   // Not blocking: a pipe would wait for who writes into it.
-  explicit Descriptor(const std::string& file)
+  explicit ReadDescriptor(const std::string& file)
       : value_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
-  ~Descriptor() {
+  ~ReadDescriptor() {
     if (value_ >= 0) ::close(value_);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  ReadDescriptor(const ReadDescriptor&) = delete;
+  ReadDescriptor& operator=(const ReadDescriptor&) = delete;
 
   int value() const { return value_; }
 
@@ -41,7 +41,7 @@ class Descriptor {
 }
 
 /// Its size; what is no regular file may have no end, or never begin.
-std::size_t sizeOf(const Descriptor& descriptor, const std::string& file) {
+std::size_t sizeOf(const ReadDescriptor& descriptor, const std::string& file) {
   struct stat status {};
   if (::fstat(descriptor.value(), &status) != 0) {
     throw InputError(file, "", "", std::string("cannot be read: ") + std::strerror(errno));
@@ -55,7 +55,7 @@ std::size_t sizeOf(const Descriptor& descriptor, const std::string& file) {
 }  // namespace
 
 std::string readTextFile(const std::string& file, std::size_t max_bytes) {
-  const Descriptor descriptor(file);
+  const ReadDescriptor descriptor(file);
   if (descriptor.value() < 0) {
     const bool none = errno == ENOENT || errno == ENOTDIR;
     throw InputError(file, "", "",

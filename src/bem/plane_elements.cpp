@@ -11,15 +11,14 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kSingular = 1e-12;  // of the largest pivot
+constexpr double kLeastPivotRatio = 1e-12;  // of the largest pivot
 
 // Gauss-Legendre, ten points, the positive half [Abramowitz, Stegun 1964, table 25.4].
-constexpr double kGauss[5][2] = {{0.148874338981631211, 0.295524224714752870},
-                                 {0.433395394129247191, 0.269266719309996355},
-                                 {0.679409568299024406, 0.219086362515982044},
-                                 {0.865063366688984511, 0.149451349150580593},
-                                 {0.973906528517171720, 0.066671344308688138}};
+constexpr double kLineRule[5][2] = {{0.148874338981631211, 0.295524224714752870},
+                                    {0.433395394129247191, 0.269266719309996355},
+                                    {0.679409568299024406, 0.219086362515982044},
+                                    {0.865063366688984511, 0.149451349150580593},
+                                    {0.973906528517171720, 0.066671344308688138}};
 
 double shearModulus(double young_modulus, double poisson_ratio) {
   if (!(young_modulus > 0.0)) {
@@ -79,7 +78,7 @@ PlaneElements::PlaneElements(const Eigen::Matrix2Xd& points, const Eigen::Matrix
 Matrix2d PlaneElements::ownU(Eigen::Index element) const {
   const Vector2d l = halves_.col(element);
   const double R = l.norm(), nu = solid_.poisson_ratio;
-  return R / (4.0 * kPi * solid_.shear_modulus * (1.0 - nu)) *
+  return R / (4.0 * M_PI * solid_.shear_modulus * (1.0 - nu)) *
          ((3.0 - 4.0 * nu) * (1.0 - std::log(R / size_)) * Matrix2d::Identity() +
           l * l.transpose() / (R * R));
 }
@@ -90,7 +89,7 @@ void PlaneElements::integrate(const Vector2d& p, Eigen::Index element, Matrix2d*
   const Vector2d n = normals_.col(element);
   U->setZero();
   T->setZero();
-  for (const auto& gauss : kGauss) {
+  for (const auto& gauss : kLineRule) {
     for (const double side : {-1.0, 1.0}) {
       const Vector2d way = middles_.col(element) + side * gauss[0] * halves_.col(element) - p;
       const double r = way.norm(), weight = 0.5 * gauss[1] * lengths_[element];
@@ -102,8 +101,8 @@ void PlaneElements::integrate(const Vector2d& p, Eigen::Index element, Matrix2d*
              (1.0 - 2.0 * nu) * (e * n.transpose() - n * e.transpose()));
     }
   }
-  *U /= 8.0 * kPi * solid_.shear_modulus * (1.0 - nu);
-  *T /= -4.0 * kPi * (1.0 - nu);
+  *U /= 8.0 * M_PI * solid_.shear_modulus * (1.0 - nu);
+  *T /= -4.0 * M_PI * (1.0 - nu);
 }
 
 PlaneSolution PlaneElements::solve(const PlaneConditions& conditions) const {
@@ -128,7 +127,7 @@ PlaneSolution PlaneElements::solve(const PlaneConditions& conditions) const {
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> factor(A);
   const auto pivots = factor.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff()) || !conditions.held.any()) {
+  if (!(pivots.minCoeff() > kLeastPivotRatio * pivots.maxCoeff()) || !conditions.held.any()) {
     throw std::invalid_argument("the conditions leave the body a motion; hold more of it");
   }
   const Eigen::VectorXd x = factor.solve(b);

@@ -9,8 +9,6 @@
 namespace palpate::bem {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // Averages A with its transpose; returns how far they were apart, over the norm.
 double symmetrise(Eigen::MatrixXd* A) {
   double apart = 0.0, all = 0.0;
@@ -31,7 +29,7 @@ double symmetrise(Eigen::MatrixXd* A) {
 KelvinConstants::KelvinConstants(const material::Moduli& moduli) {
   const double nu =
       (3.0 * moduli.kappa - 2.0 * moduli.mu) / (2.0 * (3.0 * moduli.kappa + moduli.mu));
-  factor = 1.0 / (16.0 * kPi * moduli.mu * (1.0 - nu));
+  factor = 1.0 / (16.0 * M_PI * moduli.mu * (1.0 - nu));
   isotropic = 3.0 - 4.0 * nu;
 }
 
@@ -70,11 +68,11 @@ SurfaceOperators surfaceOperators(const mesh::SurfaceMesh& surface,
           pull += rule.weights[q] * at.pull;
           if (i != j) cover += rule.weights[q] * at.cover;
         }
-        made.inverse(j, i) = over.area / (4.0 * kPi) * inverse;
+        made.inverse(j, i) = over.area / (4.0 * M_PI) * inverse;
         made.single_layer.block<3, 3>(3 * j, 3 * i) =
             over.area * kelvin.factor * (kelvin.isotropic * inverse * Mat3::Identity() + pull);
         for (int a = 0; a < 3; ++a) {
-          covers(surface.triangles(a, j), i) -= over.area / (4.0 * kPi) * cover[a];
+          covers(surface.triangles(a, j), i) -= over.area / (4.0 * M_PI) * cover[a];
         }
       }
     }

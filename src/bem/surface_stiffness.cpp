@@ -20,7 +20,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 // Of the pivots of Cholesky's factor, over the largest they can be.
-constexpr double kSingular = 1e-7;
+constexpr double kLeastDiagonalRatio = 1e-7;
 
 // The triangles around a point, and which of their corners it is.
 struct Corner {
@@ -216,7 +216,7 @@ MatrixXd surfaceCompliance(const MatrixXd& stiffness, const Eigen::Matrix3Xd& fr
     K.col(k).setZero();
     K(k, k) = unit;
   }
-  if (!factorise(&K, pool) || !(K.diagonal().minCoeff() > kSingular * std::sqrt(unit))) {
+  if (!factorise(&K, pool) || !(K.diagonal().minCoeff() > kLeastDiagonalRatio * std::sqrt(unit))) {
     throw std::invalid_argument("what is held leaves the surface a motion");
   }
   MatrixXd root = MatrixXd::Identity(K.rows(), K.cols());

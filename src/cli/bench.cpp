@@ -22,7 +22,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct BenchOptions {
   std::string scene, out;
   bool small = false;
   BenchChoice choice;
@@ -65,7 +65,7 @@ class WorkFolder {
   bool temporary_ = false;
 };
 
-Settings settingsFrom(const Options& options) {
+Settings settingsFrom(const BenchOptions& options) {
   Settings settings(options.shorthands.begin(), options.shorthands.end());
   for (const std::string& set : options.sets) {
     const std::size_t equals = set.find('=');
@@ -83,8 +83,8 @@ double poissonRatio(const scene::Scene& scene) {
   return found == constants.end() ? 0.0 : found->second.front();
 }
 
-BenchResult runScene(const BenchScene& scene, const Options& options, const BenchChoice& choice,
-                     const std::string& folder, BenchTitle* title) {
+BenchResult runScene(const BenchScene& scene, const BenchOptions& options,
+                     const BenchChoice& choice, const std::string& folder, BenchTitle* title) {
   BenchCase bench = scene.make(choice, folder);
   if (bench.scene.file.empty()) bench.scene.file = folder + "/scene";
   for (scene::OrganConfig& organ : bench.scene.organs) {
@@ -108,7 +108,7 @@ int list() {
 }
 
 // A tenth of a second of every scene that is a box, on few tetrahedra.
-int runSmall(Options options) {
+int runSmall(BenchOptions options) {
   options.duration = options.duration.value_or(0.1);
   options.repeats = options.cycles = 1;
   bool usable = true;
@@ -129,7 +129,7 @@ int runSmall(Options options) {
   return usable ? kOk : kNotConverged;
 }
 
-int run(const Options& options) {
+int runBench(const BenchOptions& options) {
   if (options.duration) requirePositive("--duration", *options.duration);
   requirePositive("--frame", options.frame);
   if (options.choice.edge_length) requirePositive("--edge-length", *options.choice.edge_length);
@@ -160,7 +160,7 @@ int run(const Options& options) {
 void addBench(CLI::App& app, Action& action) {
   Command command(app, "bench",
                   "Run one of several fixed scenes and measure it; without --scene, list them");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   command.option("--scene", &options->scene, "One of the list");
   command.flag("--small", &options->small, "Small versions of the scenes, in seconds");
   command.option("--tets", &options->choice.tets, "About so many tetrahedra (boxes)")
@@ -198,7 +198,7 @@ void addBench(CLI::App& app, Action& action) {
   command.option("--seconds", &options->seconds, "Begin no other repeat after so long");
   command.option("--out", &options->out,
                  "Folder for summary.json, forces.csv, times.csv, displacements.bin, mesh.vtu");
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runBench(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -48,7 +48,7 @@ constexpr const char* kBall = R"(<?xml version="1.0"?>
 </robot>
 )";
 
-void refuse(const char* scene, const char* option, const std::string& why) {
+void refuseBench(const char* scene, const char* option, const std::string& why) {
   throw InputError("command line", option, "",
                    std::string("has no place in ") + scene + ": " + why);
 }
@@ -94,13 +94,14 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
   organ.name = "body";
   organ.supports = {heldAt(2, 0.0, -1.0)};
   if (!choice.finest) {
-    if (choice.edge_length) refuse("a box", "--edge-length", "give --tets, or --finest beside it");
+    if (choice.edge_length)
+      refuseBench("a box", "--edge-length", "give --tets, or --finest beside it");
     const Eigen::Vector3i cells = cellsFor(choice.tets.value_or(tets), ratio);
     formats::writeVtu(folder + "/body.vtu", mesh::boxMesh(size, cells), {}, {});
     organ.tetrahedra = "body.vtu";
   } else {
-    if (choice.tets) refuse("a graded mesh", "--tets", "give --finest and --edge-length");
-    if (way.points.empty()) refuse("this scene", "--finest", "no tool touches it");
+    if (choice.tets) refuseBench("a graded mesh", "--tets", "give --finest and --edge-length");
+    if (way.points.empty()) refuseBench("this scene", "--finest", "no tool touches it");
     const mesh::TetMesh corners = mesh::boxMesh(size, Eigen::Vector3i::Ones());
     formats::writeSurface(folder + "/body.obj",
                           {corners.points, mesh::boundaryTriangles(corners.tets)});
@@ -215,7 +216,7 @@ Eigen::VectorXd interpolate(const formats::Trajectory& table, double t) {
 // The shipped scene and its recorded hand; or with the liver meshed to `edge_length` [m] or as was
 // chosen, which then never changes.
 BenchCase liverOf(std::optional<double> edge_length, const BenchChoice& choice) {
-  if (choice.tets) refuse("the liver", "--tets", "give --edge-length");
+  if (choice.tets) refuseBench("the liver", "--tets", "give --edge-length");
   BenchCase made;
   const auto shipped = [](const std::string& file) {
     try {

@@ -22,7 +22,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct DatabaseOptions {
   std::string scene, organ, out, part = "0/1";
   std::optional<std::string> within;
   enrichment::DatabasePlan plan;
@@ -56,14 +56,14 @@ enrichment::PressBall ballOf(const std::string& text) {
   return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
-void check(const Options& options) {
+void check(const DatabaseOptions& options) {
   requirePositive("--force", options.plan.press.force);
   requirePositive("--cone", options.cone);
   if (options.plan.edge_length) requirePositive("--edge-length", *options.plan.edge_length);
   if (options.plan.patch) requirePositive("--patch", *options.plan.patch);
 }
 
-scene::PressedOrgan pressedOrgan(const Options& options, start::ProgressLine* line) {
+scene::PressedOrgan pressedOrgan(const DatabaseOptions& options, start::ProgressLine* line) {
   const scene::Scene scene = scene::readScene(options.scene);
   const int index = static_cast<int>(organIndex(scene, options.organ));
   const scene::Progress no_progress;
@@ -80,7 +80,7 @@ scene::PressedOrgan pressedOrgan(const Options& options, start::ProgressLine* li
   }
 }
 
-int run(Options options) {
+int runDatabase(DatabaseOptions options) {
   const enrichment::SharePart share = shareOf(options.part);
   check(options);
   if (options.within) options.plan.within = ballOf(*options.within);
@@ -107,7 +107,7 @@ void addDatabase(CLI::App& app, Action& action) {
   Command command(app, "database",
                   "Press an organ again and again, for models that learn how it deforms; what is "
                   "there already is kept");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DatabaseOptions>();
   enrichment::DatabasePlan& plan = options->plan;
   command.option("scene", &options->scene, "Scene file (.yaml)").required();
   command.option("--organ", &options->organ, "Its organ; may be left out where there is one only");
@@ -135,7 +135,7 @@ void addDatabase(CLI::App& app, Action& action) {
                  "K/N: samples K, K + N, K + 2 N ... only, for N programs at once");
   command.option("--threads", &options->threads, "Presses solved at once; 1 if not given")
       .between(1, 256);
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runDatabase(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -20,7 +20,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct MeshOptions {
   MeshChoice choice;
   std::string out;
   bool no_cache = false;
@@ -34,7 +34,7 @@ struct Meshed {
   bool from_cache = false;
 };
 
-Meshed meshSurface(const Options& options) {
+Meshed meshSurface(const MeshOptions& options) {
   start::ProgressLine line;
   const mesh::MeshingProgress progress = [&](const std::string& stage, double fraction) {
     line.show(stage, fraction);
@@ -69,7 +69,7 @@ std::string edgeTable(const mesh::EdgeLengths& edges) {
   return text.str();
 }
 
-void printReport(const Options& options, const Meshed& result) {
+void printReport(const MeshOptions& options, const Meshed& result) {
   const mesh::TetQuality& quality = result.quality;
   const mesh::EdgeLengths edges = mesh::measureEdges(mesh::cellsOf(result.mesh));
   std::cout << options.out << "\n" << std::fixed << std::setprecision(2);
@@ -90,7 +90,7 @@ void printReport(const Options& options, const Meshed& result) {
             << (result.from_cache ? " (from the cache)" : "") << "\n";
 }
 
-int run(const Options& options) {
+int runMesh(const MeshOptions& options) {
   checkChoice(options.choice);
   requireWritable("--out", options.out, {".vtu"});
   const Meshed result = meshSurface(options);
@@ -103,7 +103,7 @@ int run(const Options& options) {
 
 void addMesh(CLI::App& app, Action& action) {
   Command command(app, "mesh", "Fill a closed surface with tetrahedra");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeshOptions>();
   MeshChoice& choice = options->choice;
   command.option("surface", &choice.surface, "File: .obj, .off, .stl, .ply or .wrl");
   command.option("--edge-length", &choice.edge_length,
@@ -121,7 +121,7 @@ void addMesh(CLI::App& app, Action& action) {
   command.option("--out", &options->out, "File to write, .vtu").required();
   command.flag("--no-cache", &options->no_cache,
                "Mesh anew and remember nothing, whatever is in the cache");
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runMesh(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -13,13 +13,13 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct OrganOptions {
   std::string name;
   double edge_length = 0.0;
   std::string out;
 };
 
-int run(const Options& options) {
+int runOrgan(const OrganOptions& options) {
   requirePositive("--edge-length", options.edge_length);
   requireWritable("--out", options.out, {".obj", ".off"});
   const mesh::SurfaceMesh surface = organs::makeOrgan(options.name, options.edge_length);
@@ -34,12 +34,12 @@ int run(const Options& options) {
 
 void addOrgan(CLI::App& app, Action& action) {
   Command command(app, "organ", "Make the surface of an organ");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<OrganOptions>();
   command.option("name", &options->name, "One of " + joinNames(organs::organNames())).required();
   command.option("--edge-length", &options->edge_length, "Mean edge of the triangles [m]")
       .required();
   command.option("--out", &options->out, "File to write, .off or .obj").required();
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runOrgan(*options); }; });
 }
 
 }  // namespace palpate::cli

@@ -27,7 +27,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string scene, trajectory, out, vtu, initial_state, save_state;
   int every = 10;
   int threads = 0;
@@ -72,7 +72,7 @@ void checkBlas(const sim::Simulator& simulator, bool profile) {
   if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
 }
 
-int replay(const Options& options) {
+int replay(const ReplayOptions& options) {
   scene::Scene scene = scene::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
   const formats::Trajectory trajectory = formats::readTrajectory(options.trajectory);
@@ -117,7 +117,7 @@ int replay(const Options& options) {
 
 void addReplay(CLI::App& app, Action& action) {
   Command command(app, "replay", "Drive a scene by a table of joint positions, as fast as it goes");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   command.option("scene", &options->scene, "Scene file, see docs/scene_format.md").required();
   command
       .option("--trajectory", &options->trajectory,

@@ -23,11 +23,11 @@
 namespace palpate::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SkinClock = std::chrono::steady_clock;
 
 constexpr double kAcceptable = 1.1;  // times the least criterion
 
-struct Options {
+struct SkinOptions {
   skin::TwoLayerBlock block;
   std::string variant{toString(skin::TwoLayerBlock().idealization)}, mesh, diagonals = "one_way";
   std::string ratios = "geometric", protocol = "converged", out;
@@ -37,24 +37,24 @@ struct Options {
   bool fixed = false, published = false;
 };
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value,
-                         const std::string& allowed) {
+[[noreturn]] void refuseSkin(const std::string& option, const std::string& value,
+                             const std::string& allowed) {
   throw InputError("command line", option, value, allowed);
 }
 
 int wholeNumber(const std::string& option, const std::string& all, const std::string& text) {
   const std::optional<double> value = parseNumber(text);
   if (!value || !(*value >= 1.0 && *value <= 1e6) || *value != static_cast<int>(*value)) {
-    refuse(option, all, "must be two whole numbers > 0, as 16x6");
+    refuseSkin(option, all, "must be two whole numbers > 0, as 16x6");
   }
   return static_cast<int>(*value);
 }
 
-skin::TwoLayerBlock blockOf(const Options& options) {
+skin::TwoLayerBlock blockOf(const SkinOptions& options) {
   skin::TwoLayerBlock block = options.block;
   if (!options.mesh.empty()) {
     const std::size_t cross = options.mesh.find('x');
-    if (cross == std::string::npos) refuse("--mesh", options.mesh, "must be as 16x6");
+    if (cross == std::string::npos) refuseSkin("--mesh", options.mesh, "must be as 16x6");
     block.columns = wholeNumber("--mesh", options.mesh, options.mesh.substr(0, cross));
     block.rows = wholeNumber("--mesh", options.mesh, options.mesh.substr(cross + 1));
   }
@@ -73,7 +73,7 @@ std::vector<double> ratiosOf(const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
     const std::optional<double> ratio = parseNumber(text.substr(begin, comma - begin));
-    if (!ratio) refuse("--ratios", text, "must be geometric, linear, none or numbers as 1,3,7");
+    if (!ratio) refuseSkin("--ratios", text, "must be geometric, linear, none or numbers as 1,3,7");
     ratios.push_back(*ratio);
     begin = comma + 1;
   }
@@ -113,7 +113,7 @@ void printOptimum(const std::string& name, const skin::TwoLayerBlock& block,
             << " within " << 100 * (kAcceptable - 1.0) << " %\n";
 }
 
-void sweepAndReport(const Options& options, const skin::TwoLayerBlock& block,
+void sweepAndReport(const SkinOptions& options, const skin::TwoLayerBlock& block,
                     const std::string& folder) {
   const std::vector<double> ratios = ratiosOf(options.ratios);
   if (ratios.empty()) return;
@@ -139,22 +139,22 @@ int runPublished(const std::string& folder) {
   return agree == static_cast<std::ptrdiff_t>(figures.size()) ? kOk : kNotConverged;
 }
 
-double milliseconds(Clock::time_point from) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+double milliseconds(SkinClock::time_point from) {
+  return std::chrono::duration<double, std::milli>(SkinClock::now() - from).count();
 }
 
-int report(const Options& options) {
+int report(const SkinOptions& options) {
   if (options.weight && !(*options.weight >= 0.0 && *options.weight <= 1.0)) {
-    refuse("--weight", formatNumber(*options.weight), "must be in [0, 1]");
+    refuseSkin("--weight", formatNumber(*options.weight), "must be in [0, 1]");
   }
   if (options.depth && !std::isfinite(*options.depth)) {
-    refuse("--depth", formatNumber(*options.depth), "must be a finite number");
+    refuseSkin("--depth", formatNumber(*options.depth), "must be a finite number");
   }
   const skin::TwoLayerBlock block = blockOf(options);
   skin::checkBlock(block);
   const std::string folder = makeFolder(options.out).string();
   if (options.published) return runPublished(folder);
-  const auto begin = Clock::now();
+  const auto begin = SkinClock::now();
   const skin::UnitIndentation unit = skin::indent(block);
   const double solved = milliseconds(begin);
   std::cout << folder << "\n  block            " << unit.mesh.points.cols() << " nodes, "
@@ -178,7 +178,7 @@ int report(const Options& options) {
   return kOk;
 }
 
-int run(const Options& options) {
+int runSkin(const SkinOptions& options) {
   try {
     return report(options);
   } catch (const std::domain_error& error) {
@@ -192,7 +192,7 @@ int run(const Options& options) {
 void addSkin(CLI::App& app, Action& action) {
   Command command(app, "skin",
                   "Press two layers of skin on bone, beside measured profiles of the surface");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SkinOptions>();
   skin::TwoLayerBlock& block = options->block;
   command
       .option("--variant", &options->variant,
@@ -229,7 +229,7 @@ void addSkin(CLI::App& app, Action& action) {
   command.flag("--published", &options->published,
                "All 576 figures of Triantafyllopoulos (2005) instead, beside ours");
   command.option("--out", &options->out, "Folder for the tables").required();
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runSkin(*options); }; });
 }
 
 }  // namespace palpate::cli

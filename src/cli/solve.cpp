@@ -16,7 +16,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct SolveOptions {
   std::string case_file, out;
   int threads = 1;
 };
@@ -34,7 +34,7 @@ void writeOutcome(const analysis::CaseOutcome& outcome, const std::filesystem::p
   csv.close();
 }
 
-int solve(const Options& options) {
+int solve(const SolveOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const analysis::Case problem = analysis::readCase(options.case_file);
   const std::filesystem::path folder = makeFolder(options.out);
@@ -63,7 +63,7 @@ int solve(const Options& options) {
 void addSolve(CLI::App& app, Action& action) {
   Command command(app, "solve",
                   "Solve a case file: static or dynamic finite elements with loads and supports");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SolveOptions>();
   command.option("case", &options->case_file, "Case file, see docs/case_format.md").required();
   command
       .option("--out", &options->out,

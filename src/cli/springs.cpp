@@ -20,7 +20,7 @@ namespace {
 
 constexpr Eigen::Index kMaxModesPoints = 400;  // more take many seconds
 
-struct Options {
+struct SpringsOptions {
   SpringsChoice choice;
   std::string out;
 };
@@ -55,7 +55,7 @@ void printResiduals(const MadeSprings& made) {
   std::cout << std::setprecision(6);
 }
 
-void printReport(const Options& options, const MadeSprings& made) {
+void printSprings(const SpringsOptions& options, const MadeSprings& made) {
   std::cout << options.out << "\n";
   printCounts(made);
   printResiduals(made);
@@ -82,11 +82,11 @@ void printReport(const Options& options, const MadeSprings& made) {
   }
 }
 
-int run(const Options& options) {
+int runSprings(const SpringsOptions& options) {
   requireWritable("--out", options.out, {".csv"});
   const MadeSprings made = makeSprings(options.choice);
   springs::writeSprings(options.out, made.network);
-  printReport(options, made);
+  printSprings(options, made);
   return kOk;
 }
 
@@ -95,7 +95,7 @@ int run(const Options& options) {
 void addSprings(CLI::App& app, Action& action) {
   Command command(app, "springs",
                   "Give masses and springs the constants of a beam, sheet or solid");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SpringsOptions>();
   SpringsChoice& choice = options->choice;
   command.option("mesh", &choice.mesh,
                  "A sheet of triangles (.obj, .off, .stl, .ply, .wrl) or tetrahedra (.msh, .vtk, "
@@ -123,7 +123,7 @@ void addSprings(CLI::App& app, Action& action) {
   command.flag("--match-mean", &choice.match_mean,
                "Multiply what is fitted so that its mean is right: least squares are too soft");
   command.option("--out", &options->out, "File to write, .csv").required();
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runSprings(*options); }; });
 }
 
 }  // namespace palpate::cli

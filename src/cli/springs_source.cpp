@@ -23,32 +23,32 @@ using springs::Constants;
 
 constexpr int kMaxNodes = 2000000;
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value,
-                         const std::string& allowed) {
+[[noreturn]] void refuseSprings(const std::string& option, const std::string& value,
+                                const std::string& allowed) {
   throw InputError("command line", option, value, allowed);
 }
 
 double needed(const char* option, const std::optional<double>& value, const char* what) {
-  if (!value) refuse(option, "", std::string("must be given for ") + what);
+  if (!value) refuseSprings(option, "", std::string("must be given for ") + what);
   requirePositive(option, *value);
   return *value;
 }
 
 void unwanted(const char* option, bool given, const char* what) {
-  if (given) refuse(option, "", std::string("has no meaning for ") + what);
+  if (given) refuseSprings(option, "", std::string("has no meaning for ") + what);
 }
 
-double poissonRatio(const SpringsChoice& choice) {
-  if (!choice.poisson_ratio) refuse("--poisson-ratio", "", "must be given for a sheet");
+double springsPoissonRatio(const SpringsChoice& choice) {
+  if (!choice.poisson_ratio) refuseSprings("--poisson-ratio", "", "must be given for a sheet");
   const double nu = *choice.poisson_ratio;
   if (!(nu > -1.0 && nu < 0.5)) {
-    refuse("--poisson-ratio", formatNumber(nu), "must be in (-1, 0.5)");
+    refuseSprings("--poisson-ratio", formatNumber(nu), "must be in (-1, 0.5)");
   }
   return nu;
 }
 
 springs::Sheet sheetOf(const SpringsChoice& choice) {
-  return {choice.young_modulus, poissonRatio(choice),
+  return {choice.young_modulus, springsPoissonRatio(choice),
           needed("--thickness", choice.thickness, "a sheet")};
 }
 
@@ -68,9 +68,9 @@ std::vector<int> cellsOf(const SpringsChoice& choice, int wanted) {
     begin = comma + 1;
   }
   if (static_cast<int>(cells.size()) == wanted && nodes <= kMaxNodes) return cells;
-  refuse("--cells", choice.cells,
-         "must be " + std::to_string(wanted) + " whole numbers >= 1 with commas, with " +
-             std::to_string(kMaxNodes) + " nodes or less");
+  refuseSprings("--cells", choice.cells,
+                "must be " + std::to_string(wanted) + " whole numbers >= 1 with commas, with " +
+                    std::to_string(kMaxNodes) + " nodes or less");
 }
 
 MadeSprings regularSprings(const SpringsChoice& choice) {
@@ -171,7 +171,7 @@ void countBounds(const SpringsChoice& choice, MadeSprings* made) {
 
 MadeSprings makeSprings(const SpringsChoice& choice) {
   if (choice.mesh.empty() == !choice.regular) {
-    refuse("mesh", choice.mesh, "must be a file, or --regular must be given, and not both");
+    refuseSprings("mesh", choice.mesh, "must be a file, or --regular must be given, and not both");
   }
   requirePositive("--young-modulus", choice.young_modulus);
   requirePositive("--density", choice.density);

@@ -24,7 +24,7 @@
 namespace palpate::cli {
 namespace {
 
-struct Options {
+struct TrainOptions {
   std::string database, out;
   std::optional<std::string> hidden, check, far;
   enrichment::TrainingSettings training;
@@ -129,7 +129,7 @@ void chooseSeen(const enrichment::DeformationDatabase& database,
   });
 }
 
-int run(const Options& options) {
+int runTrain(const TrainOptions& options) {
   enrichment::TrainingSettings training = options.training;
   if (options.hidden) training.hidden = widthsOf(*options.hidden);
   const enrichment::DeformationDatabase database = enrichment::readDatabase(options.database);
@@ -165,7 +165,7 @@ int run(const Options& options) {
 void addTrain(CLI::App& app, Action& action) {
   Command command(app, "train",
                   "Learn a body's answer to presses from a database; says what it misses by");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrainOptions>();
   enrichment::TrainingSettings& training = options->training;
   command.option("database", &options->database, "Folder that `palpate database` made").required();
   command.option("--out", &options->out, "File of the surrogate").required();
@@ -187,7 +187,7 @@ void addTrain(CLI::App& app, Action& action) {
                  "Another database of the same surface, of presses that go farther: what is "
                  "strange is set by what these and those held out are missed by");
   command.option("--check", &options->check, "Another database of the same surface to predict");
-  command.onUse([options, &action] { action = [options] { return run(*options); }; });
+  command.onUse([options, &action] { action = [options] { return runTrain(*options); }; });
 }
 
 }  // namespace palpate::cli

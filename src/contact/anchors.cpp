@@ -6,7 +6,7 @@
 namespace palpate::contact {
 namespace {
 
-bool before(const Anchor& a, const Anchor& b) { return a.before(b); }
+bool anchorBefore(const Anchor& a, const Anchor& b) { return a.before(b); }
 
 }  // namespace
 
@@ -14,7 +14,7 @@ const Anchor* Anchors::find(const Touch& touch) const {
   Anchor key;
   key.number = touch.number;
   key.sample = touch.sample;
-  const auto found = std::lower_bound(anchors_.begin(), anchors_.end(), key, before);
+  const auto found = std::lower_bound(anchors_.begin(), anchors_.end(), key, anchorBefore);
   return found != anchors_.end() && !key.before(*found) ? &*found : nullptr;
 }
 
@@ -22,7 +22,7 @@ bool Anchors::hold(int number, int first, int last) const {
   Anchor key;
   key.number = number;
   key.sample = first;
-  for (auto anchor = std::lower_bound(anchors_.begin(), anchors_.end(), key, before);
+  for (auto anchor = std::lower_bound(anchors_.begin(), anchors_.end(), key, anchorBefore);
        anchor != anchors_.end() && anchor->number == number && anchor->sample <= last; ++anchor) {
     if (anchor->bite == Bite::kHeld) return true;
   }
@@ -31,7 +31,7 @@ bool Anchors::hold(int number, int first, int last) const {
 
 void Anchors::take(const std::vector<Anchor>& anchors) {
   anchors_.assign(anchors.begin(), anchors.end());  // into the same memory
-  std::sort(anchors_.begin(), anchors_.end(), before);
+  std::sort(anchors_.begin(), anchors_.end(), anchorBefore);
 }
 
 // What has no sample is a point of the obstacle, which stays the same.
@@ -44,7 +44,7 @@ void Anchors::goOnFrom(const Anchors& old, const std::function<int(int)>& now) {
     }
     anchors_.push_back(anchor);
   }
-  std::sort(anchors_.begin(), anchors_.end(), before);
+  std::sort(anchors_.begin(), anchors_.end(), anchorBefore);
 }
 
 void Anchors::save(StateWriter* to) const {

@@ -15,7 +15,7 @@
 namespace palpate::contact {
 namespace {
 
-constexpr int kPart = 16;  // samples
+constexpr int kSamplesOfPart = 16;  // samples
 
 }  // namespace
 
@@ -40,8 +40,8 @@ void ContactPotential::addPatches(int first_sample) {
   for (std::size_t p = first; p < patches_.size(); ++p) {
     Patch& patch = patches_[p];
     patch.first_part = static_cast<int>(parts_.size());
-    for (int begin = patch.begin; begin < patch.end; begin += kPart) {
-      const int end = std::min(begin + kPart, patch.end);
+    for (int begin = patch.begin; begin < patch.end; begin += kSamplesOfPart) {
+      const int end = std::min(begin + kSamplesOfPart, patch.end);
       parts_.push_back({begin, end, SampleBall::around(begin, end, weights)});
     }
     patch.last_part = static_cast<int>(parts_.size());

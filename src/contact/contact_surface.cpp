@@ -11,7 +11,8 @@
 namespace palpate::contact {
 namespace {
 
-constexpr double kThin = 0.1;  // of the surface is thinner than what counts as its thickness
+constexpr double kThinnestPart =
+    0.1;  // of the surface is thinner than what counts as its thickness
 
 // The part of `direction` after which a ray from `from` meets the triangle with these corners, or
 // infinity [Moeller and Trumbore 1997].
@@ -94,7 +95,7 @@ void ContactSurface::measure() {
     });
     thickness.push_back(least);
   }
-  const auto thin = thickness.begin() + static_cast<std::ptrdiff_t>(kThin * count);
+  const auto thin = thickness.begin() + static_cast<std::ptrdiff_t>(kThinnestPart * count);
   std::nth_element(thickness.begin(), thin, thickness.end());
   radius_ = 0.5 * *thin;
 }

@@ -14,8 +14,6 @@
 namespace palpate::contact {
 namespace {
 
-using Balls = std::vector<TouchBall>;
-
 constexpr double kClosest = 5e-4;  // neighbours along edges [m]
 constexpr double kOnFaces = 2e-3;  // and on faces
 constexpr int kMostInLine = 400;   // so that a long needle's are no more
@@ -28,29 +26,33 @@ int divisions(double length, double spacing) {
 }
 
 // From a to b; without these themselves.
-void addBetween(const Vec3& a, const Vec3& b, double spacing, double radius, Balls* balls) {
+void addBetween(const Vec3& a, const Vec3& b, double spacing, double radius,
+                std::vector<TouchBall>* balls) {
   const int n = divisions((b - a).norm(), spacing);
   for (int i = 1; i < n; ++i) balls->push_back({a + (b - a) * i / n, radius});
 }
 
-void addLine(const Vec3& a, const Vec3& b, double spacing, double radius, Balls* balls) {
+void addLine(const Vec3& a, const Vec3& b, double spacing, double radius,
+             std::vector<TouchBall>* balls) {
   balls->push_back({a, radius});
   if (a == b) return;
   addBetween(a, b, spacing, radius, balls);
   balls->push_back({b, radius});
 }
 
-Balls ballsOf(const instrument::Sphere& sphere) { return {{Vec3::Zero(), sphere.radius}}; }
+std::vector<TouchBall> faceBallsOf(const instrument::Sphere& sphere) {
+  return {{Vec3::Zero(), sphere.radius}};
+}
 
-Balls ballsOf(const instrument::Capsule& capsule) {
-  Balls balls;
+std::vector<TouchBall> faceBallsOf(const instrument::Capsule& capsule) {
+  std::vector<TouchBall> balls;
   const Vec3 end = capsule.half_length * Vec3::UnitZ();
   addLine(-end, end, std::max(capsule.radius, kClosest), capsule.radius, &balls);
   return balls;
 }
 
-Balls ballsOf(const instrument::Cylinder& cylinder) {
-  Balls balls;
+std::vector<TouchBall> faceBallsOf(const instrument::Cylinder& cylinder) {
+  std::vector<TouchBall> balls;
   const double r = cylinder.radius, h = cylinder.half_length;
   if (r < kThin && h > r) {
     const Vec3 end = (h - r) * Vec3::UnitZ();
@@ -69,11 +71,11 @@ Balls ballsOf(const instrument::Cylinder& cylinder) {
 
 // Along its edges, and on its faces if it is thin; where it is no thicker than the balls, its
 // edges and faces fall together.
-Balls ballsOf(const instrument::Box& box) {
+std::vector<TouchBall> faceBallsOf(const instrument::Box& box) {
   const double thickness = box.half_extents.minCoeff();
   const double radius = std::min(kRounding, thickness);
   const Vec3 h = (box.half_extents.array() - radius).max(0.0);
-  Balls balls;
+  std::vector<TouchBall> balls;
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
     for (const double sb : {-h[b], h[b]}) {
@@ -109,7 +111,8 @@ Balls ballsOf(const instrument::Box& box) {
 }
 
 // At p of the surface, with the outward normal n: as far inside that it touches from within.
-void addInside(const instrument::Geometry& geometry, const Vec3& p, const Vec3& n, Balls* balls) {
+void addInside(const instrument::Geometry& geometry, const Vec3& p, const Vec3& n,
+               std::vector<TouchBall>* balls) {
   const double rounding = std::min(kRounding, 0.5 * inscribedRadius(geometry));
   const Vec3 center = p - rounding * n;
   const double depth = -signedDistanceValue(geometry, center);
@@ -127,10 +130,11 @@ Vec3 normalOf(const mesh::SurfaceMesh& surface, const Eigen::Vector3i& t) {
 }
 
 // Along its sharp edges, and all over it where it is thin.
-Balls ballsOf(const instrument::Geometry& geometry, const mesh::SurfaceMesh& surface) {
+std::vector<TouchBall> faceBallsOf(const instrument::Geometry& geometry,
+                                   const mesh::SurfaceMesh& surface) {
   const double diagonal =
       (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).norm();
-  Balls balls;
+  std::vector<TouchBall> balls;
   if (inscribedRadius(geometry) < kThin) {
     const double spacing = std::max(kOnFaces, kBallSpacing * diagonal);
     for (const SurfaceSample& s : sampleSurface(surface.points, surface.triangles, spacing)) {
@@ -159,15 +163,16 @@ Balls ballsOf(const instrument::Geometry& geometry, const mesh::SurfaceMesh& sur
 
 std::vector<TouchBall> faceBalls(const instrument::Geometry& geometry) {
   if (const auto* hull = std::get_if<instrument::ConvexHull>(&geometry)) {
-    return ballsOf(geometry, hull->surface);
+    return faceBallsOf(geometry, hull->surface);
   }
   if (const auto* sampled = std::get_if<instrument::SampledSurface>(&geometry)) {
-    return ballsOf(geometry, sampled->grid->surface);
+    return faceBallsOf(geometry, sampled->grid->surface);
   }
-  if (const auto* sphere = std::get_if<instrument::Sphere>(&geometry)) return ballsOf(*sphere);
-  if (const auto* capsule = std::get_if<instrument::Capsule>(&geometry)) return ballsOf(*capsule);
-  if (const auto* box = std::get_if<instrument::Box>(&geometry)) return ballsOf(*box);
-  return ballsOf(std::get<instrument::Cylinder>(geometry));
+  if (const auto* sphere = std::get_if<instrument::Sphere>(&geometry)) return faceBallsOf(*sphere);
+  if (const auto* capsule = std::get_if<instrument::Capsule>(&geometry))
+    return faceBallsOf(*capsule);
+  if (const auto* box = std::get_if<instrument::Box>(&geometry)) return faceBallsOf(*box);
+  return faceBallsOf(std::get<instrument::Cylinder>(geometry));
 }
 
 bool isRound(const instrument::Geometry& geometry) {

@@ -9,7 +9,7 @@ namespace palpate::contact {
 namespace {
 
 // Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
-constexpr double kNoDirection = 1e-12;
+constexpr double kCoincident = 1e-12;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ FacePoints::Meeting FacePoints::meet(const Vec3& center, const Mat3& corners, in
   m.near = nearestOnTriangle(center, corners.col(0), corners.col(1), corners.col(2));
   const Vec3 way = center - m.near.point, n = normals_.col(m.triangle);
   m.distance = way.norm();
-  m.direction = m.distance > kNoDirection ? Vec3(way / m.distance) : n;
+  m.direction = m.distance > kCoincident ? Vec3(way / m.distance) : n;
   *across = n.dot(way);
   if (m.near.feature == Feature::kFace) {  // exact however near
     m.direction = *across < 0.0 ? Vec3(-n) : n;
@@ -68,8 +68,8 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
     m.first = group.first;
     meetings_.push_back(m);
     const double least = meetings_[nearest].distance;
-    const bool as_near = m.distance <= least * (1.0 + 1e-9) + kNoDirection;
-    if (meetings_.size() == begin + 1 || m.distance < least * (1.0 - 1e-9) - kNoDirection ||
+    const bool as_near = m.distance <= least * (1.0 + 1e-9) + kCoincident;
+    if (meetings_.size() == begin + 1 || m.distance < least * (1.0 - 1e-9) - kCoincident ||
         (as_near && std::abs(across) > std::abs(most_across))) {
       nearest = meetings_.size() - 1;
       most_across = across;

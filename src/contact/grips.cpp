@@ -24,7 +24,7 @@ constexpr double kSoftness = 0.05;
 constexpr double kLittle = 1e-4;
 constexpr double kRoundoff = 1e-13;
 
-bool before(const Grip& a, const Grip& b) { return a.anchor.before(b.anchor); }
+bool gripBefore(const Grip& a, const Grip& b) { return a.anchor.before(b.anchor); }
 
 bool isTight(const Grip& grip) { return grip.limit > 0.0 || grip.anchor.bite == Bite::kHeld; }
 
@@ -68,7 +68,7 @@ bool Grips::clings(int number, int first, int last) const {
   Grip from;
   from.anchor.number = number;
   from.anchor.sample = first;
-  for (auto grip = std::lower_bound(grips_.begin(), grips_.end(), from, before);
+  for (auto grip = std::lower_bound(grips_.begin(), grips_.end(), from, gripBefore);
        grip != grips_.end() && grip->anchor.number == number && grip->anchor.sample <= last;
        ++grip) {
     if (isTight(*grip)) return true;
@@ -168,7 +168,7 @@ void Grips::begin(const std::vector<Touch>& touches) {
     grip.limit = friction.coefficient(grip.anchor.slides) * grip.pressing;
     grips_.push_back(grip);
   }
-  std::sort(grips_.begin(), grips_.end(), before);
+  std::sort(grips_.begin(), grips_.end(), gripBefore);
 }
 
 // What each obstacle presses with, less what it draws by.

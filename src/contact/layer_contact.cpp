@@ -29,7 +29,7 @@ Barrier barrier(double y) {
           at.curvature};
 }
 
-double meanEdge(const Points& X, const Eigen::Matrix3Xi& triangles) {
+double meanEdgeOf(const Points& X, const Eigen::Matrix3Xi& triangles) {
   double sum = 0.0;
   for (const auto& t : triangles.colwise()) {
     for (int k = 0; k < 3; ++k) sum += (X.col(t[k]) - X.col(t[(k + 1) % 3])).norm();
@@ -61,7 +61,7 @@ LayerContact::LayerContact(const Points& X, const Eigen::Matrix3Xi& triangles,
       triangles_(triangles),
       areas_(areas),
       settings_(settings),
-      apart_(std::max(2.5 * meanEdge(X, triangles), 2.0 * settings.most)),
+      apart_(std::max(2.5 * meanEdgeOf(X, triangles), 2.0 * settings.most)),
       margin_(settings.most) {
   if (!(settings.least >= 0.0 && settings.least < settings.most)) {
     throw std::invalid_argument(

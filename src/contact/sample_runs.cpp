@@ -10,7 +10,7 @@
 namespace palpate::contact {
 namespace {
 
-constexpr int kPart = 8;  // candidates
+constexpr int kCandidatesOfPart = 8;  // candidates
 
 }  // namespace
 
@@ -38,10 +38,10 @@ void SampleRuns::build(const std::vector<SurfaceSample>& samples,
     };
     for (end = begin + 1; end < count && same(candidates[static_cast<std::size_t>(end)]);) ++end;
     Run run{nodes, first.obstacle, begin, end, static_cast<int>(parts_.size()), 0, {}};
-    for (int at = begin; at < end; at += kPart) {
+    for (int at = begin; at < end; at += kCandidatesOfPart) {
       Run part = run;
       part.begin = at;
-      part.end = std::min(at + kPart, end);
+      part.end = std::min(at + kCandidatesOfPart, end);
       part.ball = SampleBall::around(part.begin, part.end, weights);
       parts_.push_back(part);
     }

@@ -13,16 +13,14 @@
 namespace palpate::contact {
 namespace {
 
-using Balls = std::vector<TouchBall>;
-
-int divisions(double length, double spacing) {
+int divisionsOf(double length, double spacing) {
   return std::max(1, static_cast<int>(std::ceil(length / spacing)));
 }
 
-Balls pointsOf(const mesh::SurfaceMesh& surface) {
+std::vector<TouchBall> pointsOf(const mesh::SurfaceMesh& surface) {
   const double diagonal =
       (surface.points.rowwise().maxCoeff() - surface.points.rowwise().minCoeff()).norm();
-  Balls balls;
+  std::vector<TouchBall> balls;
   for (const SurfaceSample& sample :
        sampleSurface(surface.points, surface.triangles, kBallSpacing * diagonal)) {
     balls.push_back({sample.position(surface.points), 0.0});
@@ -30,14 +28,16 @@ Balls pointsOf(const mesh::SurfaceMesh& surface) {
   return balls;
 }
 
-Balls ballsOf(const instrument::Sphere& sphere) { return {{Vec3::Zero(), sphere.radius}}; }
+std::vector<TouchBall> touchBallsOf(const instrument::Sphere& sphere) {
+  return {{Vec3::Zero(), sphere.radius}};
+}
 
-Balls ballsOf(const instrument::Capsule& capsule) {
+std::vector<TouchBall> touchBallsOf(const instrument::Capsule& capsule) {
   if (capsule.half_length == 0.0) return {{Vec3::Zero(), capsule.radius}};
   const double diagonal = 2.0 * std::sqrt(2.0 * std::pow(capsule.radius, 2) +
                                           std::pow(capsule.radius + capsule.half_length, 2));
-  const int n = divisions(2.0 * capsule.half_length, kBallSpacing * diagonal);
-  Balls balls;
+  const int n = divisionsOf(2.0 * capsule.half_length, kBallSpacing * diagonal);
+  std::vector<TouchBall> balls;
   for (int i = 0; i <= n; ++i) {
     const double z = capsule.half_length * (2.0 * i - n) / n;
     balls.push_back({z * Vec3::UnitZ(), capsule.radius});
@@ -46,23 +46,23 @@ Balls ballsOf(const instrument::Capsule& capsule) {
 }
 
 // Rings on the wall and on the ends.
-Balls ballsOf(const instrument::Cylinder& cylinder) {
+std::vector<TouchBall> touchBallsOf(const instrument::Cylinder& cylinder) {
   const double spacing =
       kBallSpacing * 2.0 *
       std::sqrt(2.0 * std::pow(cylinder.radius, 2) + std::pow(cylinder.half_length, 2));
-  Balls balls;
+  std::vector<TouchBall> balls;
   const auto addRing = [&](double radius, double z) {
-    const int n = radius > 0.0 ? std::max(6, divisions(perimeter(radius), spacing)) : 1;
+    const int n = radius > 0.0 ? std::max(6, divisionsOf(perimeter(radius), spacing)) : 1;
     for (int i = 0; i < n; ++i) {
       const double angle = circleAngle(i, n);
       balls.push_back({Vec3(radius * std::cos(angle), radius * std::sin(angle), z), 0.0});
     }
   };
-  const int along = divisions(2.0 * cylinder.half_length, spacing);
+  const int along = divisionsOf(2.0 * cylinder.half_length, spacing);
   for (int i = 0; i <= along; ++i) {
     addRing(cylinder.radius, cylinder.half_length * (2.0 * i - along) / along);
   }
-  const int across = divisions(cylinder.radius, spacing);
+  const int across = divisionsOf(cylinder.radius, spacing);
   for (int i = 0; i < across; ++i) {
     for (const double z : {-cylinder.half_length, cylinder.half_length}) {
       addRing(cylinder.radius * i / across, z);
@@ -71,19 +71,23 @@ Balls ballsOf(const instrument::Cylinder& cylinder) {
   return balls;
 }
 
-Balls ballsOf(const instrument::Box& box) {
+std::vector<TouchBall> touchBallsOf(const instrument::Box& box) {
   const mesh::TetMesh block = mesh::boxMesh(2.0 * box.half_extents, Eigen::Vector3i::Ones());
   return pointsOf({block.points.colwise() - box.half_extents, mesh::boundaryTriangles(block.tets)});
 }
 
-Balls ballsOf(const instrument::ConvexHull& hull) { return pointsOf(hull.surface); }
+std::vector<TouchBall> touchBallsOf(const instrument::ConvexHull& hull) {
+  return pointsOf(hull.surface);
+}
 
-Balls ballsOf(const instrument::SampledSurface& surface) { return pointsOf(surface.grid->surface); }
+std::vector<TouchBall> touchBallsOf(const instrument::SampledSurface& surface) {
+  return pointsOf(surface.grid->surface);
+}
 
 }  // namespace
 
 std::vector<TouchBall> touchBalls(const instrument::Geometry& geometry) {
-  return std::visit([](const auto& shape) { return ballsOf(shape); }, geometry);
+  return std::visit([](const auto& shape) { return touchBallsOf(shape); }, geometry);
 }
 
 }  // namespace palpate::contact

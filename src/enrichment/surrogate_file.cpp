@@ -16,12 +16,12 @@ namespace palpate::enrichment {
 namespace {
 
 constexpr std::string_view kHead = "palpate surrogate 1\n";
-constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+constexpr std::size_t kMaxSurrogateBytes = std::size_t{1} << 26;
 constexpr int kMostLayers = 16, kWidest = 4096;
 constexpr std::uint8_t kKernel = 0, kNetwork = 1;
 
 // FNV-1a, 64 bits.
-std::uint64_t markOf(std::string_view bytes) {
+std::uint64_t surrogateMark(std::string_view bytes) {
   std::uint64_t h = 14695981039346656037U;
   for (const char c : bytes) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211U;
   return h;
@@ -81,7 +81,7 @@ Perceptron readNetwork(StateReader* in, Eigen::Index outputs) {
   return network;
 }
 
-bool sound(const Surrogate& s) {
+bool isSound(const Surrogate& s) {
   const Eigen::Index n = s.surface.points.cols();
   const auto& t = s.surface.triangles;
   return n > 0 && moderate(s.surface.points) && t.size() > 0 && t.minCoeff() >= 0 &&
@@ -120,12 +120,12 @@ void writeSurrogate(const std::string& file, const Surrogate& surrogate) {
   forMembers(surrogate, [&](const auto& member) { out.put(member); });
   std::visit([&](const auto& map) { put(map, &out); }, surrogate.map);
   StateWriter mark;
-  mark.put(markOf(out.bytes()));
+  mark.put(surrogateMark(out.bytes()));
   writeFileAtomically(file, std::string(kHead) + mark.bytes() + out.bytes());
 }
 
 Surrogate readSurrogate(const std::string& file) {
-  const std::string bytes = readTextFile(file, kMaxBytes);
+  const std::string bytes = readTextFile(file, kMaxSurrogateBytes);
   const std::string_view all(bytes);
   if (all.substr(0, kHead.size()) != kHead) {
     throw InputError(file, "", "", "is no surrogate of this version; `palpate train` makes one");
@@ -135,10 +135,10 @@ Surrogate readSurrogate(const std::string& file) {
     StateReader in(all.substr(kHead.size()));
     std::uint64_t mark = 0;
     in.get(&mark);
-    if (mark != markOf(all.substr(kHead.size() + sizeof mark))) StateReader::fail();
+    if (mark != surrogateMark(all.substr(kHead.size() + sizeof mark))) StateReader::fail();
     in.get(&surrogate.made_by);
     forMembers(surrogate, [&](auto& member) { in.get(&member); });
-    if (!sound(surrogate)) StateReader::fail();
+    if (!isSound(surrogate)) StateReader::fail();
     std::uint8_t kind = 0;
     in.get(&kind);
     const Eigen::Index outputs = 3 + surrogate.numModes();

@@ -63,8 +63,8 @@ void addPair(int a, int b, const Mat3& skew, Eigen::Matrix<double, 12, 12>* H) {
 
 // Into eight: at the corners, and around the octahedron's diagonal between the middles of edges
 // 01 and 23.
-constexpr int kParts[8][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
-                              {4, 9, 6, 7}, {4, 9, 7, 8}, {4, 9, 8, 5}, {4, 9, 5, 6}};
+constexpr int kLinearParts[8][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
+                                    {4, 9, 6, 7}, {4, 9, 7, 8}, {4, 9, 8, 5}, {4, 9, 5, 6}};
 
 }  // namespace
 
@@ -77,7 +77,7 @@ InversionGuard::InversionGuard(const mesh::TetMesh& mesh, double stiffness)
     for (Eigen::Index e = 0; e < mesh.tets.cols(); ++e) {
       for (int part = 0; part < 8; ++part) {
         for (int k = 0; k < 4; ++k) {
-          const int node = kParts[part][k];
+          const int node = kLinearParts[part][k];
           tets_(k, 8 * e + part) = node < 4 ? mesh.tets(node, e) : mesh.midnodes(node - 4, e);
         }
       }

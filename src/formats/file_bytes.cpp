@@ -20,12 +20,16 @@ std::string readFileBytes(const std::string& file) {
   return bytes;
 }
 
-std::string lowerCaseExtension(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+std::string lowerCase(std::string_view word) {
+  std::string text(word);
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
-  return extension;
+  return text;
+}
+
+std::string lowerCaseExtension(const std::string& file) {
+  return lowerCase(std::filesystem::path(file).extension().string());
 }
 
 }  // namespace palpate::formats

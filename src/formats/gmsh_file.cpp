@@ -8,14 +8,14 @@
 namespace palpate::formats {
 namespace {
 
-constexpr int kTet4 = 4, kTet10 = 11;
+constexpr int kGmshTet4 = 4, kGmshTet10 = 11;
 
 // Nodes of Gmsh's element types 1 ... 31 [Gmsh reference manual, MSH file format].
 constexpr int kNodes[] = {0, 2,  3,  4,  4, 8,  6,  5,  3,  6,  9, 10, 27, 18, 14, 1,
                           8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5,  6,  20, 35, 56};
 // 64 and 125 nodes: hexahedra of order 3 and 4.
 constexpr int kHexahedron64 = 92, kHexahedron125 = 93;
-constexpr int kOtherVolumes[] = {5, 6, 7, 12, 13, 14, 17, 18, 19, 29, 30, 31, 92, 93};
+constexpr int kOtherGmshElements[] = {5, 6, 7, 12, 13, 14, 17, 18, 19, 29, 30, 31, 92, 93};
 
 }  // namespace
 
@@ -86,11 +86,11 @@ int GmshFile::numNodes(int type) const {
 }
 
 void GmshFile::addElement(int type, const NodeTags& tags, int region) {
-  if (std::count(std::begin(kOtherVolumes), std::end(kOtherVolumes), type) > 0) {
+  if (std::count(std::begin(kOtherGmshElements), std::end(kOtherGmshElements), type) > 0) {
     in.fail("element type " + std::to_string(type),
             "volume elements must be tetrahedra with 4 nodes (type 4) or 10 nodes (type 11)");
   }
-  if (type != kTet4 && type != kTet10) return;
+  if (type != kGmshTet4 && type != kGmshTet10) return;
   TetNodes nodes{};
   const int num_nodes = numNodes(type);
   for (int i = 0; i < num_nodes; ++i) {
@@ -99,7 +99,7 @@ void GmshFile::addElement(int type, const NodeTags& tags, int region) {
     in.fail("node " + std::to_string(tags[i]), "an element has a node that is not in the file");
   }
   // Gmsh's edges are 01 12 20 03 23 13; VTK's last two are the other way round.
-  if (type == kTet10) std::swap(nodes[8], nodes[9]);
+  if (type == kGmshTet10) std::swap(nodes[8], nodes[9]);
   builder.addTet(nodes, num_nodes);
   builder.setRegion(region);
 }

@@ -10,8 +10,8 @@
 namespace palpate::formats {
 namespace {
 
-constexpr std::string_view kOtherVolumes[] = {"Hexahedra", "Prisms", "Pyramids", "HexahedraP2",
-                                              "TetrahedraP3"};
+constexpr std::string_view kOtherSections[] = {"Hexahedra", "Prisms", "Pyramids", "HexahedraP2",
+                                               "TetrahedraP3"};
 
 void readVertices(Cursor& in, TetBuilder* builder) {
   if (builder->numPoints() > 0) in.fail("Vertices", "must not come twice");
@@ -36,7 +36,7 @@ void readTets(Cursor& in, int num_nodes, TetBuilder* builder) {
   }
 }
 
-void readDimension(Cursor& in) {
+void readMeshDimension(Cursor& in) {
   if (in.integer("dimension") != 3) in.fail("Dimension", "must be 3");
 }
 
@@ -59,14 +59,14 @@ mesh::TetMesh readMedit(const std::string& file, std::string_view bytes) {
     const std::string_view section = in.word();
     if (section == "End") break;
     if (section == "Dimension") {
-      readDimension(in);
+      readMeshDimension(in);
     } else if (section == "Vertices") {
       readVertices(in, &builder);
     } else if (section == "Tetrahedra") {
       readTets(in, 4, &builder);
     } else if (section == "TetrahedraP2") {
       readTets(in, 10, &builder);
-    } else if (std::count(std::begin(kOtherVolumes), std::end(kOtherVolumes), section) > 0) {
+    } else if (std::count(std::begin(kOtherSections), std::end(kOtherSections), section) > 0) {
       if (in.integer("number of cells") != 0) in.fail(section, "only tetrahedra are read");
     } else if (section[0] >= 'A' && section[0] <= 'Z') {
       skipNumbers(in);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cursor.h"
+#include "file_bytes.h"
 #include "scalar_type.h"
 #include "surface_builder.h"
 #include "surface_formats.h"
@@ -22,14 +23,6 @@ std::int64_t addCorner(const Vec3& p, SurfaceBuilder* builder) {
 void addFacet(const std::vector<std::int64_t>& corners, const Cursor& in, SurfaceBuilder* builder) {
   builder->addPolygon(corners, 0, static_cast<std::int64_t>(builder->numPoints()),
                       [&] { return in.where(); });
-}
-
-std::string lowerCase(std::string_view word) {
-  std::string text(word);
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
 }
 
 mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {

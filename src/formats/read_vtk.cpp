@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cursor.h"
+#include "file_bytes.h"
 #include "palpate/base/number.h"
 #include "scalar_type.h"
 #include "tet_formats.h"
@@ -15,19 +16,12 @@
 namespace palpate::formats {
 namespace {
 
-std::string lowerCase(std::string_view word) {
-  std::string text(word);
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 /// VTK's legacy format [The VTK User's Guide, "VTK File Formats"], the sections of an
 /// unstructured grid one after the other. Binary data is big-endian.
-class Reader {
+class LegacyVtkReader {
  public:
-  Reader(const std::string& file, std::string_view bytes) : file_(file), in_(file, bytes) {}
+  LegacyVtkReader(const std::string& file, std::string_view bytes)
+      : file_(file), in_(file, bytes) {}
 
   mesh::TetMesh read() {
     readHeader();
@@ -249,7 +243,7 @@ class Reader {
 }  // namespace
 
 mesh::TetMesh readVtk(const std::string& file, std::string_view bytes) {
-  return Reader(file, bytes).read();
+  return LegacyVtkReader(file, bytes).read();
 }
 
 }  // namespace palpate::formats

@@ -13,13 +13,13 @@
 namespace palpate::formats {
 namespace {
 
-struct Format {
+struct SurfaceFormat {
   const char* extension;
   mesh::SurfaceMesh (*read)(const std::string& file, std::string_view bytes);
 };
 
 // To add a format: write its reader, declare it in surface_formats.h, add it here.
-constexpr Format kFormats[] = {
+constexpr SurfaceFormat kSurfaceFormats[] = {
     {".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}, {".wrl", readWrl}};
 
 std::string offText(const mesh::SurfaceMesh& surface) {
@@ -58,7 +58,7 @@ std::string objText(const mesh::SurfaceMesh& surface) {
 mesh::SurfaceMesh parseSurface(const std::string& file, std::string_view bytes) {
   const std::string extension = lowerCaseExtension(file);
   std::vector<std::string> known;
-  for (const Format& format : kFormats) {
+  for (const SurfaceFormat& format : kSurfaceFormats) {
     if (extension == format.extension) return format.read(file, bytes);
     known.emplace_back(format.extension);
   }

@@ -12,13 +12,13 @@
 namespace palpate::formats {
 namespace {
 
-struct Format {
+struct TetFormat {
   const char* extension;
   mesh::TetMesh (*read)(const std::string& file, std::string_view bytes);
 };
 
 // To add a format: write its reader, declare it in tet_formats.h, add it here.
-constexpr Format kFormats[] = {
+constexpr TetFormat kTetFormats[] = {
     {".mesh", readMedit}, {".msh", readMsh}, {".vtk", readVtk}, {".vtu", readVtu}};
 
 constexpr double kFlat = 1e-12;  // |V| over the longest edge cubed
@@ -73,7 +73,7 @@ void checkTets(const mesh::TetMesh& mesh, const std::string& file) {
 mesh::TetMesh parseTetMesh(const std::string& file, std::string_view bytes) {
   const std::string extension = lowerCaseExtension(file);
   std::vector<std::string> known;
-  for (const Format& format : kFormats) {
+  for (const TetFormat& format : kTetFormats) {
     if (extension == format.extension) return format.read(file, bytes);
     known.emplace_back(format.extension);
   }

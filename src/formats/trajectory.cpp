@@ -13,12 +13,12 @@
 namespace palpate::formats {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxTableBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
 constexpr std::size_t kMostColumns = 2000;
 
 /// Goes through a text line by line, takes rows and gathers problems.
-class Reader {
+class TableReader {
  public:
   void readLine(std::string_view line) {
     ++line_number_;
@@ -109,8 +109,8 @@ class Reader {
 }  // namespace
 
 Trajectory readTrajectory(const std::string& file) {
-  const std::string text = readTextFile(file, kMaxBytes);
-  Reader reader;
+  const std::string text = readTextFile(file, kMaxTableBytes);
+  TableReader reader;
   std::size_t begin = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;  // byte order mark
   while (begin < text.size()) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

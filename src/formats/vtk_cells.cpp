@@ -8,10 +8,10 @@
 namespace palpate::formats {
 namespace {
 
-constexpr int kTet4 = 10, kTet10 = 24;
+constexpr int kVtkTet4 = 10, kVtkTet10 = 24;
 // Voxel, hexahedron, wedge, pyramid, prisms, their quadratic kin, polyhedron, Lagrange, Bezier.
-constexpr int kOtherVolumes[] = {11, 12, 13, 14, 15, 16, 25, 26, 27, 29, 31, 32,
-                                 33, 37, 42, 71, 72, 73, 74, 78, 79, 80, 81};
+constexpr int kOtherVtkCells[] = {11, 12, 13, 14, 15, 16, 25, 26, 27, 29, 31, 32,
+                                  33, 37, 42, 71, 72, 73, 74, 78, 79, 80, 81};
 
 bool isWhole(double value, double first, double end) {
   return value >= first && value < end && value == std::floor(value);
@@ -26,9 +26,9 @@ int numTetNodes(double type, const std::string& file, std::size_t i) {
   if (!isWhole(type, 0.0, 256.0)) {
     fail(file, i, "the type must be a whole number of 0 ... 255");
   }
-  if (type == kTet4) return 4;
-  if (type == kTet10) return 10;
-  if (std::count(std::begin(kOtherVolumes), std::end(kOtherVolumes), type) > 0) {
+  if (type == kVtkTet4) return 4;
+  if (type == kVtkTet10) return 10;
+  if (std::count(std::begin(kOtherVtkCells), std::end(kOtherVtkCells), type) > 0) {
     fail(file, i,
          "volume cells must be tetrahedra (type 10 or 24), this one has type " +
              std::to_string(static_cast<int>(type)));

@@ -26,7 +26,7 @@ Mat3 toMat3(const KDL::Rotation& R) {
   return M;
 }
 
-Pose toPose(const KDL::Frame& frame) {
+Pose poseOf(const KDL::Frame& frame) {
   Pose X = Pose::Identity();
   X.linear() = toMat3(frame.M);
   X.translation() = toVec3(frame.p);
@@ -37,7 +37,7 @@ Segment toSegment(const KDL::Segment& kdl, int parent) {
   Segment segment;
   segment.parent = parent;
   const KDL::Joint& joint = kdl.getJoint();
-  segment.X_end = toPose(joint.pose(0.0).Inverse() * kdl.getFrameToTip());
+  segment.X_end = poseOf(joint.pose(0.0).Inverse() * kdl.getFrameToTip());
   if (joint.getType() == KDL::Joint::RotAxis || joint.getType() == KDL::Joint::TransAxis) {
     segment.kind = joint.getType() == KDL::Joint::RotAxis ? Segment::Kind::kRevolute
                                                           : Segment::Kind::kPrismatic;

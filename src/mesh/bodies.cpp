@@ -36,7 +36,7 @@ std::vector<SurfaceMesh> splitPieces(const SurfaceMesh& surface) {
   return split;
 }
 
-void append(SurfaceMesh* body, const SurfaceMesh& piece) {
+void appendPiece(SurfaceMesh* body, const SurfaceMesh& piece) {
   const Eigen::Index n = body->triangles.cols();
   body->triangles.conservativeResize(3, n + piece.triangles.cols());
   body->triangles.rightCols(piece.triangles.cols()) = piece.triangles;
@@ -74,7 +74,7 @@ std::vector<SurfaceMesh> splitBodies(const SurfaceMesh& surface) {
         owner = i;
       }
     }
-    if (owner >= 0) append(&bodies[owner], cavity);
+    if (owner >= 0) appendPiece(&bodies[owner], cavity);
   }
   for (SurfaceMesh& body : bodies) removeIsolatedPoints(&body);
   return bodies;

@@ -14,13 +14,13 @@ namespace palpate::mesh {
 namespace {
 
 // Raise it when other grids are made of the same surface, or the file changes.
-constexpr std::uint64_t kVersion = 1;
-constexpr char kMagic[8] = {'p', 'a', 'l', 'p', 's', 'd', 'f', '\n'};
+constexpr std::uint64_t kGridVersion = 1;
+constexpr char kGridMagic[8] = {'p', 'a', 'l', 'p', 's', 'd', 'f', '\n'};
 
-std::uint64_t keyOf(const SurfaceMesh& surface, const DistanceGridSettings& settings,
-                    std::uint64_t seed) {
+std::uint64_t gridKey(const SurfaceMesh& surface, const DistanceGridSettings& settings,
+                      std::uint64_t seed) {
   ContentHash hash(seed);
-  hash.add(kVersion);
+  hash.add(kGridVersion);
   hash.add(static_cast<std::uint64_t>(settings.cells));
   hash.add(&settings.error, sizeof(double));
   hash.add(&settings.memory, sizeof(double));
@@ -31,25 +31,25 @@ std::uint64_t keyOf(const SurfaceMesh& surface, const DistanceGridSettings& sett
 }
 
 /// All of a grid but the splines and the surface, which is at hand.
-struct Header {
+struct GridHeader {
   char magic[8];
   std::uint64_t version, checksum, limited;
   std::int64_t cells[3];
   double low[3], spacing, largest_error, rms_error, deepest[3], inscribed_radius;
 };
 
-std::uint64_t checksumOf(Header header, const Eigen::VectorXd& coefficients) {
+std::uint64_t gridChecksum(GridHeader header, const Eigen::VectorXd& coefficients) {
   header.checksum = 0;
-  ContentHash hash(kVersion);
+  ContentHash hash(kGridVersion);
   hash.add(&header, sizeof(header));
   hash.add(coefficients.data(), sizeof(double) * coefficients.size());
   return hash.value();
 }
 
-Header headerOf(const DistanceGrid& grid) {
-  Header header{};
-  std::memcpy(header.magic, kMagic, sizeof(kMagic));
-  header.version = kVersion;
+GridHeader headerOf(const DistanceGrid& grid) {
+  GridHeader header{};
+  std::memcpy(header.magic, kGridMagic, sizeof(kGridMagic));
+  header.version = kGridVersion;
   header.limited = grid.limited ? 1 : 0;
   for (int axis = 0; axis < 3; ++axis) {
     header.cells[axis] = grid.field.box.cells[axis];
@@ -60,16 +60,17 @@ Header headerOf(const DistanceGrid& grid) {
   header.largest_error = grid.largest_error;
   header.rms_error = grid.rms_error;
   header.inscribed_radius = grid.inscribed_radius;
-  header.checksum = checksumOf(header, grid.field.coefficients);
+  header.checksum = gridChecksum(header, grid.field.coefficients);
   return header;
 }
 
 // Without its surface.
 std::optional<DistanceGrid> readGrid(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  Header header{};
+  GridHeader header{};
   if (!file.read(reinterpret_cast<char*>(&header), sizeof(header))) return std::nullopt;
-  if (std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0 || header.version != kVersion) {
+  if (std::memcmp(header.magic, kGridMagic, sizeof(kGridMagic)) != 0 ||
+      header.version != kGridVersion) {
     return std::nullopt;
   }
   DistanceGrid grid;
@@ -90,7 +91,8 @@ std::optional<DistanceGrid> readGrid(const std::string& path) {
   grid.field.coefficients.resize(count);
   file.read(reinterpret_cast<char*>(grid.field.coefficients.data()),
             static_cast<std::streamsize>(sizeof(double) * count));
-  if (!file || checksumOf(header, grid.field.coefficients) != header.checksum) return std::nullopt;
+  if (!file || gridChecksum(header, grid.field.coefficients) != header.checksum)
+    return std::nullopt;
   grid.field.box.spacing = header.spacing;
   grid.largest_error = header.largest_error;
   grid.rms_error = header.rms_error;
@@ -103,7 +105,7 @@ std::optional<DistanceGrid> readGrid(const std::string& path) {
 
 std::string cacheFile(const SurfaceMesh& surface, const DistanceGridSettings& settings,
                       const std::string& cache_directory) {
-  return cachePath(cache_directory, keyOf(surface, settings, 0), keyOf(surface, settings, 1),
+  return cachePath(cache_directory, gridKey(surface, settings, 0), gridKey(surface, settings, 1),
                    ".sdf");
 }
 
@@ -120,7 +122,7 @@ DistanceGrid distanceGridCached(const SurfaceMesh& surface, const DistanceGridSe
     return *std::move(cached);
   }
   DistanceGrid grid = makeDistanceGrid(surface, settings, progress);
-  const Header header = headerOf(grid);
+  const GridHeader header = headerOf(grid);
   std::string bytes(reinterpret_cast<const char*>(&header), sizeof(header));
   bytes.append(reinterpret_cast<const char*>(grid.field.coefficients.data()),
                sizeof(double) * static_cast<std::size_t>(grid.field.coefficients.size()));

@@ -9,7 +9,7 @@ namespace palpate::mesh {
 namespace {
 
 // Faces of a tetrahedron of positive volume, the k-th opposite corner k, outward.
-constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+constexpr int kLeafFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 // The points of `l` that are between others, if `asked(vertex)`; those that they are between before
 // them.
@@ -72,7 +72,7 @@ Leaves::Leaves(BisectionTree* with_tree, int num_roots, const Cut& cut, bool qua
     }
     for (int k = 0; k < 4; ++k) {
       if (cell.boundary >> place(cell, k) & 1) {
-        triangles.push_back({tet[kFaces[k][0]], tet[kFaces[k][1]], tet[kFaces[k][2]]});
+        triangles.push_back({tet[kLeafFaces[k][0]], tet[kLeafFaces[k][1]], tet[kLeafFaces[k][2]]});
       }
     }
     tets.push_back(tet);

@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raise it when the mesher makes other meshes of the same input, or the file changes.
-constexpr std::uint64_t kVersion = 1;
-constexpr char kMagic[8] = {'p', 'a', 'l', 'p', 't', 'e', 't', '\n'};
+constexpr std::uint64_t kMeshVersion = 1;
+constexpr char kMeshMagic[8] = {'p', 'a', 'l', 'p', 't', 'e', 't', '\n'};
 
 struct AddWhere {
   ContentHash* hash;
@@ -60,9 +60,10 @@ void addTo(ContentHash* hash, const FinePlace& place) {
   std::visit(to, place.where);
 }
 
-std::uint64_t keyOf(const SurfaceMesh& surface, const MeshingOptions& options, std::uint64_t seed) {
+std::uint64_t meshKey(const SurfaceMesh& surface, const MeshingOptions& options,
+                      std::uint64_t seed) {
   ContentHash hash(seed);
-  hash.add(kVersion);
+  hash.add(kMeshVersion);
   hash.add(&options.edge_length.coarsest, sizeof(double));
   hash.add(static_cast<std::uint64_t>(options.sharp_edges));
   hash.add(surface.points.data(), sizeof(double) * surface.points.size());
@@ -71,13 +72,13 @@ std::uint64_t keyOf(const SurfaceMesh& surface, const MeshingOptions& options, s
   return hash.value();
 }
 
-struct Header {
+struct MeshHeader {
   char magic[8];
   std::uint64_t version, points, tets, checksum;
 };
 
-std::uint64_t checksumOf(const TetMesh& mesh) {
-  ContentHash hash(kVersion);
+std::uint64_t meshChecksum(const TetMesh& mesh) {
+  ContentHash hash(kMeshVersion);
   hash.add(mesh.points.data(), sizeof(double) * mesh.points.size());
   hash.add(mesh.tets.data(), sizeof(int) * mesh.tets.size());
   return hash.value();
@@ -85,9 +86,10 @@ std::uint64_t checksumOf(const TetMesh& mesh) {
 
 std::optional<TetMesh> readMesh(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  Header header{};
+  MeshHeader header{};
   if (!file.read(reinterpret_cast<char*>(&header), sizeof(header))) return std::nullopt;
-  if (std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0 || header.version != kVersion) {
+  if (std::memcmp(header.magic, kMeshMagic, sizeof(kMeshMagic)) != 0 ||
+      header.version != kMeshVersion) {
     return std::nullopt;
   }
   // The counts are believed only if the file is as long as they say.
@@ -106,17 +108,17 @@ std::optional<TetMesh> readMesh(const fs::path& path) {
             static_cast<std::streamsize>(sizeof(double) * mesh.points.size()));
   file.read(reinterpret_cast<char*>(mesh.tets.data()),
             static_cast<std::streamsize>(sizeof(int) * mesh.tets.size()));
-  if (!file || checksumOf(mesh) != header.checksum) return std::nullopt;
+  if (!file || meshChecksum(mesh) != header.checksum) return std::nullopt;
   return mesh;
 }
 
 void writeMesh(const fs::path& path, const TetMesh& mesh) {
-  Header header{};
-  std::memcpy(header.magic, kMagic, sizeof(kMagic));
-  header.version = kVersion;
+  MeshHeader header{};
+  std::memcpy(header.magic, kMeshMagic, sizeof(kMeshMagic));
+  header.version = kMeshVersion;
   header.points = static_cast<std::uint64_t>(mesh.numPoints());
   header.tets = static_cast<std::uint64_t>(mesh.numTets());
-  header.checksum = checksumOf(mesh);
+  header.checksum = meshChecksum(mesh);
   std::string bytes;
   bytes.append(reinterpret_cast<const char*>(&header), sizeof(header));
   bytes.append(reinterpret_cast<const char*>(mesh.points.data()),
@@ -141,7 +143,8 @@ std::string defaultCacheDirectory() {
 
 std::string cacheFile(const SurfaceMesh& surface, const MeshingOptions& options,
                       const std::string& cache_directory) {
-  return cachePath(cache_directory, keyOf(surface, options, 0), keyOf(surface, options, 1), ".tet");
+  return cachePath(cache_directory, meshKey(surface, options, 0), meshKey(surface, options, 1),
+                   ".tet");
 }
 
 TetMesh meshVolumeCached(const SurfaceMesh& surface, const MeshingOptions& options,

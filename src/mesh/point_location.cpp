@@ -7,7 +7,7 @@ namespace palpate::mesh {
 namespace {
 
 constexpr double kInside = 1e-6;  // of the barycentric coordinates
-constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+constexpr int kMidnodeEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
 Eigen::Vector4d cornerWeights(const TetMesh& mesh, Eigen::Index e, const Vec3& p) {
   Eigen::Matrix4d corners;
@@ -23,8 +23,8 @@ Eigen::Matrix<double, 3, 4> derivatives(const TetMesh& mesh, const Location& at)
   }
   for (int k = 0; k < 6; ++k) {
     const auto middle = mesh.points.col(mesh.midnodes(k, at.tet));
-    d.col(kEdges[k][0]) += 4.0 * at.w[kEdges[k][1]] * middle;
-    d.col(kEdges[k][1]) += 4.0 * at.w[kEdges[k][0]] * middle;
+    d.col(kMidnodeEdges[k][0]) += 4.0 * at.w[kMidnodeEdges[k][1]] * middle;
+    d.col(kMidnodeEdges[k][1]) += 4.0 * at.w[kMidnodeEdges[k][0]] * middle;
   }
   return d;
 }
@@ -55,7 +55,8 @@ std::vector<std::pair<int, double>> shapeValues(const TetMesh& mesh, const Locat
   }
   if (!mesh.quadratic()) return values;
   for (int k = 0; k < 6; ++k) {
-    values.emplace_back(mesh.midnodes(k, at.tet), 4.0 * w[kEdges[k][0]] * w[kEdges[k][1]]);
+    values.emplace_back(mesh.midnodes(k, at.tet),
+                        4.0 * w[kMidnodeEdges[k][0]] * w[kMidnodeEdges[k][1]]);
   }
   return values;
 }

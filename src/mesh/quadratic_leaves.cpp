@@ -7,7 +7,7 @@
 namespace palpate::mesh {
 namespace {
 
-using Weights = Eigen::Matrix4d;
+using CornerWeights = Eigen::Matrix4d;
 
 Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const TetMesh& mesh) {
   Eigen::Matrix<int, 10, Eigen::Dynamic> nodes(10, mesh.numTets());
@@ -17,12 +17,12 @@ Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const TetMesh& mesh) {
 
 // Barycentric coordinates of the vertices of `cell` in `whole`, a column each, both in the order of
 // the cells.
-Weights weightsIn(const BisectionTree& tree, int whole, int cell) {
-  if (cell == whole) return Weights::Identity();
+CornerWeights weightsIn(const BisectionTree& tree, int whole, int cell) {
+  if (cell == whole) return CornerWeights::Identity();
   const int parent = tree.cell(cell).parent;
-  const Weights of_parent = weightsIn(tree, whole, parent);
+  const CornerWeights of_parent = weightsIn(tree, whole, parent);
   const std::array<int, 4>&vertex = tree.cell(cell).vertex, &above = tree.cell(parent).vertex;
-  Weights weights;
+  CornerWeights weights;
   for (int k = 0; k < 4; ++k) {
     weights.col(k) = 0.5 * (of_parent.col(0) + of_parent.col(1));
     for (int j = 0; j < 4; ++j) {
@@ -33,9 +33,9 @@ Weights weightsIn(const BisectionTree& tree, int whole, int cell) {
 }
 
 // The same of the corners of their tetrahedra.
-Weights cornersIn(const BisectionTree& tree, int whole, int cell) {
-  const Weights of_cells = weightsIn(tree, whole, cell);
-  Weights corners;
+CornerWeights cornersIn(const BisectionTree& tree, int whole, int cell) {
+  const CornerWeights of_cells = weightsIn(tree, whole, cell);
+  CornerWeights corners;
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) {
       corners(i, k) =
@@ -56,7 +56,7 @@ std::array<double, 10> shapeFunctions(const Eigen::Vector4d& w) {
 }
 
 // Barycentric coordinates of a node, given those of the corners.
-Eigen::Vector4d weightsOfNode(const Weights& corners, int node) {
+Eigen::Vector4d weightsOfNode(const CornerWeights& corners, int node) {
   if (node < 4) return corners.col(node);
   const auto [i, j] = kMiddlesBetween[node - 4];
   return 0.5 * (corners.col(i) + corners.col(j));
@@ -101,7 +101,7 @@ void addQuadraticChange(const BisectionTree& tree, const Leaves& old, const Leav
       }
       continue;
     }
-    const Weights corners = cornersIn(tree, old.cells[first], next.cells[t]);
+    const CornerWeights corners = cornersIn(tree, old.cells[first], next.cells[t]);
     change->corners.push_back(corners);
     for (int k = 0; k < 10; ++k) {
       const int point = change->new_nodes(k, static_cast<Eigen::Index>(t));

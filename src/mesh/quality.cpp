@@ -13,7 +13,7 @@
 namespace palpate::mesh {
 namespace {
 
-constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+constexpr int kOppositeEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 constexpr double kDegrees = 57.295779513082320877;
 
 /// Least angle between two faces [degrees]: at edge ij, between the other two corners as seen
@@ -22,7 +22,8 @@ double leastDihedral(const Mat3& rest, const Vec3& origin) {
   const Vec3 corner[4] = {origin, rest.col(0), rest.col(1), rest.col(2)};
   double least = 180.0;
   for (int e = 0; e < 6; ++e) {
-    const int i = kEdges[e][0], j = kEdges[e][1], k = kEdges[5 - e][0], l = kEdges[5 - e][1];
+    const int i = kOppositeEdges[e][0], j = kOppositeEdges[e][1], k = kOppositeEdges[5 - e][0],
+              l = kOppositeEdges[5 - e][1];
     const Vec3 edge = corner[j] - corner[i];
     const Vec3 a = edge.cross(corner[k] - corner[i]), b = edge.cross(corner[l] - corner[i]);
     least = std::min(least, kDegrees * std::atan2(a.cross(b).norm(), a.dot(b)));
@@ -53,7 +54,7 @@ TetQuality measureQuality(const TetMesh& mesh, const SurfaceMesh* reference) {
     for (int c = 0; c < 3; ++c) rest.col(c) = mesh.points.col(v[c + 1]) - origin;
     least.push_back(leastDihedral(rest, Vec3::Zero()));
     double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& e : kEdges) {
+    for (const auto& e : kOppositeEdges) {
       shortest = std::min(shortest, (mesh.points.col(v[e[0]]) - mesh.points.col(v[e[1]])).norm());
     }
     const double ratio = circumradius(rest.col(0), rest.col(1), rest.col(2)) / shortest;

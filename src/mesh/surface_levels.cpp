@@ -21,14 +21,14 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Graph = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace simplification = CGAL::Surface_mesh_simplification;
 
-Kernel::Point_3 pointOf(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Kernel::Point_3 cgalPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 Vec3 vecOf(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 Graph graphOf(const SurfaceMesh& surface) {
   Graph graph;
   std::vector<Graph::Vertex_index> vertices;
   for (Eigen::Index i = 0; i < surface.points.cols(); ++i) {
-    vertices.push_back(graph.add_vertex(pointOf(surface.points.col(i))));
+    vertices.push_back(graph.add_vertex(cgalPoint(surface.points.col(i))));
   }
   const auto at = [&](int i) { return vertices[static_cast<std::size_t>(i)]; };
   for (const auto& t : surface.triangles.colwise()) {

@@ -16,7 +16,7 @@ using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-Kernel::Point_3 pointOf(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Kernel::Point_3 trianglePoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 // Barycentric coordinates of a point in the plane of a triangle, within it.
 Vec3 weightsOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
@@ -35,14 +35,15 @@ std::vector<FacePlace> nearestPlaces(const SurfaceMesh& surface, const Points& p
   Triangles triangles;
   triangles.reserve(static_cast<std::size_t>(surface.triangles.cols()));
   for (const auto& t : surface.triangles.colwise()) {
-    triangles.emplace_back(pointOf(surface.points.col(t[0])), pointOf(surface.points.col(t[1])),
-                           pointOf(surface.points.col(t[2])));
+    triangles.emplace_back(trianglePoint(surface.points.col(t[0])),
+                           trianglePoint(surface.points.col(t[1])),
+                           trianglePoint(surface.points.col(t[2])));
   }
   Tree tree(triangles.begin(), triangles.end());
   std::vector<FacePlace> places;
   places.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& point : points.colwise()) {
-    const auto [nearest, triangle] = tree.closest_point_and_primitive(pointOf(point));
+    const auto [nearest, triangle] = tree.closest_point_and_primitive(trianglePoint(point));
     const Eigen::Vector3i t =
         surface.triangles.col(static_cast<Eigen::Index>(triangle - triangles.begin()));
     places.push_back(

@@ -75,7 +75,7 @@ TetMesh meshBody(const SurfaceMesh& body, const MeshingOptions& options, double 
   return mesh;
 }
 
-void append(TetMesh* all, const TetMesh& mesh) {
+void appendMesh(TetMesh* all, const TetMesh& mesh) {
   const Eigen::Index points = all->numPoints(), tets = all->numTets();
   all->points.conservativeResize(3, points + mesh.numPoints());
   all->points.rightCols(mesh.numPoints()) = mesh.points;
@@ -100,7 +100,7 @@ TetMesh meshVolume(const SurfaceMesh& surface, const MeshingOptions& options,
         progress(stage, share * (static_cast<double>(i) + fraction));
       };
     }
-    append(&all, meshBody(bodies[i], options, expected[i], part));
+    appendMesh(&all, meshBody(bodies[i], options, expected[i], part));
   }
   return all;
 }

@@ -11,7 +11,7 @@ namespace palpate::node {
 namespace {
 
 // Chains of frames and trees of static ones are shorter than this by far.
-constexpr std::size_t kMostFrames = 100, kMostOthers = 10000, kLongestName = 1000;
+constexpr std::size_t kMostFrames = 100, kMostOthers = 10000, kLongestFrameName = 1000;
 constexpr double kForever = 1.0e9;  // [s]
 constexpr double kClosest = 5e-4;   // [s] between two transforms of a frame
 // Beyond, sums of stamps and times overflow.
@@ -45,7 +45,7 @@ std::string TfFrames::take(const Transform& transform, bool is_static, const Sou
   const std::string child = stripped(transform.child_frame_id);
   const std::string parent = stripped(transform.header.frame_id);
   if (child.empty() || parent.empty() || child == parent) return "";
-  if (child.size() > kLongestName || parent.size() > kLongestName) return "";
+  if (child.size() > kLongestFrameName || parent.size() > kLongestFrameName) return "";
   const auto found = wanted_.find(child);
   if (found == wanted_.end()) {
     if (is_static && others_.size() < kMostOthers) {

@@ -16,7 +16,7 @@
 namespace palpate::scene {
 namespace {
 
-std::string keyOf(const std::string& organ, std::size_t support) {
+std::string supportKey(const std::string& organ, std::size_t support) {
   return organ + ".supports[" + std::to_string(support) + "]";
 }
 
@@ -122,7 +122,7 @@ tissue::Surroundings surroundingsOf(const Scene& scene, const OrganConfig& organ
   for (std::size_t s = 0; s < organ.supports.size(); ++s) {
     const SupportConfig& config = organ.supports[s];
     const SupportKind& kind = supportKind(config.kind);
-    const std::string own_key = keyOf(key, s);
+    const std::string own_key = supportKey(key, s);
     SupportPlace place{config, selected(mesh.points, config.select, scene, own_key),
                        points, {},
                        0.0,    motionOf(config, X_WO.linear(), scene, own_key + ".motion")};
@@ -143,7 +143,7 @@ fem::FreeMask glued(const Scene& scene, const OrganConfig& organ, const Points& 
   }
   for (std::size_t s = 0; s < organ.supports.size(); ++s) {
     const SupportConfig& support = organ.supports[s];
-    const std::string own_key = keyOf(key, s);
+    const std::string own_key = supportKey(key, s);
     const std::string only =
         "model " + organ.model + " knows organs that are glued and at rest only";
     if (support.kind != supportKindNames().front()) {

@@ -35,7 +35,7 @@ const InstrumentConfig& findInstrument(const Scene& scene, const std::string& na
       names.empty() ? "there is no instrument in the scene" : "must be one of " + joinNames(names));
 }
 
-std::string resolve(const Scene& scene, const std::string& uri, const std::string& key) {
+std::string resolveUri(const Scene& scene, const std::string& uri, const std::string& key) {
   try {
     return resolveResource(uri, std::filesystem::path(scene.file).parent_path().string());
   } catch (const std::invalid_argument& error) {
@@ -62,13 +62,13 @@ mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_
   instrument::InstrumentOptions options;
   options.collision_meshes.convex_hull = true;  // its shapes do not matter here
   const instrument::Instrument tool = instrument::readInstrument(
-      resolve(scene, config.urdf, "instrument " + config.name + ".urdf"), options);
+      resolveUri(scene, config.urdf, "instrument " + config.name + ".urdf"), options);
   const int link = tool.linkIndex(config.control_frame);
   if (link < 0) {
     throw InputError(scene.file, "instrument " + config.name + ".control_frame",
                      config.control_frame, "must be a link of " + config.urdf);
   }
-  const std::string file = resolve(scene, place.trajectory, key + ".trajectory");
+  const std::string file = resolveUri(scene, place.trajectory, key + ".trajectory");
   const formats::Trajectory table = formats::readTrajectory(file);
   const std::vector<std::string> columns = jointNames(table.columns, config.name);
   instrument::JointMapper mapper(tool.jointNames());

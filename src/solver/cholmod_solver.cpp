@@ -15,14 +15,14 @@ namespace {
 // What Newton's method gains by a factor, iterations must not lose.
 constexpr double kLoosest = 1e-3, kTightest = 1e-12;
 // So many iterations are cheaper than the factor of a matrix over two rings of elements, always.
-constexpr double kFewIterations = 30.0;
+constexpr double kIterationsBelowFactor = 30.0;
 // For few right sides solves take 2.6 times what unit_costs.h says, for large fronts factors
 // a 2.3th of it: pressed cube of 24,576 tetrahedra, AVX-512.
 constexpr double kSolveBesideFactor = 6.0;
 // About what a factor costs: 12 to 27 of them for blocks of 64 to 6859 nodes, 37 to 150 with
 // averaged volumes; AMD EPYC, beside a build. Random scenes take as long with 12, and a tenth
 // longer with 7.
-constexpr int kMostIterations = 20;
+constexpr int kMostFactorIterations = 20;
 constexpr int kMostFactors = 64;
 
 double within(double relative_tolerance) {
@@ -40,7 +40,7 @@ CholmodSolver::~CholmodSolver() = default;
 // By A and the number of operations alone.
 bool CholmodSolver::iterationsPay(const fem::Stiffness& A) {
   const double iterations = pressures_->prepare(A);
-  if (iterations <= kFewIterations || !A.volume().metric->isDiagonal()) return true;
+  if (iterations <= kIterationsBelowFactor || !A.volume().metric->isDiagonal()) return true;
   const CholmodFactor& own = pressures_->analyze(A);
   const double each = kSolveBesideFactor * triangularSolveSeconds(own.nonzeros());
   factor_->analyze(A);
@@ -74,7 +74,7 @@ bool CholmodSolver::solveByEarlierFactor(const fem::Stiffness& A, const Points& 
     --factors_left_;
     return false;
   }
-  *report = iterations_->solve(A, b, within(relative_tolerance), kMostIterations, interrupt(),
+  *report = iterations_->solve(A, b, within(relative_tolerance), kMostFactorIterations, interrupt(),
                                factor_.get(), x);
   if (usable(report->status) && (!report->in_vain || isInterrupted(interrupt()))) return true;
   factors_left_ = factors_next_;

@@ -13,7 +13,7 @@ namespace {
 
 // More are taken for a sign that the factor is old. A fresh one needs about three; to renew it at
 // once would cost a jolt in a live cycle, for little.
-constexpr int kFewIterations = 8;
+constexpr int kIterationsOfRenewal = 8;
 // In one minimisation, before the factor is renewed whatever it costs.
 constexpr int kPatience = 30;
 
@@ -189,7 +189,7 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     learn(potential, *x);
     ++report.iterations;
     ++since_renewal;
-    if (since_renewal > kFewIterations) wasted_ += 1.0;
+    if (since_renewal > kIterationsOfRenewal) wasted_ += 1.0;
   }
 }
 

@@ -12,11 +12,11 @@ namespace palpate::solver {
 namespace {
 
 // With no more iterations than this the factor is young enough.
-constexpr int kFewIterations = 12;
+constexpr int kLeastMostIterations = 12;
 // What the factorisation is allowed beyond its own time: the core is not its alone.
 constexpr double kLeeway = 1.5;
 // Of what was in vain, a cycle later.
-constexpr double kKept = 0.5;
+constexpr double kKeptPart = 0.5;
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void StalePcg::prepare(const fem::Stiffness& A) {
 void StalePcg::beginCycle(double dt) {
   ++cycle_;
   dt_ = dt;
-  in_vain_ *= kKept;
+  in_vain_ *= kKeptPart;
   if (background_->underWay()) {
     if (cycle_ < take_at_) return;
     if (background_->wait()) ++waits_;
@@ -90,7 +90,7 @@ void StalePcg::beginCycle(double dt) {
     is_older_ = false;
     most_iterations_ = 0;
   }
-  wanted_ = !used_->ready() || most_iterations_ > kFewIterations;
+  wanted_ = !used_->ready() || most_iterations_ > kLeastMostIterations;
 }
 
 void StalePcg::beginFactor(const fem::Stiffness& A) {
@@ -113,7 +113,7 @@ double StalePcg::iterationSeconds(const fem::Stiffness& A) const {
 int StalePcg::mostIterations(const fem::Stiffness& A) const {
   const double left = (factorizationSeconds(flops_) - in_vain_) / iterationSeconds(A);
   const int affordable = static_cast<int>(std::ceil(std::min(left, 1e6)));
-  return std::min(std::max(affordable, kFewIterations), max_iterations_);
+  return std::min(std::max(affordable, kLeastMostIterations), max_iterations_);
 }
 
 LinearReport StalePcg::solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,

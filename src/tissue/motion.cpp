@@ -27,7 +27,7 @@ struct Form {
 };
 constexpr Form kForms[] = {{"sine", sine}, {"cos4", cos4}};
 
-const Form& find(const std::string& name) {
+const Form& formNamed(const std::string& name) {
   for (const Form& form : kForms) {
     if (name == form.name) return form;
   }
@@ -99,7 +99,7 @@ std::vector<std::string> waveFormNames() {
   return names;
 }
 
-Motion::Motion(const Wave& wave) : way_(wave) { find(wave.form); }
+Motion::Motion(const Wave& wave) : way_(wave) { formNamed(wave.form); }
 
 Motion::Motion(MotionTable table)
     : way_(fromItsFirstRow(std::move(table))), slopes_(slopesOf(std::get<MotionTable>(way_))) {}
@@ -107,7 +107,7 @@ Motion::Motion(MotionTable table)
 Vec3 Motion::at(double t) const {
   if (const auto* wave = std::get_if<Wave>(&way_)) {
     const double cycles = t / wave->period;
-    return grown(cycles) * find(wave->form).value(cycles + wave->phase) * wave->amplitude;
+    return grown(cycles) * formNamed(wave->form).value(cycles + wave->phase) * wave->amplitude;
   }
   const MotionTable& table = std::get<MotionTable>(way_);
   const double end = table.t.back();

@@ -10,8 +10,8 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kTick = 1e-3;      // of the force loop [s]
-constexpr double kRounding = 1e-9;  // of limits
+constexpr double kTick = 1e-3;              // of the force loop [s]
+constexpr double kRoundingOfLimits = 1e-9;  // of limits
 
 // Tissue that is stretched by its own size and still on a tool is carried, not touched.
 constexpr double kCarried = 1.0;
@@ -27,11 +27,11 @@ class Hand {
       const Wrench before = filter_.output(), now = filter_.update(tool.solved, tool.live, kTick);
       if (!now.allFinite()) return "the hand's wrench is not finite";
       const double rate = (now.force - before.force).norm() / kTick;
-      if (now.force.norm() > (1.0 + kRounding) * limits_.max_force) {
+      if (now.force.norm() > (1.0 + kRoundingOfLimits) * limits_.max_force) {
         return said("the hand feels", now.force.norm(), "N");
       }
       if (rate > (1.0 + 1e-6) * limits_.max_force_rate) return said("the hand feels", rate, "N/s");
-      if (now.torque.norm() > (1.0 + kRounding) * limits_.max_torque) {
+      if (now.torque.norm() > (1.0 + kRoundingOfLimits) * limits_.max_torque) {
         return said("the hand feels", now.torque.norm(), "N m");
       }
     }

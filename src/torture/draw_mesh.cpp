@@ -40,7 +40,7 @@ double leastDihedralOf(const Points& points, const Eigen::Matrix4Xi& tets) {
 }
 
 // A box becomes an ellipsoid by `part`: 1 is whole. The bottom stays flat, so that it can be held.
-Points rounded(const Points& box, const Vec3& size, double part) {
+Points roundedBox(const Points& box, const Vec3& size, double part) {
   Points points = box;
   const Vec3 half(0.5 * size.x(), 0.5 * size.y(), size.z());
   for (Eigen::Index i = 0; i < box.cols(); ++i) {
@@ -56,7 +56,7 @@ Points rounded(const Points& box, const Vec3& size, double part) {
 void roundOff(mesh::TetMesh* mesh, const Vec3& size) {
   const Points box = mesh->points;
   for (const double part : {0.9, 0.7, 0.5, 0.3}) {
-    mesh->points = rounded(box, size, part);
+    mesh->points = roundedBox(box, size, part);
     if (leastDihedralOf(mesh->points, mesh->tets) >= 1.0) return;
   }
   mesh->points = box;

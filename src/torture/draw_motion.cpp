@@ -184,7 +184,7 @@ class Rows {
 };
 
 // Without damping: that of a scene acts on `static` steps as well, as slowly as on others.
-bool isQuasiStatic(const TortureScene& scene) {
+bool movesWithoutInertia(const TortureScene& scene) {
   const std::string& model = scene.organs.front().model;
   if (model == "fem" || model == "enriched" || model == "neural") {
     return scene.method == "linear_precomputed" || scene.method == "newton_bicgstab";
@@ -200,7 +200,7 @@ constexpr double kTimes = 14.0;  // a time constant until 1e-6 is left
 double timeToRest(const TortureScene& scene) {
   double longest = 0.0;
   for (const TortureOrgan& organ : scene.organs) {
-    if (!isQuasiStatic(scene)) longest = std::max(longest, 30.0 / slowestFrequency(organ));
+    if (!movesWithoutInertia(scene)) longest = std::max(longest, 30.0 / slowestFrequency(organ));
     double slowest = organ.prony_g > 0.0 ? organ.prony_tau : 0.0;
     if (organ.model == "enriched") slowest = tissue::EnrichedSettings().time;
     if (organ.model == "neural") slowest = tissue::NeuralSettings().switch_time;

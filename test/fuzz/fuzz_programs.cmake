@@ -12,7 +12,7 @@ function(palpate_fuzz_program name)
     return()
   endif()
   # The sources of the core that read stand before their likes in the core that is built.
-  get_target_property(sources palpate_core SOURCES)
+  get_property(sources GLOBAL PROPERTY PALPATE_CORE_SOURCES)
   list(FILTER sources INCLUDE REGEX "\
 /base/(atomic_file|error|number|resource|text_file)[.]cpp$|\
 /formats/|/keys/(range|yaml_[a-z]*)[.]cpp$|/instrument/|/[a-z_]*_fields[.]cpp$|\
@@ -20,9 +20,7 @@ function(palpate_fuzz_program name)
 /(surrogate|springs)_file[.]cpp$|/database_folder[.]cpp$")
   get_target_property(libraries palpate_core LINK_LIBRARIES)
   target_sources(${name} PRIVATE ${sources})
-  target_link_libraries(${name} PRIVATE ${PALPATE_FUZZ_CORE} ${libraries})
-  target_include_directories(${name} PRIVATE $<TARGET_PROPERTY:palpate_core,INCLUDE_DIRECTORIES>)
-  target_compile_options(${name} PRIVATE -ffp-contract=off)
+  target_link_libraries(${name} PRIVATE ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
 endfunction()
 
 palpate_fuzz_program(palpate_fuzz ${core_targets})

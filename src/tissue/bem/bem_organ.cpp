@@ -5,14 +5,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "../touch/stage_limits.h"
+
 namespace palpate::tissue {
 namespace {
-
-// As in the implicit methods.
-constexpr double kStageTolerance = 100.0;
-constexpr int kMaxSearches = 4;
-constexpr int kMaxSettlings = 3;
-constexpr int kMaxSettlingsOfFriction = 6;
 
 double sizeOf(const Points& X) { return (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm(); }
 

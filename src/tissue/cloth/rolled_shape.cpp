@@ -50,7 +50,7 @@ std::string upTo(double value) {
   return formatNumber(std::ceil(value / digit) * digit);
 }
 
-void check(const RolledSettings& rolled, double length, double spacing) {
+void checkRolled(const RolledSettings& rolled, double length, double spacing) {
   if (!(rolled.gap_least >= 0.0 && rolled.gap_least < rolled.gap_most)) {
     throw std::invalid_argument("cloth.rolled.gap_least = " + formatNumber(rolled.gap_least) +
                                 ": must be less than gap_most, " + formatNumber(rolled.gap_most));
@@ -95,7 +95,7 @@ Points rolledUp(const Points& X, double spacing, const RolledSettings& rolled) {
     throw std::invalid_argument("cloth.rolled: needs a sheet at one z; this one reaches from " +
                                 formatNumber(low.z()) + " to " + formatNumber(high.z()) + " m");
   }
-  check(rolled, length, spacing);
+  checkRolled(rolled, length, spacing);
   Points x = X;
   for (Eigen::Index i = 0; i < X.cols(); ++i) {
     const double along = X(1, i) - low.y(), left = spiralLeft(rolled, along);

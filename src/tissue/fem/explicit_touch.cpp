@@ -11,7 +11,7 @@ constexpr double kMaxLeapSteps = 256.0;
 // Contact moves no node farther in a step than this part of an element.
 constexpr double kContactWay = 0.5;
 // Answers in a step that friction asks for after the first.
-constexpr int kMaxSettlings = 6;
+constexpr int kMaxExplicitSettlings = 6;
 
 }  // namespace
 
@@ -71,7 +71,7 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
   iterations_ = update_.iterations();
   for (int k = 0; rubs && update_.residual() <= tolerance; ++k) {
     settled_ = body_.contact.settled(*next);
-    if (settled_ || k == kMaxSettlings || solver::isInterrupted(body_.interrupt)) return;
+    if (settled_ || k == kMaxExplicitSettlings || solver::isInterrupted(body_.interrupt)) return;
     body_.contact.settle(*next);
     *next = untouched_;
     update_.apply(coefficients, tolerance, next);

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../touch/stage_limits.h"
 #include "palpate/solver/line_search.h"
 
 namespace palpate::tissue {
 namespace {
 
-// Stages before the last one need not be solved as well.
-constexpr double kStageTolerance = 100.0;
-// Candidates for contact are searched this many times before a cycle is given up.
-constexpr int kMaxSearches = 4;
-// Solutions in a step that contact asks for after the first, without friction and with it.
-constexpr int kMaxSettlings = 3;
-constexpr int kMaxSettlingsOfFriction = 6;
 // So many times beyond the tolerance of the forces that there are, a solution is none.
 constexpr double kGone = 10.0;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one

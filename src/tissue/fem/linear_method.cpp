@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear_method.h"
 
+#include "../touch/stage_limits.h"
+
 namespace palpate::tissue {
-namespace {
-
-// As in the implicit methods.
-constexpr double kStageTolerance = 100.0;
-constexpr int kMaxSearches = 4;
-constexpr int kMaxSettlings = 3;
-constexpr int kMaxSettlingsOfFriction = 6;
-
-}  // namespace
 
 LinearMethod::LinearMethod(FemBody* body)
     : body_(*body),

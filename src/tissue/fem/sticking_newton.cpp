@@ -13,7 +13,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxParts = 8;
-constexpr int kMaxHalvings = 10;
+constexpr int kMaxStepHalvings = 10;
 // Times that points are held or let go in a stage.
 constexpr int kMaxChanges = 30;
 // A step may change the energy by this many times what the tangent says: farther away exponential
@@ -206,7 +206,7 @@ void StickingNewton::newton(TissueStep* out) {
 // does (false).
 bool StickingNewton::shorten(double most) {
   const auto good = [&] { return std::isfinite(residual_) && value_ < most; };
-  for (int k = 0; k < kMaxHalvings && !good(); ++k) {
+  for (int k = 0; k < kMaxStepHalvings && !good(); ++k) {
     step_ *= 0.5;
     body_.x = trial_ + step_;
     residual_ = gradient();
@@ -242,7 +242,7 @@ bool StickingNewton::iterate(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kLineSearch);
   double slope = std::abs(g_.cwiseProduct(step_).sum());
   double curved = 0.5 * std::abs(curvature_);
-  for (int k = 0; k <= kMaxHalvings; ++k, step_ *= 0.5, slope *= 0.5, curved *= 0.25) {
+  for (int k = 0; k <= kMaxStepHalvings; ++k, step_ *= 0.5, slope *= 0.5, curved *= 0.25) {
     trial_ = body_.x + step_;
     const double most = value_ + kTrustsTangent * (slope + curved) + kOfEnergy * std::abs(value_);
     if (!(energy(trial_) <= most)) continue;  // NaN too

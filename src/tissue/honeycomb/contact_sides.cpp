@@ -8,7 +8,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxSteps = 12;
-constexpr int kMaxSearches = 6;
+constexpr int kMaxSideSearches = 6;
 constexpr double kPart = 0.1;   // of the tolerance that is left
 constexpr double kHelp = 0.3;   // to which a step with earlier factors is to bring what is left
 constexpr double kSteep = 0.5;  // of the first slope, which a step may end with
@@ -227,7 +227,7 @@ bool ContactSides::step(CellState* state, Points* x) {
     go(t);
     x_ = *x + t * d_;
     contact_.collect(x_, &contacts_);
-    if (k == kMaxSearches) break;
+    if (k == kMaxSideSearches) break;
     const double now = slope(trial_);
     if (!(now > kSteep * std::abs(first))) break;
     t *= first < 0.0 ? std::clamp(first / (first - now), 0.1, 0.9) : 0.5;

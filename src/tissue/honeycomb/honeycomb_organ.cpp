@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../touch/stage_limits.h"
+
 namespace palpate::tissue {
 namespace {
 
 constexpr int kWavesOnTheWay = 10;   // of a stage that is not the last of a cycle
 constexpr int kStagesInsideOut = 6;  // in a row, after which a cycle is given up
-constexpr int kMaxSearches = 3;
-constexpr int kMaxSettlings = 3;
-constexpr int kMaxSettlingsOfFriction = 6;
+constexpr int kMaxLatticeSearches = 3;
 constexpr int kSettlingWaves = 100;  // under gravity, times those of a cycle
 
 Points weightsOf(const HoneycombParts& parts, const Vec3& gravity) {
@@ -158,7 +158,7 @@ void HoneycombOrgan::solveStages() {
   out_.sweep_stages = 0;
   const auto solve = [this](int waves) {
     const PhaseTimer timer(&out_.phases, Phase::kLinearSolve);
-    for (int search = 0; search < kMaxSearches; ++search) {
+    for (int search = 0; search < kMaxLatticeSearches; ++search) {
       add(solver_.solve(waves, interrupt_, &state_));
       if (touch_.sweep.candidatesHold(x_)) break;
       touch_.sweep.search(x_);

@@ -12,7 +12,7 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+constexpr int kTetEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 // Of the mesh's size: so far may points of a file be from the mesh's.
 constexpr double kSamePoint = 1e-3;
 
@@ -30,7 +30,7 @@ Edges edgesOf(const mesh::TetMesh& mesh, const fem::Composition& composition) {
   Edges edges;
   for (int t = 0; t < static_cast<int>(mesh.numTets()); ++t) {
     const double volume = mesh::signedVolume(mesh.points, mesh.tets.col(t));
-    for (const auto& e : kEdges) {
+    for (const auto& e : kTetEdges) {
       Around& around = edges[std::minmax(mesh.tets(e[0], t), mesh.tets(e[1], t))];
       around.volume += volume;
       around.work += youngModulus(composition.solid(t)) * volume;
