@@ -2,16 +2,32 @@
 # PALPATE_UNITY_BUILD=OFF compiles each source alone: then each must include what it uses.
 option(PALPATE_UNITY_BUILD "Compile several sources of a room at once" ON)
 
-# palpate_room(NAME [BATCH N] [APART SOURCE ...] SOURCE ...): adds sources to palpate_core. Sources of APART are
-# compiled alone. Sources of one batch share their anonymous namespaces, so their names must differ.
+# palpate_library(NAME): a library of rooms, without sources yet. Its users see include/palpate.
+function(palpate_library name)
+  add_library(${name} ${ARGN})
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_link_libraries(${name} PUBLIC Eigen3::Eigen Threads::Threads)
+  # No fused multiply-add chosen by the compiler: the same bits on every build of one source.
+  target_compile_options(${name} PUBLIC -ffp-contract=off)
+  # And on every processor: large products of Eigen are cut by its caches, if it is asked for them.
+  target_compile_definitions(${name} PUBLIC EIGEN_NO_CPUID)
+endfunction()
+
+# palpate_room(NAME [LIBRARY LIBRARY] [BATCH N] SOURCE ... [APART SOURCE ...]): adds sources to a library, which is
+# palpate_core where none is named. Sources of APART are compiled alone. Sources of one batch share their anonymous
+# namespaces, so their names must differ.
 function(palpate_room name)
-  cmake_parse_arguments(arg "" "BATCH" "APART" ${ARGN})
-  # APART takes all that follows it, so the rest of the sources stand before it.
-  set(target palpate_${name})
-  add_library(${target} OBJECT ${arg_UNPARSED_ARGUMENTS} ${arg_APART})
+  cmake_parse_arguments(arg "" "LIBRARY;BATCH" "APART" ${ARGN})
+  if(NOT arg_LIBRARY)
+    set(arg_LIBRARY palpate_core)
+  endif()
   if(NOT arg_BATCH)
     set(arg_BATCH 12)
   endif()
+  set(sources ${arg_UNPARSED_ARGUMENTS} ${arg_APART})
+  set(target palpate_${name})
+  add_library(${target} OBJECT ${sources})
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
     UNITY_BUILD ${PALPATE_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE ${arg_BATCH})
   if(arg_APART)
@@ -19,8 +35,8 @@ function(palpate_room name)
   endif()
   target_link_libraries(${target} PRIVATE palpate_core_flags)
   palpate_core_warnings(${target})
-  target_sources(palpate_core PRIVATE $<TARGET_OBJECTS:${target}>)
-  foreach(source ${arg_UNPARSED_ARGUMENTS} ${arg_APART})
+  target_sources(${arg_LIBRARY} PRIVATE $<TARGET_OBJECTS:${target}>)
+  foreach(source IN LISTS sources)
     set_property(GLOBAL APPEND PROPERTY PALPATE_CORE_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${source})
   endforeach()
 endfunction()

@@ -8,7 +8,7 @@ function(palpate_fuzz_program name)
   palpate_precompile(${name})
   palpate_warnings(${name})
   if(NOT PALPATE_FUZZ_CORE)
-    target_link_libraries(${name} PRIVATE palpate_core)
+    target_link_libraries(${name} PRIVATE palpate_studies)
     return()
   endif()
   # The sources of the core that read stand before their likes in the core that is built.
@@ -20,7 +20,8 @@ function(palpate_fuzz_program name)
 /(surrogate|springs)_file[.]cpp$|/database_folder[.]cpp$")
   get_target_property(libraries palpate_core LINK_LIBRARIES)
   target_sources(${name} PRIVATE ${sources})
-  target_link_libraries(${name} PRIVATE ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
+  string(REPLACE palpate_core palpate_studies studies ${PALPATE_FUZZ_CORE})  # stands beside it
+  target_link_libraries(${name} PRIVATE ${studies} ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
 endfunction()
 
 palpate_fuzz_program(palpate_fuzz ${core_targets})
