@@ -16,7 +16,7 @@ import sys
 
 # Rooms whose code decides a force or a shape, and those that only read, write, show or advise.
 MECHANICS = ["base", "material", "mesh", "fem", "solver", "springs", "bem", "instrument", "contact", "tissue", "scene", "sim"]
-OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "teleop", "advice", "analysis", "io", "start",
+OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "advice", "analysis", "io", "start",
          "torture", "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
 PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)

@@ -33,14 +33,15 @@ class Rooms:
     """What rooms.txt says: the order, and the libraries of each room, public and in all."""
 
     def __init__(self, text):
-        self.order, self.public, self.all = [], {}, {}
-        for line in text.splitlines():
+        self.order, self.public, self.all, self.line = [], {}, {}, {}
+        for number, line in enumerate(text.splitlines(), 1):
             line = line.split("#")[0].strip()
             if not line:
                 continue
             name, libraries = line.split(":")
             public, _, private = libraries.partition(";")
             self.order.append(name)
+            self.line[name] = number
             self.public[name] = {"Eigen", *public.split()}
             self.all[name] = {*self.public[name], *private.split()}
 
@@ -145,6 +146,9 @@ def check(root):
                 wrong = check_include(root, rooms, path, room, quoted, name)
                 if wrong:
                     problems.append(f"{where}:{number}: {wrong}")
+    for room in rooms.order:
+        if room not in present:
+            problems.append(f"scripts/rooms.txt:{rooms.line[room]}: room '{room}' has no file in include/palpate or src")
     for top in ("test", "benchmarks"):
         for path in sources(root, top):
             for number, _, name in includes(path):
@@ -182,6 +186,7 @@ SELF_TEST_BREAKS = [  # (file, its new line 1, what must be said of it)
     ("src/cli/main.cpp", '#include "node.h"', "is no header of ours"),
     ("test/mesh/fill_test.cpp", '#include "../../src/mesh/fill.h"', "climbs out"),
     ("src/attic/old.cpp", "", "is in no room"),
+    ("scripts/rooms.txt", "gone:\n" + SELF_TEST_ROOMS, "room 'gone' has no file"),
     ("docs/architecture.md", SELF_TEST_PAGE.replace("| `mesh` | \n", ""), "lacks room 'mesh'"),
     ("docs/architecture.md", "| `fem` | \n" + SELF_TEST_PAGE.replace("| `fem` | \n", ""), "order differs"),
 ]
