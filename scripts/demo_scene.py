@@ -5,7 +5,8 @@
     scripts/demo_scene.py NAME
 
 The trajectory is config/trajectories/NAME.csv or, where several scenes share one, that whose name begins
-like NAME up to the first "_". Leaves demo/NAME.csv, demo/NAME.png and demo/NAME_largest_force.png.
+like NAME up to the first "_". Leaves demo/NAME.csv, demo/NAME.png and demo/NAME_largest_force.png in the
+present folder.
 """
 import csv
 import glob
@@ -21,7 +22,7 @@ import meshio  # noqa: E402
 import numpy as np  # noqa: E402
 import yaml  # noqa: E402
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+from find_palpate import ROOT, program  # noqa: E402
 
 
 def trajectory_of(name):
@@ -36,9 +37,7 @@ def trajectory_of(name):
 
 
 def replay(scene, trajectory, out):
-    programs = [os.path.join(ROOT, "build", p) for p in ("devel/lib/palpate/palpate", "src/cli/palpate")]
-    program = next((p for p in programs if os.path.exists(p)), None) or sys.exit("build palpate first")
-    done = subprocess.run([program, "replay", scene, "--trajectory", trajectory, "--out", out, "--profile"], check=False)
+    done = subprocess.run([program(), "replay", scene, "--trajectory", trajectory, "--out", out, "--profile"], check=False)
     if done.returncode not in (0, 1):  # 1: some cycles did not converge, which is said
         sys.exit(done.returncode)
     with open(out, encoding="utf-8") as file:
@@ -95,6 +94,9 @@ def draw(scene, name, trajectory, time, largest, path):
 
 
 def main():
+    if sys.argv[1:] in (["--help"], ["-h"]):
+        print(__doc__.strip())
+        return
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     name = sys.argv[1]
@@ -102,8 +104,8 @@ def main():
     with open(path, encoding="utf-8") as file:
         scene = yaml.safe_load(file)
     trajectory = trajectory_of(name)
-    os.makedirs(os.path.join(ROOT, "demo"), exist_ok=True)
-    out = os.path.join(ROOT, "demo", name)
+    os.makedirs("demo", exist_ok=True)
+    out = os.path.join("demo", name)
     rows = replay(path, trajectory, out + ".csv")
     t, tools = column(rows, "t"), forces(scene, rows)
     plot(scene.get("name", name), t, tools, out + ".png")

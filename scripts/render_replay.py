@@ -23,9 +23,9 @@ import numpy as np
 import yaml
 from matplotlib.image import imsave
 
+import find_palpate
 from make_demo_bag import numbers, pose, rotation
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ORGANS = [(0.62, 0.25, 0.20), (0.42, 0.56, 0.26), (0.75, 0.50, 0.35)]  # in the scene's order
 ARROW = (0.16, 0.86, 0.45)
 BACKGROUND = np.array([0.93, 0.94, 0.96])
@@ -213,13 +213,11 @@ def replayed(scene, trajectory, time):
     with open(trajectory, encoding="utf-8") as file:
         rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
     kept = [rows[0]] + [row for row in rows[1:] if float(row[0]) < time + 1e-9]
-    programs = [os.path.join(ROOT, "build", p) for p in ("devel/lib/palpate/palpate", "src/cli/palpate")]
-    program = next((p for p in programs if os.path.exists(p)), None) or sys.exit("build palpate first")
     with tempfile.TemporaryDirectory() as folder:
         cut, out = os.path.join(folder, "cut.csv"), os.path.join(folder, "out.csv")
         with open(cut, "w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows(kept)
-        command = [program, "replay", scene, "--trajectory", cut, "--out", out, "--vtu", folder]
+        command = [find_palpate.program(), "replay", scene, "--trajectory", cut, "--out", out, "--vtu", folder]
         subprocess.run(command + ["--every", str(len(kept) - 1)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with open(out, encoding="utf-8") as file:
             result = list(csv.DictReader(file))[-1]
