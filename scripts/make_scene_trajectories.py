@@ -118,6 +118,55 @@ STAB = [
     (3.60, -15, 10, 115),
 ]
 
+# t [s], the tips above the kidney's top [mm], opening of each jaw [rad].
+GRASP = [
+    (0.00, 3, 0.35),
+    (0.20, 3, 0.35),
+    (1.20, -7, 0.35),  # 10 mm down in a second
+    (1.40, -7, 0.35),
+    (2.20, -7, 0.05),  # close
+    (2.50, -7, 0.05),
+    (3.50, 10, 0.05),  # lift
+    (3.80, 10, 0.05),
+    (4.40, 10, 0.35),
+    (5.00, 3, 0.35),
+    (5.20, 3, 0.35),
+]
+KIDNEY = np.array([0.0, 0.0, 0.045])  # its top [m]
+
+# t [s], the needle's tip above the block [mm].
+INSERT = [
+    (0.00, 5),
+    (0.20, 5),
+    (2.20, -20),  # in
+    (2.70, -20),
+    (3.90, 5),  # out
+    (4.20, 5),
+]
+
+# t [s], the centre of the tracked probe's ball in the world: x, z [mm].
+TRACK = [
+    (0.00, -15, 65),
+    (0.20, -15, 65),
+    (0.90, -15, 39),  # at the fundus
+    (1.50, -15, 31),  # press
+    (2.00, -15, 31),
+    (3.00, 0, 30),  # slide
+    (3.30, 0, 30),
+    (4.30, 0, 65),
+    (4.60, 0, 65),
+]
+# The same over the gallbladder that breathes.
+SQUEEZE = [
+    (0.00, -15, 65),
+    (0.20, -15, 65),
+    (0.80, -15, 39),
+    (1.40, -15, 34),  # press
+    (4.40, -15, 34),  # while it goes to and fro
+    (5.20, -15, 65),
+    (5.40, -15, 65),
+]
+
 
 def placed(of, key):
     place = of.get(key) or {}
@@ -203,6 +252,32 @@ def stylus(scene):
     return t, {"x": tip[:, 0], "y": tip[:, 1], "z": tip[:, 2], "roll": zero, "pitch": zero, "yaw": zero}
 
 
+def grasp(scene):
+    t = times(GRASP, 100)
+    motion = minimum_jerk(GRASP, t)
+    tips = KIDNEY + 1e-3 * motion[:, :1] * np.array([0.0, 0.0, 1.0])
+    return t, grasper_joints(placed(scene["instruments"][0], "base"), tips, motion[:, 1])
+
+
+def insertion(scene):
+    t = times(INSERT, 100)
+    zero = np.zeros(len(t))
+    z = TOP + 1e-3 * minimum_jerk(INSERT, t)[:, 0] - placed(scene["instruments"][0], "base")[2, 3]
+    return t, {"x": zero, "y": zero, "z": z, "roll": zero, "pitch": zero}
+
+
+def above(waypoints):
+    def motion(scene):
+        t = times(waypoints, 100)
+        ball = 1e-3 * minimum_jerk(waypoints, t)
+        zero = np.zeros(len(t))
+        base = placed(scene["instruments"][0], "base")[:3, 3]  # of a tracked probe: the world
+        x, z = ball[:, 0] - base[0], ball[:, 1] - base[2]
+        return t, {"x": x, "y": zero, "z": z, "roll": zero, "pitch": zero, "yaw": zero}
+
+    return motion
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", default=os.path.join(ROOT, "config/trajectories"))
@@ -213,6 +288,10 @@ def main():
         "slab_probe": on_slab(PRESS),
         "honeycomb": on_slab(DRAG),
         "interface_2011": stylus,
+        "kidney_grasper": grasp,
+        "needle_insertion": insertion,
+        "gallbladder_tf": above(TRACK),
+        "gallbladder_full": above(SQUEEZE),
         "skin_two_layer": on_slab(PRICK, top=0.0045, radius=0.0005),
     }
     for name, motion in motions.items():
