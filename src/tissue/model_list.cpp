@@ -3,39 +3,26 @@
 
 #include <stdexcept>
 
-#include "bem/make_bem.h"
-#include "cloth/make_cloth.h"
-#include "enriched/make_enriched.h"
 #include "fem/make_fem.h"
-#include "honeycomb/make_honeycomb.h"
-#include "hybrid/make_hybrid.h"
-#include "neural/make_neural.h"
+#include "model_library.h"
 #include "palpate/base/error.h"
-#include "sampled/make_sampled.h"
-#include "springs/make_mass_spring.h"
-#include "tensor_mass/make_tensor_mass.h"
 
 namespace palpate::tissue {
 namespace {
 
 struct Entry {
   const char* name;
-  std::unique_ptr<TissueModel> (*make)(const ModelDescription&);
-  bool owns_all;  // organs of that name, solved together
+  ModelMaker make;  // null: in the library of that name, model_library.h
+  bool owns_all;    // organs of that name, solved together
 };
 
 // Every tissue model, the default first. To add one: docs/adding_a_model.md.
 constexpr Entry kModels[] = {
-    {"fem", makeFem, true},
-    {"mass_spring", makeMassSpring, true},
-    {"tensor_mass", makeTensorMass, true},
-    {"cloth", makeCloth, true},
-    {"hybrid", makeHybrid, true},
-    {"sampled_elasticity", makeSampledElasticity, false},
-    {"honeycomb", makeHoneycomb, false},
-    {"bem", makeBem, false},
-    {"enriched", makeEnriched, true},
-    {"neural", makeNeural, false},
+    {"fem", makeFem, true},         {"mass_spring", nullptr, true},
+    {"tensor_mass", nullptr, true}, {"cloth", nullptr, true},
+    {"hybrid", nullptr, true},      {"sampled_elasticity", nullptr, false},
+    {"honeycomb", nullptr, false},  {"bem", nullptr, false},
+    {"enriched", nullptr, true},    {"neural", nullptr, false},
 };
 
 const Entry& find(const std::string& name) {
@@ -57,7 +44,8 @@ bool ownsAllOrgans(const std::string& name) { return find(name).owns_all; }
 
 std::unique_ptr<TissueModel> makeModel(const std::string& name,
                                        const ModelDescription& description) {
-  return find(name).make(description);
+  const Entry& entry = find(name);
+  return (entry.make ? entry.make : makerInLibrary(name))(description);
 }
 
 }  // namespace palpate::tissue

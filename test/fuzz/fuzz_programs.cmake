@@ -20,8 +20,12 @@ function(palpate_fuzz_program name)
 /(surrogate|springs)_file[.]cpp$|/database_folder[.]cpp$")
   get_target_property(libraries palpate_core LINK_LIBRARIES)
   target_sources(${name} PRIVATE ${sources})
-  string(REPLACE palpate_core palpate_studies studies ${PALPATE_FUZZ_CORE})  # stands beside it
-  target_link_libraries(${name} PRIVATE ${studies} ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
+  set(others)  # stand beside it
+  foreach(library studies learning spring_networks surface_elements)
+    string(REPLACE palpate_core palpate_${library} other ${PALPATE_FUZZ_CORE})
+    list(APPEND others ${other})
+  endforeach()
+  target_link_libraries(${name} PRIVATE ${others} ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
 endfunction()
 
 palpate_fuzz_program(palpate_fuzz ${core_targets})

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../model_library.h"
 #include "bem_organ.h"
 
 namespace palpate::tissue {
@@ -79,3 +80,5 @@ std::unique_ptr<TissueModel> makeBem(const ModelDescription& description) {
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(bem, palpate::tissue::makeBem)

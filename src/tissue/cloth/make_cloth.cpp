@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "../model_library.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/layer_contact.h"
 #include "palpate/springs/network_statics.h"
@@ -184,3 +185,5 @@ std::unique_ptr<TissueModel> makeCloth(const ModelDescription& description) {
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(cloth, palpate::tissue::makeCloth)

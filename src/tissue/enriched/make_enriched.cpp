@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../model_library.h"
 #include "enriched_organ.h"
 #include "palpate/contact/contact_models.h"
 #include "tissue/fem/fem_organs.h"
@@ -52,3 +53,5 @@ std::unique_ptr<TissueModel> makeEnriched(const ModelDescription& description) {
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(enriched, palpate::tissue::makeEnriched)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../model_library.h"
 #include "honeycomb_organ.h"
 #include "palpate/mesh/point_location.h"
 
@@ -134,3 +135,5 @@ std::unique_ptr<TissueModel> makeHoneycomb(const ModelDescription& description) 
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(honeycomb, palpate::tissue::makeHoneycomb)

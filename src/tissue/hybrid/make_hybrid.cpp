@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../model_library.h"
 #include "hybrid_elasticity.h"
 #include "hybrid_steps.h"
 #include "tissue/cells/make_cells.h"
@@ -126,3 +127,5 @@ std::unique_ptr<TissueModel> makeHybrid(const ModelDescription& description) {
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(hybrid, palpate::tissue::makeHybrid)

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "../model_library.h"
 #include "neural_organ.h"
 #include "palpate/enrichment/surrogate_file.h"
 #include "tissue/fem/make_fem.h"
@@ -57,3 +58,5 @@ std::unique_ptr<TissueModel> makeNeural(const ModelDescription& description) {
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(neural, palpate::tissue::makeNeural)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "../model_library.h"
 #include "sampled_tissue.h"
 
 namespace palpate::tissue {
@@ -45,3 +46,5 @@ std::unique_ptr<TissueModel> makeSampledElasticity(const ModelDescription& descr
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(sampled_elasticity, palpate::tissue::makeSampledElasticity)

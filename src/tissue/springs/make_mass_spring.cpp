@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../model_library.h"
 #include "spring_elasticity.h"
 #include "spring_steps.h"
 #include "tet_network.h"
@@ -36,3 +37,5 @@ std::unique_ptr<TissueModel> makeMassSpring(const ModelDescription& description)
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(mass_spring, palpate::tissue::makeMassSpring)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "make_tensor_mass.h"
 
+#include "../model_library.h"
 #include "tensor_mass_elasticity.h"
 #include "tissue/cells/make_cells.h"
 
@@ -16,3 +17,5 @@ std::unique_ptr<TissueModel> makeTensorMass(const ModelDescription& description)
 }
 
 }  // namespace palpate::tissue
+
+PALPATE_TISSUE_MODEL(tensor_mass, palpate::tissue::makeTensorMass)
