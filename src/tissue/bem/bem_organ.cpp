@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "../touch/stage_limits.h"
+#include "tissue/touch/stage_limits.h"
 
 namespace palpate::tissue {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../model_library.h"
 #include "bem_organ.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

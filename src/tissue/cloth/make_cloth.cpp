@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "../model_library.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/layer_contact.h"
 #include "palpate/springs/network_statics.h"
@@ -17,6 +16,7 @@
 #include "sheet_network.h"
 #include "tissue/fem/fem_organ.h"
 #include "tissue/fem/make_organs.h"
+#include "tissue/model_library.h"
 #include "tissue/springs/spring_steps.h"
 
 namespace palpate::tissue {

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../model_library.h"
 #include "enriched_organ.h"
 #include "palpate/contact/contact_models.h"
 #include "tissue/fem/fem_organs.h"
 #include "tissue/fem/make_organs.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../touch/stage_limits.h"
 #include "palpate/solver/line_search.h"
+#include "tissue/touch/stage_limits.h"
 
 namespace palpate::tissue {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear_method.h"
 
-#include "../touch/stage_limits.h"
+#include "tissue/touch/stage_limits.h"
 
 namespace palpate::tissue {
 

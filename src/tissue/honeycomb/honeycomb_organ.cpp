@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../touch/stage_limits.h"
+#include "tissue/touch/stage_limits.h"
 
 namespace palpate::tissue {
 namespace {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../model_library.h"
 #include "honeycomb_organ.h"
 #include "palpate/mesh/point_location.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

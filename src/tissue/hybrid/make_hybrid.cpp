@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "../model_library.h"
 #include "hybrid_elasticity.h"
 #include "hybrid_steps.h"
 #include "tissue/cells/make_cells.h"
 #include "tissue/fem/make_organs.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

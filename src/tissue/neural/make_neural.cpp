@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "../model_library.h"
 #include "neural_organ.h"
 #include "palpate/enrichment/surrogate_file.h"
 #include "tissue/fem/make_fem.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

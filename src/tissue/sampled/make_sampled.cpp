@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "../model_library.h"
 #include "sampled_tissue.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

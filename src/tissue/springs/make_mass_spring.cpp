@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "../model_library.h"
 #include "spring_elasticity.h"
 #include "spring_steps.h"
 #include "tet_network.h"
 #include "tissue/cells/make_cells.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

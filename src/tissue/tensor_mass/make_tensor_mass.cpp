@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "make_tensor_mass.h"
 
-#include "../model_library.h"
 #include "tensor_mass_elasticity.h"
 #include "tissue/cells/make_cells.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 
