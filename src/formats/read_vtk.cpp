@@ -36,12 +36,12 @@ class LegacyVtkReader {
 
  private:
   void readHeader() {
-    constexpr std::string_view kHeader = "# vtk DataFile Version ";
+    constexpr std::string_view kVtkHeader = "# vtk DataFile Version ";
     const std::string_view header = in_.restOfLine();
-    if (header.substr(0, kHeader.size()) != kHeader) {
-      in_.fail(header, "must begin with '" + std::string(kHeader) + "'");
+    if (header.substr(0, kVtkHeader.size()) != kHeader) {
+      in_.fail(header, "must begin with '" + std::string(kVtkHeader) + "'");
     }
-    const std::string_view number = header.substr(kHeader.size());
+    const std::string_view number = header.substr(kVtkHeader.size());
     const double version = parseAnyNumber(number).value_or(0.0);
     if (!(version >= 1.0 && version <= 5.1)) {
       in_.fail(number, "the version must be 1.0 ... 5.1");
