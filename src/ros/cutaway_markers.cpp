@@ -60,7 +60,8 @@ void describe(keys::FieldVisitor& v, CutawayConfig& cutaway) {
                "it, 0 all."},
               cutaway.corner, keys::Range::closed(-1.0, 1.0));
   cutaway.has_place =
-      v.vector3({"at", "m", "Where the corner is."}, cutaway.at, keys::coordinateRange());
+      v.vector3({"at", "m", "Where the corner is; unless set, the middle of each organ."},
+                cutaway.at, keys::coordinateRange());
   v.vector3({"size", "m", "Of what is taken away, along each axis; 0: to the organ's end."},
             cutaway.size, keys::Range::closed(0.0, 100.0));
   v.number({"rate", "Hz", "Pictures published in a second, at most."}, cutaway.rate,

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_device: a simulated haptic device and the hand that holds it, in real time. It publishes
 // joint positions as a master arm does, and feels the wrench that comes back, held as drivers hold
-// it. The hand goes down, stays, trembles, and comes up.
-//
-//   ~joints    sensor_msgs/JointState to publish, /probe/measured_js
-//   ~wrench    geometry_msgs/WrenchStamped in world axes to feel, /probe/spatial/measured_cf
-//   ~names     joints; the first three move along world's x, y, z: [x, y, z, roll, pitch, yaw]
-//   ~start     their positions at the start [m], [rad]
-//   ~after     service that is there when the scene is loaded, /palpate/reset; "": begins at once
-//   ~way       how far down the hand means to go [m], 0.02
-//   ~speed     on the way [m/s], 0.03
-//   ~hold      how long it stays there [s], 3
-//   ~tremor    how far it then trembles, at 4 Hz and as long [m], 0
-//   ~mass, ~damping, ~grip_stiffness, ~grip_damping, ~resolution: see haptics::HandSettings
+// it. The hand goes down, stays, trembles, and comes up. Its parameters: --help.
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -51,11 +40,13 @@ void describe(keys::FieldVisitor& v, DeviceParams& p) {
   const keys::Range positive = keys::Range::above(0.0), not_negative = keys::Range::closed(0.0);
   v.text({"joints", "", "Topic of the joint positions."}, p.joints);
   v.text({"wrench", "", "Topic of the wrench."}, p.wrench);
-  v.text({"after", "", "Service to wait for."}, p.after);
-  v.number({"way", "m", "How far down."}, p.way, not_negative);
+  v.text({"after", "", "Service that is there when the scene is loaded; empty: begins at once."},
+         p.after);
+  v.number({"way", "m", "How far down the hand means to go."}, p.way, not_negative);
   v.number({"speed", "m/s", "On the way."}, p.speed, positive);
-  v.number({"hold", "s", "How long it stays."}, p.hold, not_negative);
-  v.number({"tremor", "m", "How far it trembles."}, p.tremor, not_negative);
+  v.number({"hold", "s", "How long the hand stays there."}, p.hold, not_negative);
+  v.number({"tremor", "m", "How far the hand then trembles, at 4 Hz and as long."}, p.tremor,
+           not_negative);
   v.number({"mass", "kg", "Of device and hand."}, p.hand.mass, positive);
   v.number({"damping", "N s/m", "Of the device."}, p.hand.device_damping, not_negative);
   v.number({"grip_stiffness", "N/m", "Of the grip."}, p.hand.grip_stiffness, not_negative);
@@ -63,17 +54,37 @@ void describe(keys::FieldVisitor& v, DeviceParams& p) {
   v.number({"resolution", "m", "Of the encoders."}, p.hand.resolution, not_negative);
 }
 
+template <class Fields>
+void visit(Fields& fields, DeviceParams& p) {
+  fields.applyHere(p);
+  fields.texts({"names", "", "Joints; the first three move along world's x, y, z."}, p.names);
+  fields.numbers({"start", "m, rad", "Positions of the joints at the start."}, p.start);
+  fields.rule(p.start.size() == p.names.size() && p.names.size() >= 3, "start",
+              "must have one for each of ~names, three at least");
+}
+
 DeviceParams readDeviceParams(const ros::NodeHandle& handle) {
   DeviceParams p;
   ParamFields fields(handle);
-  fields.applyHere(p);
-  fields.texts({"names", "", "Joints."}, p.names);
-  fields.numbers({"start", "m, rad", "Their positions at the start."}, p.start);
-  fields.rule(p.start.size() == p.names.size() && p.names.size() >= 3, "start",
-              "must have one for each of ~names, three at least");
+  visit(fields, p);
   fields.refuseOthers();
   fields.check();
   return p;
+}
+
+About about() {
+  About about;
+  about.program = "palpate_device";
+  about.what =
+      "A simulated haptic device and the hand that holds it, in real time. It publishes joint\n"
+      "positions as a master arm does, and feels the wrench that comes back. The hand goes down,\n"
+      "stays, trembles, and comes up; then the program ends.";
+  DeviceParams defaults;
+  visit(about.params, defaults);
+  about.hears = {
+      {"~wrench", "geometry_msgs/WrenchStamped", "in world axes, held as drivers hold it"}};
+  about.says = {{"~joints", "sensor_msgs/JointState", "joint positions, 1 kHz"}};
+  return about;
 }
 
 /// Where the hand means to be at a time, and how fast it goes there, along z.
@@ -147,10 +158,10 @@ class Device {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
-  return palpate::node::runProgram(argc, argv, "palpate_device", [](bool) {
-    palpate::node::Device device(ros::NodeHandle(),
-                                 palpate::node::readDeviceParams(ros::NodeHandle("~")));
-    palpate::node::becomeRealtime();
+  using namespace palpate::node;
+  return runProgram(argc, argv, "palpate_device", about(), [](bool) {
+    Device device(ros::NodeHandle(), readDeviceParams(ros::NodeHandle("~")));
+    becomeRealtime();
     device.wait();
     device.run();
     return 0;

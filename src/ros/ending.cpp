@@ -23,10 +23,12 @@ namespace palpate::node {
 namespace {
 
 constexpr std::int64_t kSecond = 1000000000;
+constexpr double kToStart = 1.0;    // [s] that ROS has after a signal
+constexpr int kSignalStatus = 128;  // and the signal's number
 
 // What a signal handler may touch.
 sem_t asked_once, limited;
-std::atomic<bool> is_asked{false};
+std::atomic<bool> is_asked{false}, is_started{false};
 std::atomic<int> exit_status{0};
 std::atomic<std::int64_t> latest_end{std::numeric_limits<std::int64_t>::max()};  // [ns]
 std::atomic<int> hanging_status{1};
@@ -79,11 +81,16 @@ void Ending::note() {
 
 void Ending::catchSignals() {
   struct sigaction action {};
-  action.sa_handler = [](int) { note(); };
+  action.sa_handler = [](int signal) {
+    note();
+    if (!is_started) limit(kToStart, kSignalStatus + signal);
+  };
   action.sa_flags = SA_RESETHAND | SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
+
+void Ending::started() { is_started = true; }
 
 void Ending::catchShutdownRequests() {
   ros::XMLRPCManager::instance()->unbind("shutdown");

@@ -14,7 +14,11 @@ class Ending {
  public:
   /// SIGINT, SIGTERM and SIGHUP ask. Each has its own way again once it came: a second Ctrl-C ends
   /// the program at once. Call before ros::init(), with ros::init_options::NoSigintHandler.
+  /// Until started() such a signal limits the program to a second: ROS waits for its master and
+  /// asks nobody. The exit status is then 128 and the signal's number, as of a shell.
   static void catchSignals();
+  /// ROS is there. Call after the first NodeHandle.
+  static void started();
   /// Starts the thread that limit() needs. Before a crash: nothing can be started after one.
   static void watch();
   /// The shutdown that `rosnode kill` and a second node of this name request asks as well. Call

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_guard: stands between the node and a haptic device, in a process of its own. It passes
 // wrenches on as they come, within limits, and takes the last one back when none comes any more: a
-// device holds what it heard last, also of a node that has died.
-//
-//   ~input    geometry_msgs/WrenchStamped, of the node
-//   ~output   geometry_msgs/WrenchStamped, to the device
-//   ~patience [s] so long a silence is none yet, 0.05
-//   ~ramp     [s] from there to zero, and back when it is heard again, 0.02
-//   ~max_force, ~max_torque, ~max_force_rate: nothing beyond is passed on, 20 N, 2 N m, 2000 N/s
+// device holds what it heard last, also of a node that has died. Its parameters: --help.
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -34,6 +28,8 @@ struct GuardParams {
   std::string input, output;
   double patience = 0.05;  // [s]
   haptics::WrenchFilterSettings limits;
+
+  GuardParams() { limits.ramp = 0.02; }
 };
 
 void describe(keys::FieldVisitor& v, GuardParams& p) {
@@ -54,13 +50,26 @@ void describe(keys::FieldVisitor& v, GuardParams& p) {
 
 GuardParams readGuardParams(const ros::NodeHandle& handle) {
   GuardParams p;
-  p.limits.ramp = 0.02;
   ParamFields fields(handle);
   fields.applyHere(p);
   fields.refuseOthers();
   fields.check();
   p.limits.max_torque_rate = p.limits.max_force_rate * p.limits.max_torque / p.limits.max_force;
   return p;
+}
+
+About about() {
+  About about;
+  about.program = "palpate_guard";
+  about.what =
+      "Stands between the node and a haptic device. It passes wrenches on as they come, within\n"
+      "limits, and takes the last one back when none comes any more, for a device holds what it\n"
+      "heard last.";
+  GuardParams defaults;
+  about.params.applyHere(defaults);
+  about.hears = {{"~input", "geometry_msgs/WrenchStamped", "the node's wrench, of one publisher"}};
+  about.says = {{"~output", "geometry_msgs/WrenchStamped", "the wrench for the device"}};
+  return about;
 }
 
 /// One input, of one publisher, one output, one thread.
@@ -140,10 +149,10 @@ class Guard {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
-  return palpate::node::runProgram(argc, argv, "palpate_guard", [](bool) {
-    palpate::node::Guard guard(ros::NodeHandle(),
-                               palpate::node::readGuardParams(ros::NodeHandle("~")));
-    palpate::node::MasterWatch master({});
+  using namespace palpate::node;
+  return runProgram(argc, argv, "palpate_guard", about(), [](bool) {
+    Guard guard(ros::NodeHandle(), readGuardParams(ros::NodeHandle("~")));
+    MasterWatch master({});
     master.start();
     guard.run();
     return 0;

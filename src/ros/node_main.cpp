@@ -18,6 +18,7 @@
 #include "haptic_loop.h"
 #include "input_factory.h"
 #include "master_watch.h"
+#include "node_help.h"
 #include "palpate/advice/mesh_verdict.h"
 #include "palpate/io/state_file.h"
 #include "params.h"
@@ -167,5 +168,6 @@ int run(bool sends_realtime) {
 int main(int argc, char** argv) {
   palpate::start::restartWithSolverEnvironment(argv);
   palpate::start::keepFreedMemory();
-  return palpate::node::runProgram(argc, argv, "palpate", palpate::node::run);
+  return palpate::node::runProgram(argc, argv, "palpate", palpate::node::aboutNode(),
+                                   palpate::node::run);
 }

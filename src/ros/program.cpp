@@ -9,6 +9,7 @@
 #include <chrono>
 #include <exception>
 #include <future>
+#include <iostream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "crash.h"
 #include "ending.h"
 #include "environment.h"
+#include "master_wait.h"
 #include "palpate/base/error.h"
 #include "realtime.h"
 #include "slave_api.h"
@@ -47,7 +49,15 @@ void markSendingThread() {
 
 }  // namespace
 
-int runProgram(int argc, char** argv, const char* name, const std::function<int(bool)>& run) {
+int runProgram(int argc, char** argv, const char* name, const About& about,
+               const std::function<int(bool)>& run) {
+  if (const std::optional<int> status = answerOptions(argc, argv, about)) return *status;
+  try {
+    waitForMaster(argc, argv, about.program.c_str());
+  } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
+  }
   start::letLargeWritesFail();
   Ending::catchSignals();
   Ending::watch();
@@ -61,6 +71,7 @@ int runProgram(int argc, char** argv, const char* name, const std::function<int(
     alive.emplace();
     sends_realtime = starting.isRealtime();
   }
+  Ending::started();
   Ending::catchShutdownRequests();
   // Who answers the ROS graph's questions takes what anybody sends it: endless nesting is an
   // endless recursion, and less than that may take long.

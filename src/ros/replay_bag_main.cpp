@@ -105,6 +105,15 @@ int main(int argc, char** argv) {
   app.add_option("--csv", options.csv, "also write results as palpate replay does");
   app.add_option("--trajectory", options.trajectory,
                  "also write the joints as a trajectory for palpate replay");
+  app.footer(
+      "\nTopics read: <instrument>/measured_js (sensor_msgs/JointState; another one by the "
+      "scene's\n"
+      "joint_topic), or /tf and /tf_static with input: tf. Topics written, beside the copied "
+      "ones:\n"
+      "<instrument>/spatial/measured_cf and <instrument>/body/measured_cf\n"
+      "(geometry_msgs/WrenchStamped), step_report (palpate/StepReport). Needs no master and has "
+      "no\n"
+      "parameters.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_wire: how regularly a wrench comes, to one who hears it at real-time priority as a
-// device's driver does. Prints the percentiles of the period after a second.
-//
-//   ~wrench    geometry_msgs/WrenchStamped, /probe/spatial/measured_cf; "": no wrench, but ticks of
-//              1 ms of its own, which is the best that the machine can
-//   ~seconds   for how long, 20
+// device's driver does. Prints the percentiles of the period after a second. Its parameters:
+// --help.
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -15,8 +12,8 @@
 #include <vector>
 
 #include "ending.h"
-#include "palpate/base/error.h"
 #include "palpate/base/percentiles.h"
+#include "param_fields.h"
 #include "program.h"
 #include "realtime.h"
 #include "throttle.h"
@@ -26,15 +23,42 @@ namespace {
 
 constexpr double kSettles = 1.0;  // [s] left out at the start
 
+struct WireParams {
+  std::string wrench = "/probe/spatial/measured_cf";
+  double seconds = 20.0;
+};
+
+void describe(keys::FieldVisitor& v, WireParams& p) {
+  v.text({"wrench", "",
+          "Topic of the wrench; empty: ticks of 1 ms in its place, the best of the machine."},
+         p.wrench);
+  v.number({"seconds", "s", "For how long."}, p.seconds, keys::Range::open(0.0, 1.0e5));
+}
+
+WireParams readWireParams(const ros::NodeHandle& handle) {
+  WireParams p;
+  ParamFields fields(handle);
+  fields.applyHere(p);
+  fields.refuseOthers();
+  fields.check();
+  return p;
+}
+
+About about() {
+  About about;
+  about.program = "palpate_wire";
+  about.what =
+      "Measures how regularly a wrench comes, to one who hears it at real-time priority as a\n"
+      "device's driver does. Prints the percentiles of the period after a second.";
+  WireParams defaults;
+  about.params.applyHere(defaults);
+  about.hears = {{"~wrench", "geometry_msgs/WrenchStamped", "what is measured"}};
+  return about;
+}
+
 class Wire {
  public:
-  explicit Wire(const ros::NodeHandle& handle) {
-    handle.getParam("wrench", topic_);
-    handle.getParam("seconds", seconds_);
-    if (!(seconds_ > 0.0 && seconds_ < 1.0e5)) {
-      throw InputError("parameters of " + handle.getNamespace(), "seconds",
-                       std::to_string(seconds_), "must be in (0, 100000)");
-    }
+  explicit Wire(const WireParams& params) : topic_(params.wrench), seconds_(params.seconds) {
     came_.reserve(static_cast<std::size_t>(2000.0 * (seconds_ + kSettles)));
   }
 
@@ -76,8 +100,8 @@ class Wire {
  private:
   void hear(const geometry_msgs::WrenchStamped&) { came_.push_back(Steady::now()); }
 
-  std::string topic_ = "/probe/spatial/measured_cf";
-  double seconds_ = 20.0;
+  std::string topic_;
+  double seconds_;
   std::vector<Steady::time_point> came_;
 };
 
@@ -85,8 +109,9 @@ class Wire {
 }  // namespace palpate::node
 
 int main(int argc, char** argv) {
-  return palpate::node::runProgram(argc, argv, "palpate_wire", [](bool) {
-    const bool realtime = palpate::node::becomeRealtime();
-    return palpate::node::Wire(ros::NodeHandle("~")).run(realtime);
+  using namespace palpate::node;
+  return runProgram(argc, argv, "palpate_wire", about(), [](bool) {
+    const bool realtime = becomeRealtime();
+    return Wire(readWireParams(ros::NodeHandle("~"))).run(realtime);
   });
 }
