@@ -35,20 +35,23 @@ if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -q GenuineIntel /proc/cpuinfo 2>/dev/
   export OPENBLAS_CORETYPE=SKYLAKEX
 fi
 
+# rosrun skips what lies in a folder of the package called build: by the devel space's other name it
+# finds the programs.
+_palpate_devel=$_palpate_root/build/devel
+if [ "$_palpate_root/devel" -ef "$_palpate_devel" ]; then _palpate_devel=$_palpate_root/devel; fi
 # catkin's setup scripts read variables that need not exist.
-if [ -f "$_palpate_root/build/devel/setup.bash" ]; then
+if [ -f "$_palpate_devel/setup.bash" ]; then
   case $- in *u*) _palpate_nounset=true ;; *) _palpate_nounset=false ;; esac
   set +u
   # shellcheck disable=SC1091
-  . "$_palpate_root/build/devel/setup.bash"
+  . "$_palpate_devel/setup.bash"
   if $_palpate_nounset; then set -u; fi
   unset _palpate_nounset
 fi
-# rosrun looks into no folder of a package that is called build.
-if [ -d "$_palpate_root/build/devel/lib/palpate" ]; then
+if [ -d "$_palpate_devel/lib/palpate" ]; then
   case :$PATH: in
-    *:"$_palpate_root/build/devel/lib/palpate":*) ;;
-    *) PATH=$PATH:$_palpate_root/build/devel/lib/palpate ;;
+    *:"$_palpate_devel/lib/palpate":*) ;;
+    *) PATH=$PATH:$_palpate_devel/lib/palpate ;;
   esac
 fi
-unset _palpate_root
+unset _palpate_root _palpate_devel

@@ -24,7 +24,7 @@ build=(
 # What the tests need besides: gtest, rostest, and the nodes that the launch files start.
 test=(
   libgtest-dev libbenchmark-dev librostest-dev python3-rostest python3-roslaunch rosout
-  ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice python3-rosnode
+  ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice python3-rosnode rosbash
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
   python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy
   calculix-ccx python3-scipy python3-meshio python3-matplotlib python3-yaml)
