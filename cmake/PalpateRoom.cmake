@@ -2,9 +2,8 @@
 # PALPATE_UNITY_BUILD=OFF compiles each source alone: then each must include what it uses.
 option(PALPATE_UNITY_BUILD "Compile several sources of a room at once" ON)
 
-# palpate_library(NAME): a library of rooms, without sources yet. Its users see include/palpate.
+# palpate_library(NAME): what holds for a library of rooms. Its users see include/palpate.
 function(palpate_library name)
-  add_library(${name} ${ARGN})
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${name} PUBLIC Eigen3::Eigen Threads::Threads)

@@ -38,7 +38,7 @@ class LegacyVtkReader {
   void readHeader() {
     constexpr std::string_view kVtkHeader = "# vtk DataFile Version ";
     const std::string_view header = in_.restOfLine();
-    if (header.substr(0, kVtkHeader.size()) != kHeader) {
+    if (header.substr(0, kVtkHeader.size()) != kVtkHeader) {
       in_.fail(header, "must begin with '" + std::string(kVtkHeader) + "'");
     }
     const std::string_view number = header.substr(kVtkHeader.size());
