@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cache_file.h"
 
+#include <CGAL/version.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
+#include "palpate/base/rounding.h"
 
 namespace palpate::mesh {
 
 namespace fs = std::filesystem;
+
+// CGAL compares angles that the C library computes, where it moves points to improve tetrahedra.
+std::string makerOfGeometry() {
+  return "CGAL " + std::to_string(CGAL_VERSION_NR) + ", " + rounding();
+}
 
 std::string cachePath(const std::string& cache_directory, std::uint64_t first, std::uint64_t second,
                       const std::string& ending) {

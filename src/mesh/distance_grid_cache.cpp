@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "cache_file.h"
+#include "palpate/base/content_hash.h"
 
 namespace palpate::mesh {
 namespace {
@@ -21,6 +22,7 @@ std::uint64_t gridKey(const SurfaceMesh& surface, const DistanceGridSettings& se
                       std::uint64_t seed) {
   ContentHash hash(seed);
   hash.add(kGridVersion);
+  hash.add(makerOfGeometry());
   hash.add(static_cast<std::uint64_t>(settings.cells));
   hash.add(&settings.error, sizeof(double));
   hash.add(&settings.memory, sizeof(double));

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "cache_file.h"
+#include "palpate/base/content_hash.h"
 
 namespace palpate::mesh {
 namespace {
@@ -64,6 +65,7 @@ std::uint64_t meshKey(const SurfaceMesh& surface, const MeshingOptions& options,
                       std::uint64_t seed) {
   ContentHash hash(seed);
   hash.add(kMeshVersion);
+  hash.add(makerOfGeometry());
   hash.add(&options.edge_length.coarsest, sizeof(double));
   hash.add(static_cast<std::uint64_t>(options.sharp_edges));
   hash.add(surface.points.data(), sizeof(double) * surface.points.size());

@@ -61,11 +61,6 @@ TEST_F(MeshCache, HitsTheSecondTime) {
   EXPECT_EQ(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()), 1);
 }
 
-// What users have in their caches is found again, as long as the mesher makes the same.
-TEST_F(MeshCache, KeepsTheNamesOfUniformMeshes) {
-  EXPECT_EQ(fs::path(file()).filename().string(), "107f11516e23134e426542193311c89e.tet");
-}
-
 TEST_F(MeshCache, MissesForAnotherSurfaceOrOtherSettings) {
   const std::string before = file();
   MeshingOptions other = options_;
