@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/scene/pressed_organ.h"
 
+#include <cstdio>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "palpate/base/content_hash.h"
 #include "palpate/base/error.h"
+#include "palpate/base/state_bytes.h"
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/surface_levels.h"
 #include "palpate/mesh/surface_places.h"
 #include "palpate/scene/composition.h"
+#include "palpate/scene/tissue_file.h"
 
 namespace palpate::scene {
 namespace {
@@ -57,6 +61,48 @@ std::vector<int> freePoints(const Body& body, const Points& points,
   return found;
 }
 
+// Raise it when the same body is pressed in another way.
+constexpr int kWayOfPressing = 1;
+
+std::string describe(const MaterialConfig& material, const Body& body, const std::string& key) {
+  const MaterialConfig written = writtenOut(material, body.file, key).config;
+  std::ostringstream text;
+  text.precision(17);
+  text << written.law;
+  for (const auto& [name, values] : written.constants) {
+    text << " " << name;
+    for (const double value : values) text << " " << value;
+  }
+  return text.str();
+}
+
+// Of the laws, the body's first.
+std::string describeMaterials(const OrganConfig& organ, const Body& body) {
+  std::string text = describe(organ.material, body, body.key + ".material");
+  for (std::size_t i = 0; i < organ.regions.size(); ++i) {
+    if (!organ.regions[i].material) continue;
+    const std::string key = body.key + ".regions[" + std::to_string(i) + "].material";
+    text += "; " + describe(*organ.regions[i].material, body, key);
+  }
+  return text;
+}
+
+// Of the tetrahedra, their materials and directions, and what is held.
+std::string bodyMark(const Body& body) {
+  StateWriter bits;
+  bits.put(body.mesh.points);
+  bits.put(body.mesh.tets);
+  bits.put(body.composition.solid_of);
+  bits.put(body.composition.frames);
+  bits.put(body.mesh.midnodes);
+  bits.put(body.free);
+  ContentHash hash(0);
+  hash.add(bits.bytes());
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
+  return text;
+}
+
 std::string describe(const enrichment::DatabasePlan& all, const Body& body, const Scene& scene,
                      const OrganConfig& organ) {
   const enrichment::PressPlan& plan = all.press;
@@ -65,16 +111,13 @@ std::string describe(const enrichment::DatabasePlan& all, const Body& body, cons
   text.precision(17);
   text << "organ " << organ.name << " of " << scene.name << ", " << body.element << ", edges "
        << body.edge_length << " m, patch " << body.patch << " m, seed " << plan.seed << ", force "
-       << plan.force << " N, cone " << plan.cone << "; " << organ.material.law;
-  for (const auto& [name, values] : organ.material.constants) {
-    text << " " << name;
-    for (const double value : values) text << " " << value;
-  }
+       << plan.force << " N, cone " << plan.cone << "; " << describeMaterials(organ, body);
   if (within) {
     text << "; within " << within->radius << " m of " << within->center.transpose();
   }
   text << "; held " << (body.free.array() == 0.0).count() << " of " << body.free.size()
-       << ", volumes and nodes " << body.mesh.points.sum() << " " << body.mesh.numTets();
+       << ", tetrahedra " << body.mesh.numTets() << ", body " << bodyMark(body)
+       << ", pressed by way " << kWayOfPressing;
   return text.str();
 }
 

@@ -83,33 +83,34 @@ TissueFile readTissueFile(const std::string& file) {
   return tissue;
 }
 
+WrittenMaterial writtenOut(const MaterialConfig& material, const std::string& file,
+                           const std::string& key) {
+  if (material.file.empty()) return {material, file, key};
+  const std::string place = key + ".file";
+  std::string path;
+  try {
+    path = resolveResource(material.file, std::filesystem::path(file).parent_path().string());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, place, material.file, error.what());
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    throw InputError(file, place, material.file, "there is no file " + path);
+  }
+  return {readTissueFile(path).material, path, ""};
+}
+
 material::Solid makeSolid(const MaterialConfig& material, const std::string& file,
                           const std::string& key) {
-  MaterialConfig config = material;
-  std::string owner = file, place = key;
-  if (!material.file.empty()) {
-    place = key + ".file";
-    std::string path;
-    try {
-      path = resolveResource(material.file, std::filesystem::path(file).parent_path().string());
-    } catch (const std::invalid_argument& error) {
-      throw InputError(file, place, material.file, error.what());
-    }
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) {
-      throw InputError(file, place, material.file, "there is no file " + path);
-    }
-    config = readTissueFile(path).material;
-    owner = path;
-    place = "";
-  }
+  const WrittenMaterial written = writtenOut(material, file, key);
+  const MaterialConfig& config = written.config;
   try {
     material::Solid solid{material::makeMaterial(config.law, config.constants), config.density,
                           config.viscoelastic};
     material::checkProny(solid.law, solid.prony);
     return solid;
   } catch (const std::invalid_argument& error) {
-    throw InputError(owner, place, "", error.what());
+    throw InputError(written.file, written.key, "", error.what());
   }
 }
 

@@ -40,6 +40,17 @@ std::vector<std::string> sourceReadingNames();
 /// relaxation that no source or choice accounts for.
 TissueFile readTissueFile(const std::string& file);
 
+/// A material whose constants are known, and where these stand.
+struct WrittenMaterial {
+  MaterialConfig config;  ///< Never by `file`.
+  std::string file, key;
+};
+
+/// The constants of a material: its own, or those of its tissue file. `file` and `key` as for
+/// makeSolid(), which throws the same.
+WrittenMaterial writtenOut(const MaterialConfig& material, const std::string& file,
+                           const std::string& key);
+
 /// What a material is: written out, or as its tissue file says. `file` is the scene or case, whose
 /// folder paths start from, and `key` the material in it.
 /// @throws InputError in the name of `file` for a path that leads nowhere, or of the tissue file.
