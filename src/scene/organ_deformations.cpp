@@ -10,16 +10,19 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/resource.h"
+#include "palpate/base/rounding.h"
 #include "palpate/enrichment/database_folder.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/scene/pressed_organ.h"
+#include "palpate/solver/blas_rounding.h"
 
 namespace palpate::scene {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a database is made: in the cache, or where there is none in a folder that goes again.
+/// Where a database is made: in the cache, or where there is none in a folder that goes again. The
+/// folder's name is of all that decides the samples' bits.
 class Workplace {
  public:
   explicit Workplace(const enrichment::PressedSurfaces& surfaces) {
@@ -83,6 +86,7 @@ enrichment::DeformationDatabase organDeformations(const Scene& scene, int index,
       throw InputError(scene.file, key + "triangles", std::to_string(enriched.plan.triangles),
                        error.what());
     }
+    pressed.surfaces.made_by += "; rounding of " + rounding() + ", " + solver::blasRounding();
     const Workplace place(pressed.surfaces);
     const int samples = enriched.detail == "none" ? 0 : enriched.plan.samples;
     enrichment::SampleMaker maker(place.folder(), pressed.surfaces, samples);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/solver/blas_speed.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <sstream>
 #include <vector>
 
+#include "loaded_blas.h"
 #include "palpate/base/phase_times.h"
 
 #if defined(__x86_64__)
@@ -92,13 +91,8 @@ double measurePeak() {
 #endif
 }
 
-// The BLAS of this process, whichever the system's alternatives chose: CHOLMOD calls the same.
-using Dgemm = void (*)(const char*, const char*, const int*, const int*, const int*, const double*,
-                       const double*, const int*, const double*, const int*, const double*, double*,
-                       const int*);
-
 double measureDgemm() {
-  const auto dgemm = reinterpret_cast<Dgemm>(dlsym(RTLD_DEFAULT, "dgemm_"));
+  const auto dgemm = loadedBlas<Dgemm>("dgemm_");
   if (dgemm == nullptr) return 0.0;
   const int n = kSize;
   const double one = 1.0, zero = 0.0;

@@ -7,25 +7,33 @@
 // another one, so the program starts anew where both take those that any x86-64 processor since
 // 2008 has. Each hash stands beside that of their answers: versions of theirs that round otherwise
 // are left out.
+//
+// Each test has a cache of its own, so that a hash does not depend on what this user ran before.
+// `--fill SCENE.yaml ...` loads scenes in the environment as it is, which fills its cache.
 #include <gtest/gtest.h>
-
-#include <dlfcn.h>
 #include <stdlib.h>  // setenv: POSIX
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "palpate/scene/scene.h"
+#include "palpate/sim/simulator.h"
 #include "palpate/sim/state_hash.h"
+#include "palpate/solver/blas_rounding.h"
 #include "sim/shipped_scenes.h"
+#include "support/own_program.h"
 #include "support/source_folder.h"
+#include "support/temp_folder.h"
 
 namespace palpate::sim {
 namespace {
@@ -34,29 +42,6 @@ std::string hex(std::uint64_t value) {
   std::ostringstream text;
   text << std::hex << value;
   return text.str();
-}
-
-// A product by the BLAS that CHOLMOD has loaded.
-void addProduct(std::vector<double>* values) {
-  using Dgemm = void (*)(const char*, const char*, const int*, const int*, const int*,
-                         const double*, const double*, const int*, const double*, const int*,
-                         const double*, double*, const int*);
-  const auto dgemm = reinterpret_cast<Dgemm>(dlsym(RTLD_DEFAULT, "dgemm_"));
-  if (dgemm == nullptr) return;
-  constexpr int kSize = 150, kDepth = 1000;  // deeper than its blocks, whose size differs too
-  std::vector<double> A(kSize * kDepth), C(kSize * kSize, 0.0);
-  for (std::size_t k = 0; k < A.size(); ++k) A[k] = std::sin(static_cast<double>(k));
-  const double one = 1.0, zero = 0.0;
-  dgemm("N", "T", &kSize, &kSize, &kDepth, &one, A.data(), &kSize, A.data(), &kSize, &zero,
-        C.data(), &kSize);
-  values->insert(values->end(), C.begin(), C.end());
-}
-
-// What OpenBLAS calls the processor that it computes for; "" of another BLAS.
-std::string blasKernels() {
-  using Name = char* (*)();
-  const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
-  return name == nullptr ? std::string() : std::string(name());
 }
 
 // Of what others compute for us.
@@ -70,8 +55,9 @@ std::string roundingOfThisMachine() {
       values.push_back(y);
     }
   }
-  addProduct(&values);
-  for (const char c : blasKernels()) values.push_back(c);
+  const std::vector<double> product = solver::blasProduct();
+  values.insert(values.end(), product.begin(), product.end());
+  for (const char c : solver::blasKernels()) values.push_back(c);
   hash.add(values.data(), values.size());
   return hex(hash.value());
 }
@@ -100,11 +86,45 @@ bool writeHashes(const std::string& file, const std::map<std::string, std::strin
   return static_cast<bool>(out.flush());
 }
 
+constexpr char kFill[] = "--fill";
+
+std::string sceneFile(const std::string& name) {
+  return palpate::test::sourceFolder() + "/config/scenes/" + name + ".yaml";
+}
+
+std::map<std::string, std::string> filesOf(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[fs::relative(entry.path(), folder).string()] =
+        palpate::test::fileBytes(entry.path().string());
+  }
+  return files;
+}
+
+// Of which loading makes a database and keeps it.
+std::vector<std::string> scenesThatLearn() {
+  std::vector<std::string> names;
+  for (const std::string& name : test::shippedScenes()) {
+    const scene::Scene scene = scene::readScene(sceneFile(name));
+    if (std::any_of(scene.organs.begin(), scene.organs.end(), [](const scene::OrganConfig& organ) {
+          return organ.model == "enriched" && organ.enriched.database.empty();
+        })) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 class GoldenHash : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHash, ::testing::ValuesIn(test::shippedScenes()),
                          [](const auto& name) { return name.param; });
 
+// With a cache that is empty at first.
 TEST_P(GoldenHash, IsThatOfTheFile) {
+  const palpate::test::TempFolder folder;
+  setenv("XDG_CACHE_HOME", folder.path("cache").c_str(), 1);
   const std::string key = roundingOfThisMachine() + "," + GetParam();
   std::map<std::string, std::string> golden = readHashes(kFile);
   if (const char* file = std::getenv("PALPATE_WRITE_HASHES")) {
@@ -125,6 +145,37 @@ TEST_P(GoldenHash, IsThatOfTheFile) {
   EXPECT_EQ(hashAtTheEnd(GetParam()), golden[key]);
 }
 
+// A scene that learns, of few presses.
+std::string fewPresses(const std::string& name) {
+  std::string text = palpate::test::fileBytes(sceneFile(name));
+  text = std::regex_replace(text, std::regex("samples: [0-9]+"), "samples: 3");
+  return std::regex_replace(text, std::regex("\\.\\./"),
+                            palpate::test::sourceFolder() + "/config/");
+}
+
+class HashOfLearned : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, HashOfLearned, ::testing::ValuesIn(scenesThatLearn()),
+                         [](const auto& name) { return name.param; });
+
+TEST_P(HashOfLearned, IsTheSameWhoeverFilledTheCache) {
+  const palpate::test::TempFolder folder;
+  const std::string file = folder.write("scene.yaml", fewPresses(GetParam()));
+  const auto hash = [&] { return hex(test::hashesOfFile(file, GetParam()).back()); };
+  setenv("XDG_CACHE_HOME", folder.path("empty").c_str(), 1);
+  const std::string fresh = hash();
+  EXPECT_EQ(hash(), fresh) << "filled by this process";
+  setenv("XDG_CACHE_HOME", folder.path("filled").c_str(), 1);
+  palpate::test::runThisProgram(palpate::test::kOwnKernels, kFill + (" " + file));
+  EXPECT_FALSE(filesOf(folder.path("filled")).empty());
+  EXPECT_EQ(hash(), fresh) << "filled with the machine's own kernels";
+}
+
+// Loads these scene files.
+int fill(const std::vector<std::string>& files) {
+  for (const std::string& file : files) Simulator(scene::readScene(file));
+  return 0;
+}
+
 // Whether it had another value.
 bool setTo(const char* name, const char* value) {
   const char* before = getenv(name);
@@ -136,9 +187,13 @@ bool setTo(const char* name, const char* value) {
 
 int main(int argc, char** argv) {
   using palpate::sim::setTo;
+  if (argc > 1 && std::string_view(argv[1]) == palpate::sim::kFill) {
+    return palpate::sim::fill({argv + 2, argv + argc});
+  }
+  const bool threads = setTo("OPENBLAS_NUM_THREADS", "1");
   const bool blas = setTo("OPENBLAS_CORETYPE", "NEHALEM");
   const bool c_library = setTo("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4");
-  if (blas || c_library) execv("/proc/self/exe", argv);  // both are read before main()
+  if (threads || blas || c_library) execv("/proc/self/exe", argv);  // read before main()
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

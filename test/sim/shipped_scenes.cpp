@@ -55,7 +55,11 @@ std::vector<std::string> shippedScenes() {
 }
 
 std::vector<std::uint64_t> hashesOf(const std::string& scene) {
-  Simulator simulator(scene::readScene(configFolder() + "scenes/" + scene + ".yaml"));
+  return hashesOfFile(configFolder() + "scenes/" + scene + ".yaml", scene);
+}
+
+std::vector<std::uint64_t> hashesOfFile(const std::string& file, const std::string& scene) {
+  Simulator simulator(scene::readScene(file));
   io::Replay replay(&simulator, trajectoryOf(scene, simulator), scene);
   std::vector<std::uint64_t> hashes;
   while (replay.hasNext()) hashes.push_back(replay.next().report.state_hash);
