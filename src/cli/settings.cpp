@@ -18,6 +18,7 @@ class SettingsVisitor final : public keys::FieldVisitor {
   explicit SettingsVisitor(Settings given) : given_(std::move(given)) {}
 
   // The optional forms of the base class.
+  using FieldVisitor::integer;
   using FieldVisitor::number;
   using FieldVisitor::vector3;
 
@@ -117,7 +118,10 @@ class SettingsVisitor final : public keys::FieldVisitor {
     if (number(field, value, range)) return {true, false};
     return enterSection(field);
   }
-  int enterList(const keys::Field& field, int) override { return closed(field); }
+  Items enterList(const keys::Field& field, int, int) override {
+    closed(field);
+    return {0, false};
+  }
   bool enterItem(const keys::Field&, int) override { return false; }
   void leaveSection() override { sections_.pop_back(); }
   void beginAlternative(bool chosen, const std::string&) override {

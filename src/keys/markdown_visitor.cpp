@@ -153,10 +153,10 @@ FieldVisitor::Entered MarkdownVisitor::enterNumberOrSection(const Field& field, 
   return {false, true};
 }
 
-int MarkdownVisitor::enterList(const Field& field, int min_size) {
+FieldVisitor::Items MarkdownVisitor::enterList(const Field& field, int min_size, int) {
   row(field, "list of sections", "",
       min_size > 0 ? "at least " + std::to_string(min_size) : "may be empty");
-  return 1;
+  return {1, true};
 }
 
 bool MarkdownVisitor::enterItem(const Field& field, int) {

@@ -35,7 +35,7 @@ class MarkdownVisitor : public FieldVisitor {
  protected:
   Entered enterSection(const Field& field) override;
   Entered enterNumberOrSection(const Field& field, double& number, const Range& range) override;
-  int enterList(const Field& field, int min_size) override;
+  Items enterList(const Field& field, int min_size, int present) override;
   bool enterItem(const Field& field, int index) override;
   void leaveSection() override;
   void beginAlternative(bool chosen, const std::string& condition) override;

@@ -157,22 +157,22 @@ FieldVisitor::Entered YamlVisitor::enterNumberOrSection(const Field& field, doub
   return {true, false};
 }
 
-int YamlVisitor::enterList(const Field& field, int min_size) {
+FieldVisitor::Items YamlVisitor::enterList(const Field& field, int min_size, int) {
   const std::optional<YAML::Node> node = find(field);
-  if (!node) return 0;
+  if (!node) return {0, false};
   if (!node->IsSequence()) {
     problem(field.key, *node, "must be a list, items after `-`");
-    return 0;
+    return {0, true};
   }
   const int size = static_cast<int>(node->size());
   if (size > kMostItems) {
     problem(field.key, *node, "must have at most " + std::to_string(kMostItems) + " items");
-    return 0;
+    return {0, true};
   }
   if (size < min_size) {
     problem(field.key, *node, "must have at least " + std::to_string(min_size) + " item");
   }
-  return size;
+  return {size, true};
 }
 
 bool YamlVisitor::enterItem(const Field& field, int index) {

@@ -23,6 +23,7 @@ class YamlVisitor : public FieldVisitor {
   /// Ends the visit. @returns all problems, in the order in which they were met.
   std::vector<Problem> finish();
 
+  using FieldVisitor::integer;
   using FieldVisitor::number;
   using FieldVisitor::partialVector3;
   using FieldVisitor::vector3;
@@ -45,7 +46,7 @@ class YamlVisitor : public FieldVisitor {
  protected:
   Entered enterSection(const Field& field) override;
   Entered enterNumberOrSection(const Field& field, double& number, const Range& range) override;
-  int enterList(const Field& field, int min_size) override;
+  Items enterList(const Field& field, int min_size, int present) override;
   bool enterItem(const Field& field, int index) override;
   void leaveSection() override;
   void beginAlternative(bool chosen, const std::string& condition) override;

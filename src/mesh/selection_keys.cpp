@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "palpate/mesh/selection_keys.h"
 
+#include <cmath>
+#include <optional>
+#include <variant>
+
 namespace palpate::mesh {
+namespace {
+
+// What a region is, if it is a T.
+template <class T, class Any>
+std::optional<T> regionAs(const Any& region) {
+  const T* is = std::get_if<T>(&region);
+  return is ? std::optional<T>(*is) : std::nullopt;
+}
+
+}  // namespace
 
 void describe(keys::FieldVisitor& v, PlaneRegion& plane) {
   const std::vector<std::string> axes = {"x", "y", "z"};
-  std::string axis;
+  std::string axis = axes[static_cast<std::size_t>(plane.axis)];
   v.choice({"axis", "", "Normal of the plane.", keys::Need::kRequired}, axis, axes);
   for (int i = 0; i < 3; ++i) {
     if (axis == axes[static_cast<std::size_t>(i)]) plane.axis = i;
@@ -13,6 +27,7 @@ void describe(keys::FieldVisitor& v, PlaneRegion& plane) {
   v.number({"at", "m", "Coordinate along the axis.", keys::Need::kRequired}, plane.at,
            keys::coordinateRange());
   std::optional<double> tolerance;
+  if (plane.tolerance >= 0.0) tolerance = plane.tolerance;
   v.number({"tolerance", "m",
             "Points as far from the plane still count; by default 1e-9 of the diagonal of the "
             "bounding box."},
@@ -36,16 +51,16 @@ void describe(keys::FieldVisitor& v, SphereRegion& sphere) {
 }
 
 void describe(keys::FieldVisitor& v, Region& region) {
-  PlaneRegion plane;
-  BoxRegion box;
-  SphereRegion sphere;
+  auto plane = regionAs<PlaneRegion>(region);
+  auto box = regionAs<BoxRegion>(region);
+  auto sphere = regionAs<SphereRegion>(region);
   const bool has_plane = v.section({"plane", "", "All points of a plane."}, plane);
   const bool has_box = v.section({"box", "", "All points in a box."}, box);
   const bool has_sphere = v.section({"sphere", "", "All points in a ball."}, sphere);
   v.rule(has_plane + has_box + has_sphere == 1, "", "needs exactly one of plane, box, sphere");
-  if (has_plane) region = plane;
-  if (has_box) region = box;
-  if (has_sphere) region = sphere;
+  if (has_plane) region = *plane;
+  if (has_box) region = *box;
+  if (has_sphere) region = *sphere;
 }
 
 void describe(keys::FieldVisitor& v, HalfSpaceRegion& half_space) {
@@ -69,6 +84,7 @@ void describe(keys::FieldVisitor& v, DepthRegion& depth) {
   bool any = v.number({"min", "m", "Least distance of the centroid from the body's surface."},
                       depth.min, keys::Range::closed(0.0, 100.0));
   std::optional<double> max;
+  if (std::isfinite(depth.max)) max = depth.max;
   any |= v.number({"max", "m", "Largest distance; by default none."}, max,
                   keys::Range::above(0.0, 100.0));
   if (max) depth.max = *max;
@@ -76,11 +92,11 @@ void describe(keys::FieldVisitor& v, DepthRegion& depth) {
 }
 
 void describe(keys::FieldVisitor& v, TetRegion& region) {
-  BoxRegion box;
-  SphereRegion sphere;
-  HalfSpaceRegion half_space;
-  CellDataRegion cell_data;
-  DepthRegion depth;
+  auto box = regionAs<BoxRegion>(region);
+  auto sphere = regionAs<SphereRegion>(region);
+  auto half_space = regionAs<HalfSpaceRegion>(region);
+  auto cell_data = regionAs<CellDataRegion>(region);
+  auto depth = regionAs<DepthRegion>(region);
   const bool has_box = v.section({"box", "", "In a box."}, box);
   const bool has_sphere = v.section({"sphere", "", "In a ball."}, sphere);
   const bool has_half = v.section({"half_space", "", "On one side of a plane."}, half_space);
@@ -89,11 +105,11 @@ void describe(keys::FieldVisitor& v, TetRegion& region) {
       v.section({"depth", "", "By the distance from the body's surface: a capsule."}, depth);
   v.rule(has_box + has_sphere + has_half + has_data + has_depth == 1, "",
          "needs exactly one of box, sphere, half_space, cell_data, depth");
-  if (has_box) region = box;
-  if (has_sphere) region = sphere;
-  if (has_half) region = half_space;
-  if (has_data) region = cell_data;
-  if (has_depth) region = depth;
+  if (has_box) region = *box;
+  if (has_sphere) region = *sphere;
+  if (has_half) region = *half_space;
+  if (has_data) region = *cell_data;
+  if (has_depth) region = *depth;
 }
 
 }  // namespace palpate::mesh

@@ -21,6 +21,7 @@
 #include "node_help.h"
 #include "palpate/advice/mesh_verdict.h"
 #include "palpate/io/state_file.h"
+#include "param_tree.h"
 #include "params.h"
 #include "program.h"
 #include "publishing_loop.h"
@@ -102,8 +103,9 @@ void saveAtEnd(LiveCycle* cycle, const StateFolder& states, Steady::time_point u
 int run(bool sends_realtime) {
   ros::NodeHandle handle, private_handle("~");
   Diagnostics diagnostics;
-  const NodeParams params = readParams(private_handle);
-  scene::Scene scene = readScene(sceneFile(params.scene), private_handle);
+  const ParamTree set(private_handle);
+  const NodeParams params = readParams(set);
+  scene::Scene scene = readScene(sceneFile(params.scene), set);
   std::vector<std::string> names;
   for (scene::InstrumentConfig& instrument : scene.instruments) {
     instrument.proxy.active = true;  // a hand may let go, or a cable

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "palpate/base/vector_text.h"
 
@@ -28,24 +30,45 @@ std::string shown(const XmlRpcValue& value) {
   return shortened(s.str());
 }
 
+std::optional<double> numberIn(const XmlRpcValue& value) {
+  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<const int&>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<const double&>(value);
+  return {};
+}
+
+std::optional<std::string> textIn(const XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeString) return {};
+  return static_cast<const std::string&>(value);
+}
+
+// Each item, if it is a list of what `item` finds in all of them.
+template <class T>
+std::optional<std::vector<T>> listIn(const XmlRpcValue& value,
+                                     std::optional<T> (*item)(const XmlRpcValue&)) {
+  if (value.getType() != XmlRpcValue::TypeArray) return {};
+  std::vector<T> items;
+  for (int i = 0; i < value.size(); ++i) {
+    std::optional<T> found = item(value[i]);
+    if (!found) return {};
+    items.push_back(std::move(*found));
+  }
+  return items;
+}
+
 }  // namespace
 
-ParamFields::ParamFields(const ros::NodeHandle& handle) : handle_(handle) {}
+ParamFields::ParamFields(ParamTree params) : params_(std::move(params)) {}
 
 void ParamFields::check() const {
   if (problems_.empty()) return;
   std::vector<Problem> problems = problems_;
   if (more_problems_ > 0) problems.push_back({"", "", std::to_string(more_problems_) + " more"});
-  throw InputError("parameters of " + handle_.getNamespace(), problems);
+  throw InputError("parameters of " + params_.name(), problems);
 }
 
 void ParamFields::refuseOthers(const std::vector<std::string>& known) {
-  const std::string prefix = handle_.getNamespace() + "/";
-  std::vector<std::string> all;
-  handle_.getParamNames(all);
-  for (const std::string& name : all) {
-    if (name.rfind(prefix, 0) != 0) continue;
-    const std::string key = shortened(name.substr(prefix.size()));
+  for (const std::string& name : params_.keys()) {
+    const std::string key = shortened(name);
     const bool is_known = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
       return key == k || key.rfind(k + "/", 0) == 0;
     });
@@ -61,9 +84,9 @@ void ParamFields::refuseOthers(const std::vector<std::string>& known) {
 }
 
 void ParamFields::begin(const std::string& path) {
-  XmlRpcValue section;
-  if (handle_.getParam(path, section) && section.getType() != XmlRpcValue::TypeStruct) {
-    refuse(path, shown(section), "must have keys below it");
+  const XmlRpcValue* section = params_.find(path);
+  if (section && section->getType() != XmlRpcValue::TypeStruct) {
+    refuse(path, shown(*section), "must have keys below it");
   }
   open_ = {path};
   known_.clear();
@@ -71,13 +94,11 @@ void ParamFields::begin(const std::string& path) {
 
 // What is set below the section but was not visited is a mistyped key.
 void ParamFields::end() {
-  const std::string prefix = handle_.resolveName(open_.front()) + "/";
-  std::vector<std::string> all;
-  handle_.getParamNames(all);
+  const std::string prefix = open_.front() + "/";
   const std::vector<std::string> known(known_.begin(), known_.end());
-  for (const std::string& name : all) {
+  for (const std::string& name : params_.keys()) {
     if (name.rfind(prefix, 0) != 0) continue;
-    const std::string key = shortened(open_.front() + "/" + name.substr(prefix.size()));
+    const std::string key = shortened(name);
     const bool visited = std::any_of(known.begin(), known.end(), [&](const std::string& k) {
       return key == k || key.rfind(k + "/", 0) == 0;
     });
@@ -96,9 +117,15 @@ std::string ParamFields::path(const std::string& key) const {
   return p + key;
 }
 
-bool ParamFields::given(const std::string& key, XmlRpcValue* value) {
+const XmlRpcValue* ParamFields::given(const std::string& key) {
   known_.insert(path(key));
-  return handle_.getParam(path(key), *value);
+  return params_.find(path(key));
+}
+
+void ParamFields::close(const std::string& key) {
+  if (const XmlRpcValue* v = given(key)) {
+    refuse(path(key), shown(*v), "cannot be a parameter: change it in the scene file");
+  }
 }
 
 void ParamFields::refuse(const std::string& key, const std::string& value,
@@ -110,88 +137,91 @@ void ParamFields::refuse(const std::string& key, const std::string& value,
   problems_.push_back({key, shortened(value), allowed});
 }
 
-bool ParamFields::toNumber(const std::string& key, XmlRpcValue& value, const Range& range,
+bool ParamFields::toNumber(const std::string& key, const XmlRpcValue& value, const Range& range,
                            double* number) {
-  const bool whole = value.getType() == XmlRpcValue::TypeInt;
-  if (!whole && value.getType() != XmlRpcValue::TypeDouble) {
+  const std::optional<double> x = numberIn(value);
+  if (!x) {
     refuse(path(key), shown(value), "must be a number");
     return false;
   }
-  const double x = whole ? static_cast<int>(value) : static_cast<double>(value);
-  if (!range.contains(x)) {
+  if (!range.contains(*x)) {
     refuse(path(key), shown(value), "must be " + range.text());
     return false;
   }
-  *number = x;
+  *number = *x;
   return true;
 }
 
 bool ParamFields::number(const Field& field, double& value, const Range& range) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  toNumber(field.key, v, range, &value);
-  return true;
+  const XmlRpcValue* v = given(field.key);
+  if (v) toNumber(field.key, *v, range, &value);
+  return v != nullptr;
 }
 
 bool ParamFields::integer(const Field& field, int& value, const Range& range) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
   double x = 0.0;
-  if (v.getType() != XmlRpcValue::TypeInt) {
-    refuse(path(field.key), shown(v), "must be a whole number");
-  } else if (toNumber(field.key, v, range, &x)) {
+  if (v->getType() != XmlRpcValue::TypeInt) {
+    refuse(path(field.key), shown(*v), "must be a whole number");
+  } else if (toNumber(field.key, *v, range, &x)) {
     value = static_cast<int>(x);
   }
   return true;
 }
 
 bool ParamFields::flag(const Field& field, bool& value) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  if (v.getType() == XmlRpcValue::TypeBoolean) {
-    value = static_cast<bool>(v);
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
+  if (v->getType() == XmlRpcValue::TypeBoolean) {
+    value = static_cast<const bool&>(*v);
   } else {
-    refuse(path(field.key), shown(v), "must be true or false");
+    refuse(path(field.key), shown(*v), "must be true or false");
   }
   return true;
 }
 
 bool ParamFields::text(const Field& field, std::string& value) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  if (v.getType() == XmlRpcValue::TypeString) {
-    value = static_cast<std::string>(v);
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
+  if (const std::optional<std::string> text = textIn(*v)) {
+    value = *text;
   } else {
-    refuse(path(field.key), shown(v), "must be a text");
+    refuse(path(field.key), shown(*v), "must be a text");
   }
   return true;
 }
 
 bool ParamFields::texts(const Field& field, std::vector<std::string>& values) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  if (!handle_.getParam(path(field.key), values)) {
-    refuse(path(field.key), shown(v), "must be a list of texts");
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
+  if (const auto read = listIn(*v, textIn)) {
+    values = *read;
+  } else {
+    refuse(path(field.key), shown(*v), "must be a list of texts");
   }
   return true;
 }
 
 bool ParamFields::numbers(const Field& field, std::vector<double>& values) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  std::vector<double> read;
-  if (!handle_.getParam(path(field.key), read)) {
-    refuse(path(field.key), shown(v), "must be a list of numbers");
-  } else if (std::any_of(read.begin(), read.end(), [](double x) { return !std::isfinite(x); })) {
-    refuse(path(field.key), shown(v), "must be finite");
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
+  const auto read = listIn(*v, numberIn);
+  if (!read) {
+    refuse(path(field.key), shown(*v), "must be a list of numbers");
+  } else if (std::any_of(read->begin(), read->end(), [](double x) { return !std::isfinite(x); })) {
+    refuse(path(field.key), shown(*v), "must be finite");
   } else {
-    values = read;
+    values = *read;
   }
   return true;
 }
 
 // A name is how things are found: it stays.
-bool ParamFields::name(const Field&, std::string&) { return true; }
+bool ParamFields::name(const Field& field, std::string&) {
+  close(field.key);
+  return true;
+}
 
 bool ParamFields::choice(const Field& field, std::string& value,
                          const std::vector<std::string>& allowed) {
@@ -206,15 +236,15 @@ bool ParamFields::choice(const Field& field, std::string& value,
 }
 
 bool ParamFields::vector3(const Field& field, Vec3& value, const Range& range) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return false;
-  if (v.getType() != XmlRpcValue::TypeArray || v.size() != 3) {
-    refuse(path(field.key), shown(v), "must be three numbers");
+  const XmlRpcValue* v = given(field.key);
+  if (!v) return false;
+  if (v->getType() != XmlRpcValue::TypeArray || v->size() != 3) {
+    refuse(path(field.key), shown(*v), "must be three numbers");
     return true;
   }
   Vec3 x;
   bool good = true;
-  for (int i = 0; i < 3; ++i) good &= toNumber(field.key, v[i], range, &x[i]);
+  for (int i = 0; i < 3; ++i) good &= toNumber(field.key, (*v)[i], range, &x[i]);
   if (good) value = x;
   return true;
 }
@@ -230,14 +260,29 @@ bool ParamFields::integers3(const Field& field, Eigen::Vector3i& value, const Ra
   return true;
 }
 
-// These stand in lists of organs only, which parameters do not reach.
-bool ParamFields::vectors3(const Field&, std::vector<Vec3>&, const Range&, int) { return false; }
-bool ParamFields::partialVector3(const Field&, keys::PartialVec3&, const Range&) { return false; }
-bool ParamFields::numbersOfKind(const std::string&, const std::vector<keys::Kind>&,
-                                const std::string&, keys::NumberLists&) {
+bool ParamFields::vectors3(const Field& field, std::vector<Vec3>&, const Range&, int) {
+  close(field.key);
   return false;
 }
-int ParamFields::enterList(const Field&, int) { return 0; }
+
+bool ParamFields::partialVector3(const Field& field, keys::PartialVec3&, const Range&) {
+  close(field.key);
+  return false;
+}
+
+bool ParamFields::numbersOfKind(const std::string&, const std::vector<keys::Kind>& kinds,
+                                const std::string&, keys::NumberLists&) {
+  for (const keys::Kind& kind : kinds) {
+    for (const std::string& key : kind.keys) close(key);
+  }
+  return false;
+}
+
+keys::FieldVisitor::Items ParamFields::enterList(const Field& field, int, int) {
+  close(field.key);
+  return {0, false};
+}
+
 bool ParamFields::enterItem(const Field&, int) { return false; }
 
 void ParamFields::rule(bool holds, const std::string& key, const std::string& text) {
@@ -245,18 +290,22 @@ void ParamFields::rule(bool holds, const std::string& key, const std::string& te
 }
 
 keys::FieldVisitor::Entered ParamFields::enterSection(const Field& field) {
-  const bool there = handle_.hasParam(path(field.key));
+  const XmlRpcValue* v = params_.find(path(field.key));
+  if (v && v->getType() != XmlRpcValue::TypeStruct) {
+    known_.insert(path(field.key));
+    refuse(path(field.key), shown(*v), "must have keys below it");
+  }
   open_.push_back(field.key);
-  return {there, true};
+  return {v != nullptr, true};
 }
 
 keys::FieldVisitor::Entered ParamFields::enterNumberOrSection(const Field& field, double& value,
                                                               const Range& range) {
-  XmlRpcValue v;
-  if (!given(field.key, &v)) return {false, false};
-  if (v.getType() == XmlRpcValue::TypeStruct) return enterSection(field);
-  toNumber(field.key, v, range, &value);
-  return {true, false};
+  const XmlRpcValue* v = params_.find(path(field.key));
+  if (v && v->getType() == XmlRpcValue::TypeStruct) return enterSection(field);
+  known_.insert(path(field.key));
+  if (v) toNumber(field.key, *v, range, &value);
+  return {v != nullptr, false};
 }
 
 void ParamFields::leaveSection() { open_.pop_back(); }

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include <set>
 #include <string>
 #include <vector>
 
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_fields.h"
+#include "param_tree.h"
 
 namespace palpate::node {
 
 /// Replaces fields of a scene by private parameters of the same name, checked by the same list of
-/// keys that reads the file.
+/// keys that reads the file. A field without a parameter keeps its value. Lists of sections, of
+/// points and of constants stand in files only: a parameter in their place is refused.
 class ParamFields : public keys::FieldVisitor {
  public:
-  explicit ParamFields(const ros::NodeHandle& handle);
+  explicit ParamFields(ParamTree params);
+  explicit ParamFields(const ros::NodeHandle& handle) : ParamFields(ParamTree(handle)) {}
 
   /// The parameters below ~<path>/ go to `config`.
   template <class Config>
@@ -67,7 +68,7 @@ class ParamFields : public keys::FieldVisitor {
   Entered enterSection(const keys::Field& field) override;
   Entered enterNumberOrSection(const keys::Field& field, double& number,
                                const keys::Range& range) override;
-  int enterList(const keys::Field& field, int min_size) override;
+  Items enterList(const keys::Field& field, int min_size, int present) override;
   bool enterItem(const keys::Field& field, int index) override;
   void leaveSection() override;
   void beginAlternative(bool chosen, const std::string& condition) override;
@@ -77,13 +78,15 @@ class ParamFields : public keys::FieldVisitor {
   void begin(const std::string& path);
   void end();
   std::string path(const std::string& key) const;
-  /// Whether ~<path>/<key> is set; remembers that the key is known.
-  bool given(const std::string& key, XmlRpc::XmlRpcValue* value);
-  bool toNumber(const std::string& key, XmlRpc::XmlRpcValue& value, const keys::Range& range,
+  /// What ~<path>/<key> is set to, or nullptr; remembers that the key is known.
+  const XmlRpc::XmlRpcValue* given(const std::string& key);
+  /// Refuses what is set there.
+  void close(const std::string& key);
+  bool toNumber(const std::string& key, const XmlRpc::XmlRpcValue& value, const keys::Range& range,
                 double* number);
   void refuse(const std::string& key, const std::string& value, const std::string& allowed);
 
-  ros::NodeHandle handle_;
+  ParamTree params_;
   std::vector<std::string> open_;  // sections that we are in
   std::set<std::string> known_;
   std::vector<Problem> problems_;

@@ -121,7 +121,7 @@ bool ParamHelp::numbersOfKind(const std::string&, const std::vector<keys::Kind>&
                               const std::string&, keys::NumberLists&) {
   return false;
 }
-int ParamHelp::enterList(const Field&, int) { return 0; }
+keys::FieldVisitor::Items ParamHelp::enterList(const Field&, int, int) { return {0, false}; }
 bool ParamHelp::enterItem(const Field&, int) { return false; }
 
 void ParamHelp::rule(bool holds, const std::string& key, const std::string&) {

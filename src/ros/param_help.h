@@ -54,7 +54,7 @@ class ParamHelp : public keys::FieldVisitor {
   Entered enterSection(const keys::Field& field) override;
   Entered enterNumberOrSection(const keys::Field& field, double& number,
                                const keys::Range& range) override;
-  int enterList(const keys::Field& field, int min_size) override;
+  Items enterList(const keys::Field& field, int min_size, int present) override;
   bool enterItem(const keys::Field& field, int index) override;
   void leaveSection() override;
   void beginAlternative(bool chosen, const std::string& condition) override;

@@ -35,9 +35,9 @@ void describe(keys::FieldVisitor& v, NodeParams& p) {
   v.rule(!p.state_directory.empty(), kStateDirectoryParam, "must be a folder");
 }
 
-NodeParams readParams(const ros::NodeHandle& handle) {
+NodeParams readParams(const ParamTree& params) {
   NodeParams p;
-  ParamFields fields(handle);
+  ParamFields fields(params);
   fields.applyHere(p);
   fields.apply(kCutawaySection, p.cutaway);
   fields.check();
@@ -56,9 +56,9 @@ std::string sceneFile(const std::string& name) {
   return ros::package::getPath("palpate") + "/config/scenes/" + name + ".yaml";
 }
 
-scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle) {
+scene::Scene readScene(const std::string& file, const ParamTree& params) {
   scene::Scene scene = scene::readScene(file);
-  ParamFields fields(handle);
+  ParamFields fields(params);
   fields.apply(kSceneSections[0], scene.contact);
   fields.apply(kSceneSections[1], scene.solver);
   fields.apply(kSceneSections[2], scene.rates);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <ros/node_handle.h>
-
 #include <string>
 
 #include "cutaway_config.h"
 #include "palpate/scene/scene.h"
+#include "param_tree.h"
 
 namespace palpate::node {
 
@@ -42,7 +41,7 @@ struct NodeParams {
 void describe(keys::FieldVisitor& v, NodeParams& params);
 
 /// @throws InputError naming the parameters.
-NodeParams readParams(const ros::NodeHandle& handle);
+NodeParams readParams(const ParamTree& params);
 
 /// "liver_palpation" becomes the file of the shipped scene of that name, "package://name/rest" a
 /// path; anything else stays.
@@ -51,6 +50,6 @@ std::string sceneFile(const std::string& name);
 /// Reads the scene, then lets parameters replace single keys: ~contact/..., ~solver/...,
 /// ~rates/..., ~haptics/... and ~instruments/<name>/... mean the scene's keys of that name.
 /// @throws InputError for the file, or for all parameters that are unknown or out of range.
-scene::Scene readScene(const std::string& file, const ros::NodeHandle& handle);
+scene::Scene readScene(const std::string& file, const ParamTree& params);
 
 }  // namespace palpate::node

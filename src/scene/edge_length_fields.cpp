@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "palpate/mesh/selection_keys.h"
 
@@ -17,8 +18,14 @@ void describe(keys::FieldVisitor& v, FinePlaceConfig& place) {
            place.growth, keys::Range::above(0.0, 1.0));
   std::optional<Vec3> point;
   mesh::Polyline line;
-  mesh::Region region;
-  bool surface = false;
+  std::optional<mesh::Region> region;
+  bool surface = std::holds_alternative<mesh::OwnSurface>(place.where);
+  if (const auto* present = std::get_if<mesh::Polyline>(&place.where)) line = *present;
+  if (line.points.size() == 1) {
+    point = line.points.front();
+    line.points.clear();
+  }
+  if (const auto* present = std::get_if<mesh::Region>(&place.where)) region = *present;
   const bool has_point =
       v.vector3({"point", "m", "The place is a point."}, point, keys::coordinateRange());
   const bool has_path =
@@ -39,10 +46,10 @@ void describe(keys::FieldVisitor& v, FinePlaceConfig& place) {
          "needs exactly one of point, path, region, surface, trajectory");
   if (has_point && point) line.points = {*point};
   if (has_region) {
-    place.where = region;
+    place.where = *region;
   } else if (surface) {
     place.where = mesh::OwnSurface{};
-  } else {
+  } else if (has_point || has_path) {
     place.where = line;
   }
 }

@@ -14,6 +14,11 @@ Scene readScene(const std::string& file) {
   return scene;
 }
 
+std::vector<keys::KeyValue> sceneValues(const Scene& scene) {
+  Scene copy = scene;
+  return keys::fieldValues([&](keys::FieldVisitor& v) { describe(v, copy); });
+}
+
 std::string sceneFormatMarkdown() {
   Scene defaults;
   return "# Scene files\n\n"

@@ -80,14 +80,12 @@ void describe(keys::FieldVisitor& v, SupportConfig& support) {
 }
 
 void describe(keys::FieldVisitor& v, PressureConfig& pressure) {
-  int cavity = 0;
   const bool has_cavity = v.integer(
       {"cavity", "",
        "Presses on the surface of this cavity: 0 is the largest, 1 the next. Cavities are where "
        "the "
        "surface has a closed shell inside another one, or what the tetrahedra leave empty inside."},
-      cavity, keys::Range::closed(0, 1000));
-  if (has_cavity) pressure.cavity = cavity;
+      pressure.cavity, keys::Range::closed(0, 1000));
   const bool has_select =
       v.section({"select", "",
                  "Presses on the faces of the surface of which all corners are selected; "

@@ -172,6 +172,13 @@ class Parameters(unittest.TestCase):
             node.send_signal(2)
             self.assertEqual(node.wait(10), 0)
 
+    def test_lists_stay_those_of_the_file(self):
+        scene = "_scene:=gallbladder_bimanual"
+        rospy.set_param("/node_%d/contact/friction/pairs" % run.count, [{"instrument": "left", "static": 0.1}])
+        self.refused(["contact/friction/pairs", "cannot be a parameter: change it in the scene file"], scene)
+        rospy.set_param("/node_%d/contact/apart" % run.count, [])
+        self.refused(["contact/apart", "cannot be a parameter"], scene)
+
     def test_overrides_count(self):
         node = subprocess.Popen([NODE, "__name:=overridden",
                                  "_scene:=" + os.path.join(SCENES, "block.yaml"),

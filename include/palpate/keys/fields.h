@@ -42,10 +42,12 @@ struct Kind {
 ///
 /// A kind of file is described once, by a function `describe(FieldVisitor&, T&)` for each of its
 /// structs in the struct's namespace, which names every key with unit, range and meaning. The
-/// value that a field has before the visit is its default. The reader (yaml_reader.h) and the
-/// documentation (markdown_writer.h) are two visitors, so that they cannot drift apart.
+/// value that a field has before the visit is its default. The reader (yaml_reader.h), the
+/// documentation (markdown_writer.h) and what tells all values (value_list.h) are visitors, so that
+/// they cannot drift apart.
 ///
-/// Functions that return bool tell whether the key stands in the file, right or wrong.
+/// Functions that return bool tell whether the key stands in the file, right or wrong. What a
+/// visitor does not reach keeps its value: a key that does not stand in the file, a whole list.
 class FieldVisitor {
  public:
   virtual ~FieldVisitor() = default;
@@ -73,22 +75,19 @@ class FieldVisitor {
 
   /// Fields without a default.
   bool number(const Field& field, std::optional<double>& value, const Range& range) {
-    double x = value.value_or(std::numeric_limits<double>::quiet_NaN());
-    const bool given = number(field, x, range);
-    if (given) value = x;
-    return given;
+    return optionalKey(value, std::numeric_limits<double>::quiet_NaN(),
+                       [&](double& x) { return number(field, x, range); });
+  }
+  bool integer(const Field& field, std::optional<int>& value, const Range& range) {
+    return optionalKey(value, 0, [&](int& x) { return integer(field, x, range); });
   }
   bool vector3(const Field& field, std::optional<Vec3>& value, const Range& range) {
-    Vec3 x = value.value_or(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-    const bool given = vector3(field, x, range);
-    if (given) value = x;
-    return given;
+    const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    return optionalKey(value, none, [&](Vec3& x) { return vector3(field, x, range); });
   }
   bool partialVector3(const Field& field, std::optional<PartialVec3>& value, const Range& range) {
-    PartialVec3 x = value.value_or(PartialVec3{});
-    const bool given = partialVector3(field, x, range);
-    if (given) value = x;
-    return given;
+    return optionalKey(value, PartialVec3{},
+                       [&](PartialVec3& x) { return partialVector3(field, x, range); });
   }
 
   /// Keys below `field.key`.
@@ -103,10 +102,7 @@ class FieldVisitor {
   }
   template <class T>
   bool section(const Field& field, std::optional<T>& value) {
-    T x = value.value_or(T());
-    const bool given = section(field, x);
-    if (given) value = x;
-    return given;
+    return optionalKey(value, T(), [&](T& x) { return section(field, x); });
   }
 
   /// Keys below `field.key`, or in their place a number, the short form of a section with nothing
@@ -124,9 +120,9 @@ class FieldVisitor {
   /// A list of sections, at least `min_size` of them.
   template <class T>
   void list(const Field& field, std::vector<T>& items, int min_size) {
-    const int size = enterList(field, min_size);
-    items.assign(static_cast<std::size_t>(size), T());
-    for (int i = 0; i < size; ++i) {
+    const Items walked = enterList(field, min_size, static_cast<int>(items.size()));
+    if (walked.anew) items.assign(static_cast<std::size_t>(walked.count), T());
+    for (int i = 0; i < walked.count; ++i) {
       if (!enterItem(field, i)) continue;
       describe(*this, items[static_cast<std::size_t>(i)]);
       leaveSection();
@@ -165,11 +161,31 @@ class FieldVisitor {
   };
   virtual Entered enterSection(const Field& field) = 0;
   virtual Entered enterNumberOrSection(const Field& field, double& number, const Range& range) = 0;
-  virtual int enterList(const Field& field, int min_size) = 0;  ///< Number of items to walk.
-  virtual bool enterItem(const Field& field, int index) = 0;    ///< As Entered::walk.
+  struct Items {
+    int count;  ///< Of items to walk.
+    bool anew;  ///< They take the place of those that are there; else they are the first of those.
+  };
+  /// `present`: of items that are there.
+  virtual Items enterList(const Field& field, int min_size, int present) = 0;
+  virtual bool enterItem(const Field& field, int index) = 0;  ///< As Entered::walk.
   virtual void leaveSection() = 0;
   virtual void beginAlternative(bool chosen, const std::string& condition) = 0;
   virtual void endAlternative() = 0;
+  /// Around a field without a default, `set`: which has a value.
+  virtual void beginOptional(bool /*set*/) {}
+  virtual void endOptional() {}
+
+ private:
+  /// `none`: what a visitor sees in the place of a value.
+  template <class T, class Visit>
+  bool optionalKey(std::optional<T>& value, const T& none, Visit&& visit) {
+    T x = value.value_or(none);
+    beginOptional(value.has_value());
+    const bool given = visit(x);
+    endOptional();
+    if (given) value = x;
+    return given;
+  }
 };
 
 }  // namespace palpate::keys

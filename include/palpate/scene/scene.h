@@ -14,6 +14,7 @@
 #include "palpate/haptics/tool_proxy.h"
 #include "palpate/haptics/wrench_filter.h"
 #include "palpate/instrument/instrument.h"
+#include "palpate/keys/value_list.h"
 #include "palpate/scene/body_config.h"
 #include "palpate/scene/edge_length_config.h"
 #include "palpate/scene/surroundings_config.h"
@@ -175,6 +176,9 @@ struct Scene {
 /// Reads and checks a scene file (not the files it names).
 /// @throws InputError with all problems of the file.
 Scene readScene(const std::string& file);
+
+/// All keys of the scene and what they are set to, by the file, by default or since.
+std::vector<keys::KeyValue> sceneValues(const Scene& scene);
 
 /// docs/scene_format.md, from the list of keys.
 std::string sceneFormatMarkdown();
