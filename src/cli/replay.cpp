@@ -31,7 +31,7 @@ struct ReplayOptions {
   std::string scene, trajectory, out, vtu, initial_state, save_state;
   int every = 10;
   int threads = 0;
-  bool profile = false;
+  bool live = false, profile = false;
 };
 
 // One file an organ: <organ>_<number>.vtu, at rest with the points' displacement.
@@ -75,6 +75,7 @@ void checkBlas(const sim::Simulator& simulator, bool profile) {
 int replay(const ReplayOptions& options) {
   scene::Scene scene = scene::readScene(options.scene);
   if (options.threads > 0) scene.solver.threads = options.threads;
+  if (options.live) scene::driveByHands(&scene);
   const formats::Trajectory trajectory = formats::readTrajectory(options.trajectory);
   start::ProgressLine line;
   sim::Simulator simulator(
@@ -85,7 +86,8 @@ int replay(const ReplayOptions& options) {
   for (const std::string& note : advice::loadingNotes(simulator))
     std::cerr << "note: " << note << "\n";
 
-  io::Replay run(&simulator, trajectory, options.trajectory);
+  io::Replay run(&simulator, trajectory, options.trajectory,
+                 options.live ? sim::Cycles::kLive : sim::Cycles::kByTime);
   if (!options.initial_state.empty()) {
     io::restoreState(options.initial_state, &simulator);
     run.resume();
@@ -132,6 +134,9 @@ void addReplay(CLI::App& app, Action& action) {
   command.option("--initial-state", &options->initial_state,
                  "Go on from a state that the first row of the trajectory had led to");
   command.option("--save-state", &options->save_state, "File for the state at the end");
+  command.flag("--live", &options->live,
+               "The cycles of the live node: each row is one of solver.step, whatever t says, and "
+               "tools follow as those of hands");
   command.flag("--profile", &options->profile,
                "Say where the time went, and what to change if the scene is too heavy");
   command.onUse([options, &action] { action = [options] { return replay(*options); }; });

@@ -18,8 +18,9 @@ std::string prefixOf(const sim::Simulator& simulator, int instrument) {
 
 }  // namespace
 
-Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file)
-    : simulator_(simulator), lockstep_(simulator), trajectory_(std::move(trajectory)) {
+Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file,
+               sim::Cycles cycles)
+    : simulator_(simulator), lockstep_(simulator, cycles), trajectory_(std::move(trajectory)) {
   const std::vector<std::string>& columns = trajectory_.columns;
   std::vector<Problem> problems;
   std::vector<std::string> wanted;

@@ -27,14 +27,11 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       poses_(inputs->size()),
       stamps_(inputs->size()),
       targets_(inputs->size()),
+      tools_(*simulator),
       stepper_(simulator),
       scene_facts_(advice::sceneFacts(*simulator, numCores())),
       picture_(1.0 / simulator->scene().rates.markers),
-      unwatched_(1.0 / simulator->scene().rates.markers) {
-  for (const scene::InstrumentConfig& instrument : simulator_.scene().instruments) {
-    tools_.emplace_back(instrument.proxy, instrument.device, 1.0 / simulator_.scene().rates.haptic);
-  }
-}
+      unwatched_(1.0 / simulator->scene().rates.markers) {}
 
 void LiveCycle::run() {
   const Steady::time_point start = Steady::now();
@@ -66,7 +63,7 @@ void LiveCycle::reset() {
   }
   simulator_.reset();
   stepper_.forget();
-  for (haptics::ToolRenderer& tool : tools_) tool.lose();
+  tools_.lose();
   solved_any_ = false;
   ++resets_;
 }
@@ -140,9 +137,8 @@ void LiveCycle::beginStep(Steady::time_point start) {
     if (!live_[i]) continue;
     stamp_ = std::max(stamp_, stamps_[i]);
     input_ages_.push_back(1e3 * inSeconds(start - samples_[i].received));
-    const Vec3 p_hand = controlPosition(i), way = tools_[i].target(p_hand) - p_hand;
-    for (Pose& X : poses_[i]) X.pretranslate(way);
   }
+  tools_.target(&poses_);
   stepper_.begin(poses_, simulator_.scene().solver.step);
 }
 
@@ -179,11 +175,6 @@ void LiveCycle::takeResult(const sim::StepResult& result) {
   }
 }
 
-// Where the control frame is to be.
-Vec3 LiveCycle::controlPosition(std::size_t i) const {
-  return poses_[i][simulator_.controlLink(static_cast<int>(i))].translation();
-}
-
 // After a reset the last wrench stays as a target that is not live, so that it fades. While a step
 // is late what the last one told holds, until the force loop has not heard from here for too long.
 void LiveCycle::writeHaptic(Steady::time_point now) {
@@ -193,14 +184,10 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
     target.made = now;
     target.render.live = false;
     if (facts_.stepped) {
-      const sim::InstrumentResult& tool = result_.instruments[i];
       target.valid = true;
       target.stamp = stamps_[i];
-      target.render = live_[i] && tool.live
-                          ? tools_[i].observe(controlPosition(i), tool.X_WC.translation(),
-                                              tool.solved, simulator_.scene().solver.step)
-                      : live_[i] && tool.there ? tools_[i].fade()
-                                               : tools_[i].lose();
+      target.render = tools_.observe(i, live_[i], poses_[i], result_.instruments[i],
+                                     simulator_.scene().solver.step);
     }
     channels_.haptic[i].write(target);
   }

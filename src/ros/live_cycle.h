@@ -8,7 +8,7 @@
 #include "channels.h"
 #include "input.h"
 #include "node_state.h"
-#include "palpate/haptics/tool_renderer.h"
+#include "palpate/sim/hand_tools.h"
 #include "palpate/sim/simulator.h"
 #include "step_thread.h"
 #include "surface_copies.h"
@@ -49,7 +49,6 @@ class LiveCycle {
   void pollInputs();
   bool live(std::size_t i, Steady::time_point now) const;
   ToolState toolState(std::size_t i, Steady::time_point now) const;
-  Vec3 controlPosition(std::size_t i) const;
   void step(Steady::time_point start);
   void beginStep(Steady::time_point start);
   bool endStep(Steady::time_point start);
@@ -73,7 +72,7 @@ class LiveCycle {
   std::vector<ros::Time> stamps_;      // of its inputs
   ros::Time stamp_;                    // of the newest of them
   std::vector<HapticTarget> targets_;
-  std::vector<haptics::ToolRenderer> tools_;  // one an instrument
+  sim::HandTools tools_;
   SurfaceCopies surfaces_;
   StepThread stepper_;
   bool solved_any_ = false;  // since the last reset

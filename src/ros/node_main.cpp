@@ -106,9 +106,9 @@ int run(bool sends_realtime) {
   const ParamTree set(private_handle);
   const NodeParams params = readParams(set);
   scene::Scene scene = readScene(sceneFile(params.scene), set);
+  scene::driveByHands(&scene);
   std::vector<std::string> names;
-  for (scene::InstrumentConfig& instrument : scene.instruments) {
-    instrument.proxy.active = true;  // a hand may let go, or a cable
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
     names.push_back(instrument.name);
   }
   Channels channels(scene.instruments.size());

@@ -25,6 +25,7 @@ constexpr int kBadInput = 2;
 
 struct Options {
   std::string in, scene, out, csv, trajectory;
+  bool live = false;
 };
 
 void replay(const Options& options) {
@@ -32,7 +33,8 @@ void replay(const Options& options) {
   if (std::filesystem::equivalent(options.in, options.out, ignored)) {
     throw InputError(options.out, "--out", "", "must be another file than the input");
   }
-  const scene::Scene scene = scene::readScene(sceneFile(options.scene));
+  scene::Scene scene = scene::readScene(sceneFile(options.scene));
+  if (options.live) scene::driveByHands(&scene);
   std::unique_ptr<sim::Simulator> simulator;
   {
     start::ProgressLine line;
@@ -51,7 +53,7 @@ void replay(const Options& options) {
   std::unique_ptr<ResultCsv> csv;
   if (!options.csv.empty()) csv = std::make_unique<ResultCsv>(options.csv, simulator->scene());
 
-  sim::Lockstep lockstep(simulator.get());
+  sim::Lockstep lockstep(simulator.get(), options.live ? sim::Cycles::kLive : sim::Cycles::kByTime);
   ReplaySummary summary(simulator->scene());
   bool started = false;
   ros::Time first;
@@ -105,6 +107,9 @@ int main(int argc, char** argv) {
   app.add_option("--csv", options.csv, "also write results as palpate replay does");
   app.add_option("--trajectory", options.trajectory,
                  "also write the joints as a trajectory for palpate replay");
+  app.add_flag("--live", options.live,
+               "the cycles of the live node: each stamp is one of solver.step, and tools follow as "
+               "those of hands");
   app.footer(
       "\nTopics read: <instrument>/measured_js (sensor_msgs/JointState; another one by the "
       "scene's\n"

@@ -14,6 +14,10 @@ Scene readScene(const std::string& file) {
   return scene;
 }
 
+void driveByHands(Scene* scene) {
+  for (InstrumentConfig& instrument : scene->instruments) instrument.proxy.active = true;
+}
+
 std::vector<keys::KeyValue> sceneValues(const Scene& scene) {
   Scene copy = scene;
   return keys::fieldValues([&](keys::FieldVisitor& v) { describe(v, copy); });

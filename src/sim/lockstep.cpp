@@ -35,6 +35,21 @@ void addEarlier(const StepResult& earlier, StepResult* result) {
 
 }  // namespace
 
+Lockstep::Lockstep(Simulator* simulator, Cycles cycles) : simulator_(simulator) {
+  if (cycles == Cycles::kLive) tools_.emplace(*simulator);
+}
+
+void Lockstep::liveCycle(const std::vector<LinkPoses>& poses) {
+  const double step = simulator_->scene().solver.step;
+  std::vector<LinkPoses> targets = poses;
+  tools_->target(&targets);
+  result_ = simulator_->step(targets, step);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    tools_->observe(i, true, targets[i], result_.instruments[i], step);
+  }
+  parts_ = 1;
+}
+
 void Lockstep::stepBetween(const std::vector<LinkPoses>& from, const std::vector<LinkPoses>& to,
                            double duration) {
   const double longest = simulator_->scene().solver.step;
@@ -54,9 +69,14 @@ const StepResult& Lockstep::advance(double t, const std::vector<LinkPoses>& pose
   const double longest_gap = kMaxParts * simulator_->scene().solver.step;
   const bool anew = started_ && !(t > time_ && t - time_ <= longest_gap);
   if (anew) simulator_->reset();
+  if (anew && tools_) tools_->lose();
   const bool restart = !started_ || anew;
-  stepBetween(restart ? poses : poses_, poses,
-              restart ? simulator_->scene().solver.step : t - time_);
+  if (tools_) {
+    liveCycle(poses);
+  } else {
+    stepBetween(restart ? poses : poses_, poses,
+                restart ? simulator_->scene().solver.step : t - time_);
+  }
   started_ = true;
   time_ = t;
   poses_ = poses;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/sim/lockstep.h"
 #include "sim/slab_scene.h"
 
 namespace palpate::node {
@@ -96,6 +97,31 @@ TEST_F(LiveCycleTest, DoesNotCutStepsShort) {
   EXPECT_GT(peak, 0.1);
   EXPECT_EQ(waits.late(), 0);
   EXPECT_GT(hurries.late(), 150);
+}
+
+// Also where the tissue is too stiff for a slow force loop, and the tool goes less deep than the
+// hand.
+TEST_F(LiveCycleTest, HasTheBitsOfALockstepOfLiveCycles) {
+  for (const std::string haptics : {"", "rates: {haptic: 50}\n"}) {
+    const test::SlabScene slab;
+    const scene::Scene scene = slab.scene(haptics);
+    sim::Simulator simulator(scene), plain(scene);
+    sim::Lockstep lockstep(&simulator, sim::Cycles::kLive);
+    Bench bench(kWaits, haptics);
+    int apart = 0;
+    double time = 0.0;
+    for (const Eigen::VectorXd& joints : press_) {
+      const std::uint64_t hash = bench.step(joints).state_hash;
+      const std::vector<sim::LinkPoses> poses = {simulator.linkPoses(0, joints)};
+      ASSERT_EQ(lockstep.advance(time += 0.0137, poses).report.state_hash, hash);
+      apart += plain.step(poses, scene.solver.step).report.state_hash != hash;
+    }
+    if (haptics.empty()) {
+      EXPECT_EQ(apart, 0);
+    } else {
+      EXPECT_GT(apart, 50);
+    }
+  }
 }
 
 TEST_F(LiveCycleTest, HoldsTheForceWhileAStepIsLate) {

@@ -42,6 +42,22 @@ TEST_F(LockstepOnSlab, TheSameTimeAgainDoesNothing) {
   EXPECT_EQ(simulator.time(), time);
 }
 
+TEST_F(LockstepOnSlab, LiveCyclesAreOneStepEachWhateverTheTime) {
+  Lockstep live(&simulator, Cycles::kLive);
+  std::vector<std::uint64_t> hashes;
+  for (int k = 0; k < 60; ++k) {
+    const StepResult& result = live.advance(0.003 * k * k, at(k));
+    EXPECT_EQ(result.report.step, simulator.scene().solver.step);
+    EXPECT_EQ(live.parts(), 1);
+    hashes.push_back(result.report.state_hash);
+  }
+  EXPECT_NEAR(simulator.time(), 0.6, 1e-9);
+  live.advance(100.0, at(60));
+  for (int k = 0; k < 60; ++k) {  // again from rest
+    ASSERT_EQ(live.advance(5.0 + k, at(k)).report.state_hash, hashes[static_cast<std::size_t>(k)]);
+  }
+}
+
 TEST_F(LockstepOnSlab, TimeThatGoesBackBeginsAnew) {
   std::vector<Vec3> forces;
   for (int k = 0; k < 60; ++k) {

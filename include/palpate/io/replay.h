@@ -16,7 +16,8 @@ class Replay {
   /// Columns of the trajectory are the joints' names; `instrument/joint` works always and is needed
   /// where the scene has several instruments. `file` is named in errors.
   /// @throws InputError for a joint without a column or a column without a joint.
-  Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file);
+  Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file,
+         sim::Cycles cycles = sim::Cycles::kByTime);
 
   /// The simulator was restored to where the first row had left it: goes on with the second one.
   void resume();

@@ -177,6 +177,9 @@ struct Scene {
 /// @throws InputError with all problems of the file.
 Scene readScene(const std::string& file);
 
+/// The instruments follow as those that hands move, which may let go or leap: by their proxies.
+void driveByHands(Scene* scene);
+
 /// All keys of the scene and what they are set to, by the file, by default or since.
 std::vector<keys::KeyValue> sceneValues(const Scene& scene);
 
