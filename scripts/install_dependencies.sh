@@ -19,7 +19,7 @@ build=(
   libdiagnostic-msgs-dev ros-diagnostic-msgs libstd-srvs-dev ros-std-srvs
   libeigen3-dev libcgal-dev libsuitesparse-dev libopenblas-dev
   liburdf-dev liburdfdom-dev liborocos-kdl-dev libkdl-parser-dev
-  libyaml-cpp-dev libtinyxml2-dev zlib1g-dev libcli11-dev)
+  libyaml-cpp-dev libtinyxml2-dev zlib1g-dev libssl-dev libcli11-dev)
 
 # What the tests need besides: gtest, rostest, and the nodes that the launch files start.
 test=(

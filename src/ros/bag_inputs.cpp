@@ -129,6 +129,22 @@ boost::shared_ptr<Message> BagInputs::decoded(const rosbag::MessageInstance& m) 
   return m.instantiate<Message>();
 }
 
+std::vector<palpate::RunRecord> BagInputs::runRecords() const {
+  using Traits = ros::message_traits::MD5Sum<palpate::RunRecord>;
+  std::vector<palpate::RunRecord> records;
+  try {
+    rosbag::View view(bag_, [](const rosbag::ConnectionInfo* connection) {
+      return connection->md5sum == Traits::value();
+    });
+    for (const rosbag::MessageInstance& m : view) {
+      records.push_back(*decoded<palpate::RunRecord>(m));
+    }
+  } catch (const rosbag::BagException& e) {
+    throw InputError(file_, "", "", "cannot be read to its end: " + cleared(e.what()));
+  }
+  return records;
+}
+
 void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
   const auto joints = decoded<sensor_msgs::JointState>(m);
   Eigen::VectorXd q = cycle_.joints[i];

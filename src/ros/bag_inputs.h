@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "joint_state_reader.h"
+#include "palpate/RunRecord.h"
 #include "palpate/sim/simulator.h"
 #include "tf_lookup.h"
 
@@ -53,6 +54,10 @@ class BagInputs {
   /// @throws InputError: a message is of another type, or cut off.
   void walk(const std::function<void(const rosbag::MessageInstance&, const ros::Time&)>& message,
             const std::function<void(const BagCycle&)>& cycle);
+
+  /// What the results in the bag are of, as nodes said it.
+  /// @throws InputError: such a message is cut off.
+  std::vector<palpate::RunRecord> runRecords() const;
 
   long dropped() const { return dropped_; }
   const std::string& firstProblem() const { return first_problem_; }

@@ -30,6 +30,17 @@ class Walk {
     return count(&number) && skip(size * number);
   }
   bool text() { return list(1); }
+  /// Things of so many texts each.
+  bool lists(int texts) {
+    std::uint32_t number = 0;
+    if (!count(&number)) return false;
+    for (; number > 0; --number) {
+      for (int k = 0; k < texts; ++k) {
+        if (!text()) return false;
+      }
+    }
+    return true;
+  }
   /// Number, stamp, frame.
   bool header() { return skip(12) && text(); }
 
@@ -41,12 +52,8 @@ class Walk {
 
 bool areMessage(std::string_view bytes, const sensor_msgs::JointState*) {
   Walk walk(bytes);
-  std::uint32_t names = 0;
-  if (!walk.header() || !walk.count(&names)) return false;
-  for (; names > 0; --names) {
-    if (!walk.text()) return false;
-  }
-  return walk.list(8) && walk.list(8) && walk.list(8);  // positions, velocities, efforts
+  // Names, positions, velocities, efforts.
+  return walk.header() && walk.lists(1) && walk.list(8) && walk.list(8) && walk.list(8);
 }
 
 bool areMessage(std::string_view bytes, const tf2_msgs::TFMessage*) {
@@ -57,6 +64,15 @@ bool areMessage(std::string_view bytes, const tf2_msgs::TFMessage*) {
     if (!walk.header() || !walk.text() || !walk.skip(7 * 8)) return false;
   }
   return true;
+}
+
+bool areMessage(std::string_view bytes, const palpate::RunRecord*) {
+  Walk walk(bytes);
+  if (!walk.header()) return false;
+  for (int k = 0; k < 4; ++k) {  // version, commit, scene, its text
+    if (!walk.text()) return false;
+  }
+  return walk.lists(2) && walk.lists(2) && walk.lists(3);  // keys, replaced, files
 }
 
 }  // namespace palpate::node

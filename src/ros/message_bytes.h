@@ -6,6 +6,8 @@
 
 #include <string_view>
 
+#include "palpate/RunRecord.h"
+
 namespace palpate::node {
 
 // Whether the bytes are a message of the type, whole: strings and lists end within them. roscpp
@@ -13,5 +15,6 @@ namespace palpate::node {
 // GB.
 bool areMessage(std::string_view bytes, const sensor_msgs::JointState*);
 bool areMessage(std::string_view bytes, const tf2_msgs::TFMessage*);
+bool areMessage(std::string_view bytes, const palpate::RunRecord*);
 
 }  // namespace palpate::node

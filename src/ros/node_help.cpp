@@ -41,6 +41,7 @@ About aboutNode() {
       {kCutawayTopic, kPictures, "organs cut open"},
       {kAnatomyTopic, kPictures, "bone and the like, once, latched"},
       {kStepReportTopic, "palpate/StepReport", "what each cycle did"},
+      {kRunRecordTopic, "palpate/RunRecord", "what is simulated, once, latched"},
       {"/diagnostics", "diagnostic_msgs/DiagnosticArray", "states and rates, 1 Hz"}};
   about.serves = {{std::string("~") + kResetService, kTrigger, "back to the rest state"},
                   {std::string("~") + kSaveStateService, kTrigger,

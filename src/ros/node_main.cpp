@@ -26,6 +26,7 @@
 #include "program.h"
 #include "publishing_loop.h"
 #include "realtime.h"
+#include "run_record.h"
 #include "services.h"
 #include "simulation_loop.h"
 #include "state_folder.h"
@@ -106,6 +107,7 @@ int run(bool sends_realtime) {
   const ParamTree set(private_handle);
   const NodeParams params = readParams(set);
   scene::Scene scene = readScene(sceneFile(params.scene), set);
+  const palpate::RunRecord record = recordOf(scene, params.initial_state, ros::Time::now());
   scene::driveByHands(&scene);
   std::vector<std::string> names;
   for (const scene::InstrumentConfig& instrument : scene.instruments) {
@@ -122,6 +124,8 @@ int run(bool sends_realtime) {
     io::restoreState(params.initial_state, simulator.get());
   }
   sayHello(*simulator);
+  ros::Publisher records = handle.advertise<palpate::RunRecord>(kRunRecordTopic, 1, true);
+  records.publish(record);
 
   InputFactory factory;
   Inputs inputs = factory.make(handle, *simulator, &channels);

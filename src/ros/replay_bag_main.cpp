@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpate_replay_bag: a recorded motion through the simulation, every input, as fast as it goes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bag_inputs.h"
 #include "environment.h"
@@ -16,6 +18,7 @@
 #include "progress_line.h"
 #include "replay_outputs.h"
 #include "replay_summary.h"
+#include "run_record.h"
 #include "throttle.h"
 
 namespace palpate::node {
@@ -28,12 +31,33 @@ struct Options {
   bool live = false;
 };
 
+// Whoever compares the new results with recorded ones is to know that they are of something else.
+void warnOfOthers(const Options& options, const BagInputs& inputs, const palpate::RunRecord& now) {
+  constexpr std::size_t kMost = 12;  // lines
+  for (const palpate::RunRecord& recorded : inputs.runRecords()) {
+    if (programOf(recorded) != programOf(now)) {
+      std::cerr << options.in << " was recorded by palpate " << programOf(recorded) << "; this is "
+                << programOf(now) << '\n';
+    }
+    const std::vector<std::string> lines = differences(recorded, now);
+    if (lines.empty()) continue;
+    std::cerr << "WARNING: " << options.in << " was recorded with another scene than this, so its "
+              << "wrenches are not those to expect here.\n  then: " << recorded.scene
+              << "\n  now:  " << now.scene << '\n';
+    for (std::size_t k = 0; k < std::min(lines.size(), kMost); ++k) {
+      std::cerr << "  " << lines[k] << '\n';
+    }
+    if (lines.size() > kMost) std::cerr << "  and " << lines.size() - kMost << " more\n";
+  }
+}
+
 void replay(const Options& options) {
   std::error_code ignored;
   if (std::filesystem::equivalent(options.in, options.out, ignored)) {
     throw InputError(options.out, "--out", "", "must be another file than the input");
   }
   scene::Scene scene = scene::readScene(sceneFile(options.scene));
+  palpate::RunRecord record = recordOf(scene, "", ros::Time());
   if (options.live) scene::driveByHands(&scene);
   std::unique_ptr<sim::Simulator> simulator;
   {
@@ -45,6 +69,7 @@ void replay(const Options& options) {
   for (const std::string& note : advice::loadingNotes(*simulator)) std::cerr << note << '\n';
 
   BagInputs inputs(options.in, *simulator);
+  warnOfOthers(options, inputs, record);
   ReplayBag bag(options.out, simulator->scene());
   std::unique_ptr<TrajectoryCsv> trajectory;
   if (!options.trajectory.empty()) {
@@ -64,7 +89,10 @@ void replay(const Options& options) {
     inputs.walk([&](const rosbag::MessageInstance& message,
                     const ros::Time& stamp) { bag.copy(message, stamp); },
                 [&](const BagCycle& cycle) {
-                  if (!started) first = cycle.stamp;
+                  if (!started) {
+                    first = record.header.stamp = cycle.stamp;
+                    bag.write(record);
+                  }
                   started = true;
                   last = bagTime(cycle.stamp, first);
                   const Steady::time_point start = Steady::now();
@@ -116,7 +144,8 @@ int main(int argc, char** argv) {
       "joint_topic), or /tf and /tf_static with input: tf. Topics written, beside the copied "
       "ones:\n"
       "<instrument>/spatial/measured_cf and <instrument>/body/measured_cf\n"
-      "(geometry_msgs/WrenchStamped), step_report (palpate/StepReport). Needs no master and has "
+      "(geometry_msgs/WrenchStamped), step_report (palpate/StepReport), run_record "
+      "(palpate/RunRecord). Needs no master and has "
       "no\n"
       "parameters.");
   try {

@@ -58,6 +58,20 @@ void ReplayBag::write(const ros::Time& stamp, const sim::StepResult& result) {
   });
 }
 
+// Latched, so that who plays the bag hears it whenever.
+void ReplayBag::write(const palpate::RunRecord& record) {
+  namespace traits = ros::message_traits;
+  const auto connection = boost::make_shared<ros::M_string>();
+  (*connection)["type"] = traits::datatype(record);
+  (*connection)["md5sum"] = traits::md5sum(record);
+  (*connection)["message_definition"] = traits::definition(record);
+  (*connection)["latching"] = "1";
+  writing([&] {
+    bag_->write(std::string("/") + kRunRecordTopic, std::max(record.header.stamp, ros::TIME_MIN),
+                record, connection);
+  });
+}
+
 void ReplayBag::finish() {
   writing([&] { bag_->close(); });
   file_.commit();

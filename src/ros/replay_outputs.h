@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bag_inputs.h"
+#include "palpate/RunRecord.h"
 #include "palpate/base/atomic_file.h"
 #include "palpate/io/csv_writer.h"
 #include "palpate/sim/simulator.h"
@@ -24,6 +25,8 @@ class ReplayBag {
   /// These, too.
   void copy(const rosbag::MessageInstance& message, const ros::Time& stamp);
   void write(const ros::Time& stamp, const sim::StepResult& result);
+  /// What the results are of, as the node says it.
+  void write(const palpate::RunRecord& record);
   void finish();
 
  private:

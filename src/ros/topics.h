@@ -15,6 +15,7 @@ inline constexpr char kOrgansTopic[] = "organs";           ///< visualization_ms
 inline constexpr char kAnatomyTopic[] = "anatomy";         ///< visualization_msgs/MarkerArray
 inline constexpr char kCutawayTopic[] = "cutaway";         ///< visualization_msgs/MarkerArray
 inline constexpr char kStepReportTopic[] = "step_report";  ///< palpate/StepReport
+inline constexpr char kRunRecordTopic[] = "run_record";    ///< palpate/RunRecord
 inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/JointState, default
 inline constexpr char kSpatialWrench[] = "spatial/measured_cf";  ///< geometry_msgs/WrenchStamped
 inline constexpr char kBodyWrench[] = "body/measured_cf";        ///< geometry_msgs/WrenchStamped

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Starts the node with parameters: bad ones end it with a message, good ones replace keys."""
 import concurrent.futures
+import hashlib
 import os
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import rospkg
 import roslib.packages
 import rospy
 import rostest
+from palpate.msg import RunRecord
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from helpers import TOUCHING, Hand, diagnostics_ear, report_ear, status  # noqa: E402
@@ -178,6 +180,31 @@ class Parameters(unittest.TestCase):
         self.refused(["contact/friction/pairs", "cannot be a parameter: change it in the scene file"], scene)
         rospy.set_param("/node_%d/contact/apart" % run.count, [])
         self.refused(["contact/apart", "cannot be a parameter"], scene)
+
+    def test_the_run_record_says_what_ran(self):
+        """Also to who comes late; with the lists of the file, and the keys that parameters replaced."""
+        node = subprocess.Popen([NODE, "__name:=recorded", "_scene:=gallbladder_bimanual", "_rates/stale_after:=0.3"])
+        try:
+            rospy.wait_for_service("/recorded/reset", 60)
+            record = rospy.wait_for_message("run_record", RunRecord, 10)
+            keys = {k.key: k.value for k in record.keys}
+            self.assertEqual(keys["contact.friction.pairs[0].static"], "0.6")
+            self.assertEqual(keys["rates.stale_after"], "0.3")
+            self.assertEqual({k.key: k.value for k in record.replaced}, {"rates.stale_after": "0.2"})
+            files = {f.key: f for f in record.files}
+            self.assertEqual(os.path.realpath(files["scene"].path), os.path.realpath(record.scene))
+            with open(record.scene, encoding="utf-8") as f:
+                self.assertEqual(f.read(), record.scene_text)
+            for f in record.files:
+                with open(f.path, "rb") as bytes_of_file:
+                    self.assertEqual(hashlib.sha256(bytes_of_file.read()).hexdigest(), f.sha256, f.path)
+            self.assertLessEqual({"organs[0].surface", "organs[1].surface", "organs[0].material.file",
+                                  "instruments[0].urdf", "instruments[1].urdf"}, set(files))
+            self.assertRegex(record.commit, r"^([0-9a-f]+\+?)?$")
+            self.assertTrue(record.version)
+        finally:
+            node.send_signal(2)
+            self.assertEqual(node.wait(20), 0)
 
     def test_overrides_count(self):
         node = subprocess.Popen([NODE, "__name:=overridden",

@@ -13,6 +13,7 @@
 #include "diagnostic_msgs/DiagnosticArray.h"
 #include "geometry_msgs/WrenchStamped.h"
 #include "palpate/ContactModel.h"
+#include "palpate/RunRecord.h"
 #include "palpate/StepReport.h"
 #include "palpate/base/number.h"
 #include "params.h"
@@ -81,6 +82,7 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
       {code(kCutawayTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kOrgansTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kStepReportTopic), typeOf<palpate::StepReport>()},
+      {code(kRunRecordTopic), typeOf<palpate::RunRecord>()},
       {"`/diagnostics`", typeOf<diagnostic_msgs::DiagnosticArray>()},
       {code(std::string("~") + kResetService), trigger},
       {code(std::string("~") + kSaveStateService), trigger}};

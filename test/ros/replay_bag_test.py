@@ -132,6 +132,37 @@ class ReplayBag(unittest.TestCase):
         # Times are those that a person would write, not 0.090900000000000009.
         self.assertEqual([r["t"] for r in rows[0][:4]], ["0", "0.0303", "0.0606", "0.0909"])
 
+    def test_another_scene_than_that_of_the_recording_is_said(self):
+        """A bag of results says what scene they are of; one of inputs alone goes with any."""
+        scene = os.path.join(self.folder, "scene.yaml")
+        for name in ("block.msh", "probe.urdf"):
+            shutil.copy(os.path.join(SCENES, name), self.folder)
+        with open(os.path.join(SCENES, "block.yaml")) as f:
+            text = f.read()
+        with open(scene, "w") as f:
+            f.write(text)
+        write_joints(self.path("in.bag"), count=20)
+        code, _, errors = self.replay("in.bag", scene=scene, out="results.bag")
+        self.assertEqual((code, errors), (0, ""))
+        record, = messages(self.path("results.bag"), "/run_record")
+        self.assertEqual(record.scene_text, text)
+        code, _, errors = self.replay("results.bag", scene=scene)
+        self.assertEqual((code, errors), (0, ""))
+        # Elsewhere, but the same.
+        code, _, errors = self.replay("results.bag")
+        self.assertNotIn("WARNING", errors)
+
+        with open(os.path.join(self.folder, "block.msh"), "a") as f:
+            f.write("\n")
+        with open(scene, "w") as f:
+            f.write(text.replace("step: 0.01", "step: 0.008"))
+        code, _, errors = self.replay("results.bag", scene=scene)
+        self.assertEqual(code, 0, errors)
+        self.assertIn("WARNING: %s was recorded with another scene" % self.path("results.bag"), errors)
+        self.assertIn("solver.step: 0.01 then, 0.008 now", errors)
+        self.assertIn("block.msh (organs[0].tetrahedra): sha256 ", errors)
+        self.assertIn("scene.yaml (scene): sha256 ", errors)
+
     def test_bad_messages_are_dropped_and_counted(self):
         write_joints(self.path("in.bag"), bad=(3, 50))
         code, table, errors = self.replay("in.bag")
