@@ -4,12 +4,10 @@
 
     scripts/demo_scene.py NAME
 
-The trajectory is config/trajectories/NAME.csv or, where several scenes share one, that whose name begins
-like NAME up to the first "_". Leaves demo/NAME.csv, demo/NAME.png and demo/NAME_largest_force.png in the
+`palpate scenes` lists the names. Leaves demo/NAME.csv, demo/NAME.png and demo/NAME_largest_force.png in the
 present folder.
 """
 import csv
-import glob
 import os
 import subprocess
 import sys
@@ -25,15 +23,13 @@ import yaml  # noqa: E402
 from find_palpate import ROOT, program  # noqa: E402
 
 
-def trajectory_of(name):
-    folder = os.path.join(ROOT, "config/trajectories")
-    own = os.path.join(folder, name + ".csv")
-    if os.path.exists(own):
-        return own
-    shared = sorted(glob.glob(os.path.join(folder, name.split("_")[0] + "_*.csv")))
-    if not shared:
-        sys.exit("demo_scene.py: config/trajectories has none for " + name)
-    return shared[0]
+def files_of(name):
+    """The files of a shipped scene and of its trajectory."""
+    done = subprocess.run([program(), "scenes", name], stdout=subprocess.PIPE, universal_newlines=True, check=False)
+    if done.returncode != 0:
+        sys.exit(done.returncode)
+    files = dict(line.split(" ", 1) for line in done.stdout.splitlines())
+    return files["scene"], files["trajectory"] or sys.exit("demo_scene.py: no trajectory comes with " + name)
 
 
 def replay(scene, trajectory, out):
@@ -68,9 +64,9 @@ def plot(title, t, tools, path):
     figure.savefig(path, dpi=110)
 
 
-def smallness(scene):
+def smallness(scene, folder):
     """Of scenes much smaller than the camera's place is meant for: their width over 0.1 m, otherwise 1."""
-    folder, widest = os.path.join(ROOT, "config/scenes"), 0.0
+    widest = 0.0
     for organ in scene["organs"]:
         file = organ.get("surface") or organ.get("tetrahedra")
         if not file or "://" in file:
@@ -80,13 +76,13 @@ def smallness(scene):
     return widest / 0.1 if widest < 0.05 else 1.0
 
 
-def draw(scene, name, trajectory, time, largest, path):
+def draw(scene, file, trajectory, time, largest, path):
     """`largest`: of the forces then [N]; its arrow stays in the picture."""
     middle = np.mean([(o.get("pose") or {}).get("position", (0, 0, 0)) for o in scene["organs"]], axis=0)
-    small = smallness(scene)
+    small = smallness(scene, os.path.dirname(file))
     middle = middle + small * np.array([0.0, 0.0, 0.03])
     eye = middle + small * np.array([0.22, -0.34, 0.2])
-    command = [os.path.join(ROOT, "scripts/render_replay.py"), os.path.join(ROOT, "config/scenes", name + ".yaml")]
+    command = [os.path.join(ROOT, "scripts/render_replay.py"), file]
     command += ["--trajectory", trajectory, "--time", "%.4f" % time, "--out", path]
     command += ["--eye", *map(str, eye), "--look-at", *map(str, middle), "--arrow-scale",
                 str(small * min(0.2, 0.04 / max(largest, 1e-9)))]
@@ -100,10 +96,9 @@ def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     name = sys.argv[1]
-    path = os.path.join(ROOT, "config/scenes", name + ".yaml")
+    path, trajectory = files_of(name)
     with open(path, encoding="utf-8") as file:
         scene = yaml.safe_load(file)
-    trajectory = trajectory_of(name)
     os.makedirs("demo", exist_ok=True)
     out = os.path.join("demo", name)
     rows = replay(path, trajectory, out + ".csv")
@@ -111,7 +106,7 @@ def main():
     plot(scene.get("name", name), t, tools, out + ".png")
     largest = np.max([np.linalg.norm(force, axis=1) for _, force in tools], axis=0)
     at = int(np.argmax(largest))
-    draw(scene, name, trajectory, t[at], largest[at], out + "_largest_force.png")
+    draw(scene, path, trajectory, t[at], largest[at], out + "_largest_force.png")
     print()
     for tool, force in tools:
         print("%-12s largest force %.3f N" % (tool, np.linalg.norm(force, axis=1).max()))

@@ -10,11 +10,11 @@
 #include "palpate/base/atomic_file.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number.h"
-#include "palpate/base/resource.h"
 #include "palpate/formats/surface_io.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/formats/vtu_writer.h"
 #include "palpate/mesh/tet_mesh.h"
+#include "shipped.h"
 
 namespace palpate::cli {
 namespace {
@@ -218,16 +218,10 @@ Eigen::VectorXd interpolate(const formats::Trajectory& table, double t) {
 BenchCase liverOf(std::optional<double> edge_length, const BenchChoice& choice) {
   if (choice.tets) refuseBench("the liver", "--tets", "give --edge-length");
   BenchCase made;
-  const auto shipped = [](const std::string& file) {
-    try {
-      return resolveResource("package://palpate/config/" + file, ".");
-    } catch (const std::invalid_argument& error) {
-      throw InputError("command line", "--scene", "liver", error.what());
-    }
-  };
-  made.scene = scene::readScene(shipped("scenes/liver_palpation.yaml"));
+  const std::string file = start::sceneFile("liver_palpation");
+  made.scene = scene::readScene(file);
   scene::OrganConfig& organ = made.scene.organs[0];
-  const std::string recorded = shipped("trajectories/liver_palpation.csv");
+  const std::string recorded = start::shippedTrajectory(file);
   if (choice.edge_length) edge_length = choice.edge_length;
   if (edge_length || choice.finest) organ.adapt = {};
   if (edge_length) organ.edge_length = {*edge_length, {}};

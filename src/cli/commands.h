@@ -22,6 +22,7 @@ void addHand(CLI::App& app, Action& action);
 void addMesh(CLI::App& app, Action& action);
 void addOrgan(CLI::App& app, Action& action);
 void addReplay(CLI::App& app, Action& action);
+void addScenes(CLI::App& app, Action& action);
 void addSkin(CLI::App& app, Action& action);
 void addSolve(CLI::App& app, Action& action);
 void addSprings(CLI::App& app, Action& action);

@@ -18,6 +18,7 @@
 #include "palpate/scene/organ_assembly.h"
 #include "palpate/scene/pressed_organ.h"
 #include "progress_line.h"
+#include "shipped.h"
 
 namespace palpate::cli {
 namespace {
@@ -64,7 +65,7 @@ void check(const DatabaseOptions& options) {
 }
 
 scene::PressedOrgan pressedOrgan(const DatabaseOptions& options, start::ProgressLine* line) {
-  const scene::Scene scene = scene::readScene(options.scene);
+  const scene::Scene scene = scene::readScene(start::sceneFile(options.scene));
   const int index = static_cast<int>(organIndex(scene, options.organ));
   const scene::Progress no_progress;
   std::vector<std::string> repairs;
@@ -109,7 +110,7 @@ void addDatabase(CLI::App& app, Action& action) {
                   "there already is kept");
   const auto options = std::make_shared<DatabaseOptions>();
   enrichment::DatabasePlan& plan = options->plan;
-  command.option("scene", &options->scene, "Scene file (.yaml)").required();
+  command.option("scene", &options->scene, "Scene file, or name of a shipped scene").required();
   command.option("--organ", &options->organ, "Its organ; may be left out where there is one only");
   command.option("--out", &options->out, "Folder, made if it is not there").required();
   command.option("--samples", &plan.samples, "How many presses in all; 60 if not given")

@@ -17,6 +17,7 @@
 #include "palpate/sim/hand_loop.h"
 #include "palpate/sim/hand_motion.h"
 #include "progress_line.h"
+#include "shipped.h"
 
 namespace palpate::cli {
 namespace {
@@ -54,7 +55,7 @@ double wayToTouch(const sim::Simulator& simulator, const sim::LinkPoses& links) 
 int hand(const HandOptions& o) {
   checkNumbers(o);
   if (!o.out.empty()) requireWritable("--out", o.out, {".csv"});
-  scene::Scene scene = scene::readScene(o.scene);
+  scene::Scene scene = scene::readScene(start::sceneFile(o.scene));
   if (scene.instruments.size() != 1) {
     throw InputError(o.scene, "instruments", std::to_string(scene.instruments.size()),
                      "must be one here");
@@ -120,7 +121,10 @@ void addHand(CLI::App& app, Action& action) {
                   "Have a simulated hand hold the tool of a scene by a simulated device, press it "
                   "down and keep it there");
   const auto options = std::make_shared<HandOptions>();
-  command.option("scene", &options->scene, "Scene file with one instrument").required();
+  command
+      .option("scene", &options->scene,
+              "Scene file with one instrument, or name of a shipped scene")
+      .required();
   command.option("--grip", &options->grip, "Of the hand").oneOf(gripNames());
   command.option("--mass", &options->mass, "Of device and hand [kg], instead of the grip's");
   command.option("--damping", &options->damping, "Of the device [N s/m]");

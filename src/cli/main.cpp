@@ -18,6 +18,7 @@ constexpr void (*kCommands[])(CLI::App&, Action&) = {
     palpate::cli::addReplay, palpate::cli::addSolve,   palpate::cli::addBench,
     palpate::cli::addHand,   palpate::cli::addSprings, palpate::cli::addDatabase,
     palpate::cli::addSkin,   palpate::cli::addTorture, palpate::cli::addTrain,
+    palpate::cli::addScenes,
 };
 
 // CLI11 has an exit status for each kind of mistake; here they are all bad input.

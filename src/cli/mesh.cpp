@@ -116,7 +116,8 @@ void addMesh(CLI::App& app, Action& action) {
   command.option("--radius", &choice.radius, "As far from there edges do not grow yet [m]");
   command.option("--growth", &choice.growth,
                  "Beyond it they grow by so much a metre, up to --edge-length; in (0, 1]");
-  command.option("--scene", &choice.scene, "Mesh an organ as this scene file says");
+  command.option("--scene", &choice.scene,
+                 "Mesh an organ as this scene file, or shipped scene, says");
   command.option("--organ", &choice.organ, "Its name, where the scene has several");
   command.option("--out", &options->out, "File to write, .vtu").required();
   command.flag("--no-cache", &options->no_cache,

@@ -11,6 +11,7 @@
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
 #include "palpate/scene/organ_assembly.h"
+#include "shipped.h"
 
 namespace palpate::cli {
 namespace {
@@ -63,7 +64,7 @@ void checkFile(const MeshChoice& choice) {
 }
 
 MeshSource readFromScene(const MeshChoice& choice) {
-  const scene::Scene scene = scene::readScene(choice.scene);
+  const scene::Scene scene = scene::readScene(start::sceneFile(choice.scene));
   const scene::OrganConfig& organ = scene.organs[organIndex(scene, choice.organ)];
   if (organ.surface.empty()) {
     refuse("--organ", organ.name, "must have a surface; its tetrahedra are used as they are");

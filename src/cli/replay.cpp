@@ -15,6 +15,7 @@
 #include "files.h"
 #include "palpate/advice/mesh_verdict.h"
 #include "palpate/advice/scene_verdict.h"
+#include "palpate/base/error.h"
 #include "palpate/base/percentiles.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/formats/vtu_writer.h"
@@ -23,6 +24,7 @@
 #include "palpate/io/state_file.h"
 #include "palpate/sim/lockstep.h"
 #include "progress_line.h"
+#include "shipped.h"
 
 namespace palpate::cli {
 namespace {
@@ -72,8 +74,22 @@ void checkBlas(const sim::Simulator& simulator, bool profile) {
   if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
 }
 
-int replay(const ReplayOptions& options) {
-  scene::Scene scene = scene::readScene(options.scene);
+// That which was given, or that of the shipped scene, which is said.
+std::string trajectoryFor(const ReplayOptions& options, const std::string& scene_file) {
+  if (!options.trajectory.empty()) return options.trajectory;
+  std::string shipped = start::shippedTrajectory(scene_file);
+  if (shipped.empty()) {
+    throw InputError("command line", "--trajectory", "",
+                     "is missing: " + options.scene + " is no scene that comes with one");
+  }
+  std::cerr << "note: the trajectory is " << shipped << "\n";
+  return shipped;
+}
+
+int replay(ReplayOptions options) {
+  const std::string scene_file = start::sceneFile(options.scene);
+  scene::Scene scene = scene::readScene(scene_file);
+  options.trajectory = trajectoryFor(options, scene_file);
   if (options.threads > 0) scene.solver.threads = options.threads;
   if (options.live) scene::driveByHands(&scene);
   const formats::Trajectory trajectory = formats::readTrajectory(options.trajectory);
@@ -120,12 +136,13 @@ int replay(const ReplayOptions& options) {
 void addReplay(CLI::App& app, Action& action) {
   Command command(app, "replay", "Drive a scene by a table of joint positions, as fast as it goes");
   const auto options = std::make_shared<ReplayOptions>();
-  command.option("scene", &options->scene, "Scene file, see docs/scene_format.md").required();
   command
-      .option("--trajectory", &options->trajectory,
-              "CSV: t [s] and a column a joint [m or rad]; instrument/joint where the scene "
-              "has several instruments")
+      .option("scene", &options->scene,
+              "Scene file, see docs/scene_format.md, or name of a shipped scene")
       .required();
+  command.option("--trajectory", &options->trajectory,
+                 "CSV: t [s] and a column a joint [m or rad]; instrument/joint where the scene "
+                 "has several instruments; that of a shipped scene, if not given");
   command.option("--out", &options->out, "CSV with wrenches and what each step did").required();
   command.option("--vtu", &options->vtu, "Folder for pictures of the organs");
   command.option("--every", &options->every, "A picture every so many rows").positive();

@@ -2,55 +2,21 @@
 #include "palpate/io/replay.h"
 
 #include <algorithm>
-#include <set>
 
-#include "palpate/base/error.h"
+#include "palpate/io/joint_columns.h"
 #include "palpate/io/replay_table.h"
 
 namespace palpate::io {
-namespace {
-
-constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
-
-std::string prefixOf(const sim::Simulator& simulator, int instrument) {
-  return simulator.scene().instruments[instrument].name + "/";
-}
-
-}  // namespace
 
 Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file,
                sim::Cycles cycles)
     : simulator_(simulator), lockstep_(simulator, cycles), trajectory_(std::move(trajectory)) {
-  const std::vector<std::string>& columns = trajectory_.columns;
-  std::vector<Problem> problems;
-  std::vector<std::string> wanted;
-  std::set<int> used;
-  const bool several = simulator->numInstruments() > 1;
+  std::vector<InstrumentJoints> instruments;
   for (int i = 0; i < simulator->numInstruments(); ++i) {
-    joint_column_.emplace_back();
-    for (const std::string& joint : simulator->instrument(i).jointNames()) {
-      const std::string full = prefixOf(*simulator, i) + joint;
-      auto it = std::find(columns.begin(), columns.end(), full);
-      if (it == columns.end() && !several) it = std::find(columns.begin(), columns.end(), joint);
-      wanted.push_back(several ? full : joint);
-      if (it == columns.end()) {
-        problems.push_back({wanted.back(), "", "this joint has no column"});
-      } else {
-        joint_column_.back().push_back(static_cast<int>(it - columns.begin()));
-        used.insert(joint_column_.back().back());
-      }
-    }
+    instruments.push_back(
+        {simulator->scene().instruments[i].name, simulator->instrument(i).jointNames()});
   }
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (used.count(static_cast<int>(c))) continue;
-    if (problems.size() >= kMaxProblems) break;
-    const std::string nearest = nearestName(columns[c], wanted);
-    problems.push_back({"column " + columns[c], "",
-                        "is no joint of the scene" +
-                            (nearest.empty() ? "" : " (did you mean " + nearest + "?)") +
-                            "; it has " + joinNames(wanted)});
-  }
-  if (!problems.empty()) throw InputError(file, problems);
+  joint_column_ = jointColumns(trajectory_, instruments, file);
 }
 
 std::vector<sim::LinkPoses> Replay::posesOf(std::size_t row) const {

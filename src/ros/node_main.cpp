@@ -28,6 +28,7 @@
 #include "realtime.h"
 #include "run_record.h"
 #include "services.h"
+#include "shipped.h"
 #include "simulation_loop.h"
 #include "state_folder.h"
 #include "topics.h"
@@ -106,7 +107,7 @@ int run(bool sends_realtime) {
   Diagnostics diagnostics;
   const ParamTree set(private_handle);
   const NodeParams params = readParams(set);
-  scene::Scene scene = readScene(sceneFile(params.scene), set);
+  scene::Scene scene = readScene(start::sceneFile(params.scene), set);
   const palpate::RunRecord record = recordOf(scene, params.initial_state, ros::Time::now());
   scene::driveByHands(&scene);
   std::vector<std::string> names;

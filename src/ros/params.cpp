@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "params.h"
 
-#include <ros/package.h>
-
 #include <climits>
 #include <cstdlib>
 #include <iterator>
@@ -42,18 +40,6 @@ NodeParams readParams(const ParamTree& params) {
   fields.apply(kCutawaySection, p.cutaway);
   fields.check();
   return p;
-}
-
-std::string sceneFile(const std::string& name) {
-  constexpr char kPackage[] = "package://";
-  if (name.rfind(kPackage, 0) == 0) {
-    const std::string rest = name.substr(sizeof(kPackage) - 1);
-    const std::size_t slash = rest.find('/');
-    const std::string path = ros::package::getPath(rest.substr(0, slash));
-    return path.empty() || slash == std::string::npos ? name : path + rest.substr(slash);
-  }
-  if (name.find('/') != std::string::npos || name.find('.') != std::string::npos) return name;
-  return ros::package::getPath("palpate") + "/config/scenes/" + name + ".yaml";
 }
 
 scene::Scene readScene(const std::string& file, const ParamTree& params) {

@@ -43,10 +43,6 @@ void describe(keys::FieldVisitor& v, NodeParams& params);
 /// @throws InputError naming the parameters.
 NodeParams readParams(const ParamTree& params);
 
-/// "liver_palpation" becomes the file of the shipped scene of that name, "package://name/rest" a
-/// path; anything else stays.
-std::string sceneFile(const std::string& name);
-
 /// Reads the scene, then lets parameters replace single keys: ~contact/..., ~solver/...,
 /// ~rates/..., ~haptics/... and ~instruments/<name>/... mean the scene's keys of that name.
 /// @throws InputError for the file, or for all parameters that are unknown or out of range.

@@ -14,11 +14,11 @@
 #include "palpate/advice/mesh_verdict.h"
 #include "palpate/base/error.h"
 #include "palpate/sim/lockstep.h"
-#include "params.h"
 #include "progress_line.h"
 #include "replay_outputs.h"
 #include "replay_summary.h"
 #include "run_record.h"
+#include "shipped.h"
 #include "throttle.h"
 
 namespace palpate::node {
@@ -56,7 +56,7 @@ void replay(const Options& options) {
   if (std::filesystem::equivalent(options.in, options.out, ignored)) {
     throw InputError(options.out, "--out", "", "must be another file than the input");
   }
-  scene::Scene scene = scene::readScene(sceneFile(options.scene));
+  scene::Scene scene = scene::readScene(start::sceneFile(options.scene));
   palpate::RunRecord record = recordOf(scene, "", ros::Time());
   if (options.live) scene::driveByHands(&scene);
   std::unique_ptr<sim::Simulator> simulator;

@@ -76,6 +76,16 @@ void readInstruments(const Scene& scene, const Progress& progress, SceneParts* p
   }
 }
 
+}  // namespace
+
+std::vector<instrument::Instrument> readInstruments(const Scene& scene) {
+  SceneParts parts;
+  readInstruments(scene, {}, &parts);
+  return std::move(parts.instruments);
+}
+
+namespace {
+
 // Closer than that samples need not be: what is thinner meets faces by itself [m].
 constexpr double kFinestSpacing = 5e-4;
 // Where one may be so many times as far apart as the other, tools and bones have samples of their

@@ -15,14 +15,20 @@ struct CliResult {
   std::string out, err;
 };
 
-/// Runs `palpate ARGUMENTS` through the shell, with NAME=VALUE settings of the environment.
-inline CliResult runCli(const std::string& arguments, const std::string& environment = "") {
+/// Runs `PROGRAM ARGUMENTS` through the shell, with NAME=VALUE settings of the environment.
+inline CliResult runProgram(const std::string& program, const std::string& arguments,
+                            const std::string& environment = "") {
   const TempFolder folder;
-  const std::string command = environment + " '" + PALPATE_CLI + "' " + arguments + " > '" +
+  const std::string command = environment + " '" + program + "' " + arguments + " > '" +
                               folder.path("out") + "' 2> '" + folder.path("err") + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileBytes(folder.path("out")),
           fileBytes(folder.path("err"))};
+}
+
+/// Runs `palpate ARGUMENTS`.
+inline CliResult runCli(const std::string& arguments, const std::string& environment = "") {
+  return runProgram(PALPATE_CLI, arguments, environment);
 }
 
 }  // namespace palpate::test

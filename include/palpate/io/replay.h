@@ -13,9 +13,8 @@ namespace palpate::io {
 /// Drives a simulator through a trajectory, a row at a time, and writes what came out.
 class Replay {
  public:
-  /// Columns of the trajectory are the joints' names; `instrument/joint` works always and is needed
-  /// where the scene has several instruments. `file` is named in errors.
-  /// @throws InputError for a joint without a column or a column without a joint.
+  /// Columns are as jointColumns() has them, whatever the instruments' inputs are when live.
+  /// @throws InputError
   Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file,
          sim::Cycles cycles = sim::Cycles::kByTime);
 

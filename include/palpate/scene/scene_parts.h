@@ -48,6 +48,10 @@ struct SceneParts {
   std::vector<std::string> notes;  ///< What was decided while loading, with the name of whom.
 };
 
+/// The instruments alone, without the organs: for who moves them.
+/// @throws InputError
+std::vector<instrument::Instrument> readInstruments(const Scene& scene);
+
 /// @throws InputError
 SceneParts assembleScene(const Scene& scene, const Progress& progress);
 
