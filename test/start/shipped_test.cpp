@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shipped is found by its name and has a trajectory that fits.
+// What is shipped is found by its name, has a trajectory that fits, and says how fast it runs.
 #include "start/shipped.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>  // setenv: POSIX
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <sstream>
 
+#include "palpate/base/number.h"
 #include "palpate/formats/trajectory.h"
 #include "palpate/io/joint_columns.h"
 #include "palpate/scene/scene_parts.h"
@@ -140,6 +144,52 @@ TEST_F(Shipped, EveryScenesTrajectoryFitsItsJoints) {
     }
     EXPECT_NO_THROW(io::jointColumns(formats::readTrajectory(file), joints, file)) << name;
   }
+}
+
+/// The lines of # at the beginning of a file, as one.
+std::string firstComment(const std::string& file) {
+  std::istringstream lines(test::fileBytes(file));
+  std::string text;
+  for (std::string line; std::getline(lines, line) && line.rfind('#', 0) == 0;) {
+    text += line.substr(1);
+  }
+  return text;
+}
+
+/// The rows of the README's table of scenes by the scenes that their first cells name.
+std::map<std::string, std::string> rowsOfScenes() {
+  std::istringstream page(test::fileBytes(test::sourceFolder() + "/README.md"));
+  std::map<std::string, std::string> rows;
+  bool here = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("## ", 0) == 0) here = line == "## Scenes";
+    if (!here || line.rfind("| `", 0) != 0) continue;
+    std::istringstream cell(line.substr(1, line.find('|', 1) - 1));
+    for (std::string part; std::getline(cell, part, '`');) {
+      std::string name;
+      if (std::getline(cell, name, '`')) rows[name] = line;
+    }
+  }
+  return rows;
+}
+
+TEST_F(Shipped, EachRunsAtRealTimeOrSaysHowFast) {
+  const std::map<std::string, std::string> rows = rowsOfScenes();
+  for (const std::string& name : shippedScenes()) {
+    const std::string file = sceneFile(name), comment = firstComment(file);
+    const scene::Scene scene = scene::readScene(file);
+    const double speed = scene.rates.simulation * scene.solver.step;
+    ASSERT_EQ(rows.count(name), 1U) << name << " has no row in the README";
+    if (std::abs(speed - 1.0) < 1e-9) {
+      EXPECT_FALSE(contains(comment, "of real time")) << name;
+      EXPECT_FALSE(contains(rows.at(name), "of real time")) << name;
+    } else {
+      const std::string said = formatNumber(speed) + " of real time";
+      EXPECT_TRUE(contains(comment, said)) << name;
+      EXPECT_TRUE(contains(rows.at(name), said)) << name;
+    }
+  }
+  EXPECT_EQ(rows.size(), shippedScenes().size());
 }
 
 }  // namespace
