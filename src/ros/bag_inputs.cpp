@@ -6,32 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
-#include "bag_check.h"
-#include "message_bytes.h"
+#include "bag_messages.h"
 #include "palpate/base/error.h"
 #include "topics.h"
 
 namespace palpate::node {
 namespace {
 
-std::string absolute(const std::string& topic) {
-  return topic.empty() || topic.front() != '/' ? "/" + topic : topic;
-}
-
-bool isTf(const std::string& topic) { return absolute(topic) == "/tf"; }
-bool isStaticTf(const std::string& topic) { return absolute(topic) == "/tf_static"; }
-
 bool areFinite(const sim::LinkPoses& poses) {
   return std::all_of(poses.begin(), poses.end(),
                      [](const Pose& X) { return X.matrix().allFinite(); });
-}
-
-std::string cleared(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  return message;
 }
 
 }  // namespace
@@ -40,7 +26,6 @@ BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
     : file_(file),
       simulator_(simulator),
       reordered_(std::llround(1e9 * simulator.scene().rates.stale_after)) {
-  checkBag(file);
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
@@ -49,7 +34,7 @@ BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
       source.lookup = std::make_unique<TfLookup>(simulator.instrument(i), config);
       uses_tf_ = true;
     } else {
-      source.topic = absolute(jointTopic(config));
+      source.topic = absoluteTopic(jointTopic(config));
       source.reader = std::make_unique<JointStateReader>(simulator.instrument(i));
     }
     cycle_.joints.emplace_back(
@@ -57,33 +42,7 @@ BagInputs::BagInputs(const std::string& file, const sim::Simulator& simulator)
     sources_.push_back(std::move(source));
   }
   cycle_.poses.resize(sources_.size());
-  try {
-    bag_.open(file, rosbag::bagmode::Read);
-    checkTopics();
-  } catch (const rosbag::BagUnindexedException&) {
-    throw InputError(file, "", "", "is not indexed (cut off while recording?): run rosbag reindex");
-  } catch (const rosbag::BagException& e) {
-    throw InputError(file, "", "", "cannot be read as a bag: " + cleared(e.what()));
-  }
-}
-
-void BagInputs::checkTopics() {
-  rosbag::View view(bag_);
-  std::set<std::string> topics;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    topics.insert(absolute(connection->topic));
-  }
-  const std::vector<std::string> there(topics.begin(), topics.end());
-  std::vector<Problem> problems;
-  if (sources_.empty()) problems.push_back({"", "", "the scene has no instrument to move"});
-  for (const Source& source : sources_) {
-    const std::string wanted = source.lookup ? "/tf" : source.topic;
-    if (topics.count(wanted) > 0) continue;
-    problems.push_back({wanted, "",
-                        "has no messages in the bag; topics there: " +
-                            (there.empty() ? std::string("none") : joinNames(there))});
-  }
-  if (!problems.empty()) throw InputError(file_, problems);
+  openInputBag(file, simulator.scene(), &bag_);
 }
 
 void BagInputs::walk(
@@ -94,7 +53,7 @@ void BagInputs::walk(
   rosbag::View view(bag_, [this](const rosbag::ConnectionInfo* connection) {
     if (uses_tf_ && (isTf(connection->topic) || isStaticTf(connection->topic))) return true;
     return std::any_of(sources_.begin(), sources_.end(), [&](const Source& source) {
-      return source.reader && source.topic == absolute(connection->topic);
+      return source.reader && source.topic == absoluteTopic(connection->topic);
     });
   });
   const double size = std::max(1.0, static_cast<double>(view.size()));
@@ -104,29 +63,14 @@ void BagInputs::walk(
       cycle_.progress = ++count / size;
       if (isTf(m.getTopic()) || isStaticTf(m.getTopic())) readTf(m);
       for (std::size_t i = 0; i < sources_.size(); ++i) {
-        if (sources_[i].reader && sources_[i].topic == absolute(m.getTopic())) readJoints(m, i);
+        if (sources_[i].reader && sources_[i].topic == absoluteTopic(m.getTopic()))
+          readJoints(m, i);
       }
     }
   } catch (const rosbag::BagException& e) {
-    throw InputError(file_, "", "", "cannot be read to its end: " + cleared(e.what()));
+    throw InputError(file_, "", "", "cannot be read to its end: " + bagProblem(e));
   }
   flush();
-}
-
-template <class Message>
-boost::shared_ptr<Message> BagInputs::decoded(const rosbag::MessageInstance& m) const {
-  using ros::message_traits::DataType;
-  if (m.getMD5Sum() != ros::message_traits::MD5Sum<Message>::value()) {
-    throw InputError(file_, m.getTopic(), m.getDataType(),
-                     std::string("must be ") + DataType<Message>::value());
-  }
-  std::string bytes(m.size(), '\0');
-  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(&bytes[0]), m.size());
-  m.write(stream);
-  if (!areMessage(bytes, static_cast<const Message*>(nullptr))) {
-    throw InputError(file_, m.getTopic(), "", "has a message that is cut off");
-  }
-  return m.instantiate<Message>();
 }
 
 std::vector<palpate::RunRecord> BagInputs::runRecords() const {
@@ -137,7 +81,7 @@ std::vector<palpate::RunRecord> BagInputs::runRecords() const {
       return connection->md5sum == Traits::value();
     });
     for (const rosbag::MessageInstance& m : view) {
-      records.push_back(*decoded<palpate::RunRecord>(m));
+      records.push_back(*decodedMessage<palpate::RunRecord>(m, file_));
     }
   } catch (const rosbag::BagException& e) {
     throw InputError(file_, "", "", "cannot be read to its end: " + cleared(e.what()));
@@ -146,7 +90,7 @@ std::vector<palpate::RunRecord> BagInputs::runRecords() const {
 }
 
 void BagInputs::readJoints(const rosbag::MessageInstance& m, std::size_t i) {
-  const auto joints = decoded<sensor_msgs::JointState>(m);
+  const auto joints = decodedMessage<sensor_msgs::JointState>(m, file_);
   Eigen::VectorXd q = cycle_.joints[i];
   const std::string problem = sources_[i].reader->read(*joints, &q);
   const ros::Time stamp = joints->header.stamp.isZero() ? m.getTime() : joints->header.stamp;
@@ -173,7 +117,7 @@ void BagInputs::setTransforms(const rosbag::MessageInstance& m, const tf2_msgs::
 }
 
 void BagInputs::readTf(const rosbag::MessageInstance& m) {
-  const auto tf = decoded<tf2_msgs::TFMessage>(m);
+  const auto tf = decodedMessage<tf2_msgs::TFMessage>(m, file_);
   ros::Time newest = ros::TIME_MIN;
   for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
     newest = std::max(newest, transform.header.stamp);

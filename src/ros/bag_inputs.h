@@ -71,11 +71,8 @@ class BagInputs {
     ros::Time stamp;
   };
 
-  void checkTopics();
   void readJoints(const rosbag::MessageInstance& message, std::size_t i);
   void readTf(const rosbag::MessageInstance& message);
-  template <class Message>
-  boost::shared_ptr<Message> decoded(const rosbag::MessageInstance& m) const;
   void setTransforms(const rosbag::MessageInstance& m, const tf2_msgs::TFMessage& tf);
   void take(std::size_t i, const ros::Time& stamp, const sim::LinkPoses& poses);
   void flush();

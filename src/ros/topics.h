@@ -40,6 +40,11 @@ inline std::string instrumentTopic(const std::string& instrument, const char* na
   return instrument + "/" + name;
 }
 
+/// A topic's name with a "/" before it, which names in bags and scenes have or not.
+inline std::string absoluteTopic(const std::string& topic) {
+  return topic.empty() || topic.front() != '/' ? "/" + topic : topic;
+}
+
 /// Where the joint positions of an instrument come from.
 inline std::string jointTopic(const scene::InstrumentConfig& instrument) {
   return instrument.joint_topic.empty() ? instrumentTopic(instrument.name, kMeasuredJoints)

@@ -26,6 +26,8 @@ STARTS = {  # arguments with which each program would work, if there were a mast
     "palpate_node": ["_scene:=liver_palpation"],
     "palpate_guard": ["_input:=/a", "_output:=/b"],
     "palpate_device": ["_after:="],
+    "palpate_play": ["_scene:=slab_probe"],
+    "palpate_record": ["_scene:=slab_probe", "_bag:=/nowhere/a.bag"],
     "palpate_wire": ["_seconds:=1"],
     "palpate_when_ready": ["/a", "true"],
 }
