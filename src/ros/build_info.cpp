@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "build_info.h"
 
-#include "palpate_commit.h"  // written when building
+#include <palpate_commit.h>  // written when building
 
 namespace palpate::node {
 
