@@ -14,11 +14,6 @@
 #include "urdf_outline.h"
 
 namespace palpate::instrument {
-namespace {
-
-constexpr std::size_t kMaxBytes = 4u << 20;  // of a URDF
-
-}  // namespace
 
 struct Instrument::Impl {
   std::string name;
@@ -66,7 +61,7 @@ void Instrument::linkPoses(const Eigen::VectorXd& q, std::vector<Pose>* X_BL) co
 }
 
 Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions& options) {
-  const std::string text = readTextFile(urdf_file, kMaxBytes);
+  const std::string text = readTextFile(urdf_file, kMaxUrdfBytes);
   UrdfOutline outline = readOutline(urdf_file, text);
   checkTopology(&outline);
   if (!outline.problems.empty()) throw InputError(urdf_file, outline.problems);

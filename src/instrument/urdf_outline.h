@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct UrdfOutline {
   std::vector<JointOutline> joints;
   std::vector<Problem> problems;
 };
+
+/// Of a file.
+constexpr std::size_t kMaxUrdfBytes = 4u << 20;
 
 /// More problems than anybody reads; others are not looked for.
 constexpr std::size_t kMaxProblems = 50;
