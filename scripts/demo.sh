@@ -71,7 +71,7 @@ fi
 sets=(build demo)
 if $rviz; then sets+=(rviz); fi
 if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh "${sets[@]}"; fi
-scripts/build.sh palpate_node palpate_device palpate_when_ready # scripts/build.sh alone builds all programs
+scripts/build.sh palpate_node palpate_device palpate_when_ready palpate_rviz # scripts/build.sh alone builds all programs
 unset ROS_MASTER_URI # a graph of our own
 # shellcheck disable=SC1091
 . scripts/env.sh

@@ -21,17 +21,19 @@ build=(
   liburdf-dev liburdfdom-dev liborocos-kdl-dev libkdl-parser-dev
   libyaml-cpp-dev libtinyxml2-dev zlib1g-dev libssl-dev libcli11-dev)
 
-# What the tests need besides: gtest, rostest, and the nodes that the launch files start.
+# What the tests need besides: gtest, rostest, the nodes that the launch files start, and rviz with what
+# draws it, whose displays a test asks (the last line, 80 MB of packages).
 test=(
   libgtest-dev libbenchmark-dev librostest-dev python3-rostest python3-roslaunch rosout
-  ros-robot-state-publisher python3-rosbag python3-rostopic python3-rosservice python3-rosnode rosbash
+  python3-rosbag python3-rostopic python3-rosservice python3-rosnode rosbash
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
   python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs python3-numpy
-  calculix-ccx python3-scipy python3-meshio python3-matplotlib python3-yaml)
+  calculix-ccx python3-scipy python3-meshio python3-matplotlib python3-yaml
+  rviz python3-rviz python3-pyqt5 xvfb libgl1-mesa-dri)
 
 # A running graph without a screen, the recorded bag and its analysis.
 demo=(
-  python3-roslaunch rosout ros-robot-state-publisher python3-rosbag python3-rostopic
+  python3-roslaunch rosout python3-rosbag python3-rostopic
   python3-rosnode python3-rosservice python3-rosparam python3-rosmsg rosbash rospack-tools
   python3-std-msgs python3-std-srvs python3-geometry-msgs python3-sensor-msgs
   python3-visualization-msgs python3-diagnostic-msgs python3-tf2-msgs
@@ -47,7 +49,7 @@ rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 
 # scripts/memory.sh.
-memory=(valgrind python3-roslaunch python3-rosservice rosout ros-robot-state-publisher)
+memory=(valgrind python3-roslaunch python3-rosservice rosout)
 
 # scripts/coverage.sh.
 coverage=(gcovr)

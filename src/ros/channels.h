@@ -29,6 +29,12 @@ struct HandPose {
   Mat3 R_WC = Mat3::Identity();
 };
 
+/// Where the links of an instrument with joint input are commanded to, as last heard.
+struct ToolLinks {
+  ros::Time stamp;  ///< Of the input.
+  sim::LinkPoses poses;
+};
+
 /// What the force loop gets of one instrument. Plain numbers: copied in real time.
 struct HapticTarget {
   bool valid = false;  ///< False: there was no cycle yet.
@@ -85,9 +91,10 @@ std::string slowAdvice(const Statistics& statistics);
 /// From the inputs and the simulation thread to the others, newest value only.
 struct Channels {
   explicit Channels(std::size_t num_instruments)
-      : hands(num_instruments), haptic(num_instruments) {}
+      : hands(num_instruments), links(num_instruments), haptic(num_instruments) {}
 
   std::deque<LatestValue<HandPose>> hands;       ///< One an instrument; from its input's thread.
+  std::deque<LatestValue<ToolLinks>> links;      ///< Likewise; read by the publishing thread.
   std::deque<LatestValue<HapticTarget>> haptic;  ///< One an instrument; read by the force loop.
   LatestValue<ReportFrame> report;               ///< These three: read by the publishing thread.
   LatestValue<Picture> picture;

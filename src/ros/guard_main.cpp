@@ -6,17 +6,24 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "conversions.h"
 #include "ending.h"
 #include "master_watch.h"
 #include "one_publisher.h"
+#include "palpate/base/error.h"
 #include "palpate/haptics/silence_guard.h"
+#include "palpate/scene/scene.h"
 #include "param_fields.h"
+#include "params.h"
 #include "program.h"
+#include "shipped.h"
 #include "throttle.h"
+#include "topics.h"
 
 namespace palpate::node {
 namespace {
@@ -25,7 +32,7 @@ constexpr double kTick = 0.002;  // [s]
 constexpr double kToEnd = 1.0;   // [s] from the last zero on
 
 struct GuardParams {
-  std::string input, output;
+  std::string scene, instrument, input, output;
   double patience = 0.05;  // [s]
   haptics::WrenchFilterSettings limits;
 
@@ -33,8 +40,11 @@ struct GuardParams {
 };
 
 void describe(keys::FieldVisitor& v, GuardParams& p) {
-  v.text({"input", "", "Topic of the node's wrench."}, p.input);
-  v.rule(!p.input.empty(), "input", "must be a topic");
+  v.text({"input", "", "Topic of the node's wrench; or give scene."}, p.input);
+  v.text({"scene", "", "The node's scene, in place of the topic."}, p.scene);
+  v.text({"instrument", "", "Of the scene, whose wrench it is."}, p.instrument);
+  v.rule(p.input.empty() != p.scene.empty(), "input",
+         "must be a topic, or scene must be given, not both");
   v.text({"output", "", "Topic of the device's wrench."}, p.output);
   v.rule(!p.output.empty(), "output", "must be a topic");
   v.number({"patience", "s", "So long a silence is none yet."}, p.patience,
@@ -48,12 +58,31 @@ void describe(keys::FieldVisitor& v, GuardParams& p) {
            p.limits.max_force_rate, keys::Range::above(0.0, 1.0e6));
 }
 
+/// The topic of the wrench of the scene's instrument that is meant.
+std::string inputOf(const GuardParams& p) {
+  const scene::Scene scene = scene::readScene(start::sceneFile(p.scene));
+  std::vector<std::string> names;
+  for (const scene::InstrumentConfig& instrument : scene.instruments) {
+    names.push_back(instrument.name);
+  }
+  const std::string of = "; those of " + scene.file + " are " + joinNames(names);
+  if (p.instrument.empty()) {
+    if (names.size() == 1) return instrumentTopic(names.front(), kBodyWrench);
+    throw InputError("~instrument", "", "", "must name an instrument" + of);
+  }
+  if (std::find(names.begin(), names.end(), p.instrument) == names.end()) {
+    throw InputError("~instrument", "", p.instrument, "must be an instrument of the scene" + of);
+  }
+  return instrumentTopic(p.instrument, kBodyWrench);
+}
+
 GuardParams readGuardParams(const ros::NodeHandle& handle) {
   GuardParams p;
   ParamFields fields(handle);
   fields.applyHere(p);
   fields.refuseOthers();
   fields.check();
+  if (p.input.empty()) p.input = inputOf(p);
   p.limits.max_torque_rate = p.limits.max_force_rate * p.limits.max_torque / p.limits.max_force;
   return p;
 }
@@ -67,7 +96,8 @@ About about() {
       "heard last.";
   GuardParams defaults;
   about.params.applyHere(defaults);
-  about.hears = {{"~input", "geometry_msgs/WrenchStamped", "the node's wrench, of one publisher"}};
+  about.hears = {{"~input", "geometry_msgs/WrenchStamped",
+                  "the node's wrench, of one publisher; or as ~scene says"}};
   about.says = {{"~output", "geometry_msgs/WrenchStamped", "the wrench for the device"}};
   return about;
 }

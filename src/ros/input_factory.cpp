@@ -8,6 +8,7 @@
 #include "conversions.h"
 #include "joint_input.h"
 #include "tf_input.h"
+#include "tool_frames.h"
 #include "topics.h"
 
 namespace palpate::node {
@@ -47,13 +48,13 @@ Inputs InputFactory::make(ros::NodeHandle handle, const sim::Simulator& simulato
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
-    LatestValue<HandPose>* const hand = &channels->hands[static_cast<std::size_t>(i)];
     if (config.input == "tf") {
+      LatestValue<HandPose>* const hand = &channels->hands[static_cast<std::size_t>(i)];
       if (!tf_) tf_ = std::make_unique<Tf>(handle, simulator);
       inputs.push_back(std::make_unique<TfInput>(tf_->buffer, &tf_->listener, simulator, i, hand));
     } else {
       inputs.push_back(std::make_unique<JointInput>(handle, jointTopic(config), config.name,
-                                                    simulator, i, hand, &channels->arrivals));
+                                                    simulator, i, channels));
     }
   }
   return inputs;
@@ -64,7 +65,7 @@ void broadcastBases(const sim::Simulator& simulator) {
   for (int i = 0; i < simulator.numInstruments(); ++i) {
     const scene::InstrumentConfig& config =
         simulator.scene().instruments[static_cast<std::size_t>(i)];
-    const std::string root = config.tf_prefix + simulator.instrument(i).linkNames().front();
+    const std::string root = rootFrame(simulator, i);
     if (config.input != "joints" || root == kWorldFrame) continue;
     bases.push_back(toMsg(config.base.pose(), kWorldFrame, root, ros::Time::now()));
   }

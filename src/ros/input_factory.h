@@ -22,7 +22,7 @@ class InputFactory {
 };
 
 /// Says on tf_static where the root links of the instruments with joint input stand, once for
-/// all. The scene knows it; robot_state_publisher does the links.
+/// all.
 void broadcastBases(const sim::Simulator& simulator);
 
 }  // namespace palpate::node

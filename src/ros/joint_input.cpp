@@ -6,14 +6,14 @@
 namespace palpate::node {
 
 JointInput::JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
-                       const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand,
-                       Arrivals* arrivals)
+                       const sim::Simulator& simulator, int index, Channels* channels)
     : name_(name),
       simulator_(simulator),
       index_(index),
       reader_(simulator.instrument(index)),
-      hand_(*hand),
-      arrivals_(*arrivals),
+      hand_(channels->hands[static_cast<std::size_t>(index)]),
+      links_(channels->links[static_cast<std::size_t>(index)]),
+      arrivals_(channels->arrivals),
       latest_(Joints{Eigen::VectorXd::Zero(reader_.numJoints()), ros::Time(), Steady::now()}),
       publisher_(simulator.scene().rates.stale_after) {
   scratch_.q = Eigen::VectorXd::Zero(reader_.numJoints());
@@ -37,7 +37,9 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
   scratch_.stamp = message->header.stamp.isZero() ? ros::Time::now() : message->header.stamp;
   scratch_.received = Steady::now();
   latest_.write(scratch_);
-  const Pose& X_WC = poses_[simulator_.controlLink(index_)];
+  where_.stamp = scratch_.stamp;
+  links_.write(where_);
+  const Pose& X_WC = where_.poses[static_cast<std::size_t>(simulator_.controlLink(index_))];
   hand_.write({true, scratch_.stamp, X_WC.translation(), X_WC.linear()});
   arrivals_.tell();
 }
@@ -45,8 +47,8 @@ void JointInput::receive(const ros::MessageEvent<const sensor_msgs::JointState>&
 std::string JointInput::read(const sensor_msgs::JointState& message) {
   const std::string problem = reader_.read(message, &scratch_.q);
   if (!problem.empty()) return problem;
-  poses_ = simulator_.linkPoses(index_, scratch_.q);
-  return sim::inReach(poses_) ? "" : kOutOfReach;
+  where_.poses = simulator_.linkPoses(index_, scratch_.q);
+  return sim::inReach(where_.poses) ? "" : kOutOfReach;
 }
 
 bool JointInput::poll(InputSample* sample) {

@@ -22,10 +22,9 @@ class JointInput : public Input {
  public:
   /// Subscribes in `handle`'s callback queue, which one thread must serve. `simulator` outlives
   /// this; its forward kinematics is used.
-  /// Where the hand is goes to `hand` at once.
+  /// Where the hand and the links are goes to `channels` at once.
   JointInput(ros::NodeHandle handle, const std::string& topic, const std::string& name,
-             const sim::Simulator& simulator, int index, LatestValue<HandPose>* hand,
-             Arrivals* arrivals);
+             const sim::Simulator& simulator, int index, Channels* channels);
 
   bool poll(InputSample* sample) override;
   void forget() override;
@@ -48,9 +47,10 @@ class JointInput : public Input {
   int index_;
   JointStateReader reader_;
   LatestValue<HandPose>& hand_;
+  LatestValue<ToolLinks>& links_;
   Arrivals& arrivals_;
   Joints scratch_;  // the callback's, as the next
-  sim::LinkPoses poses_;
+  ToolLinks where_;
   LatestValue<Joints> latest_;
   Throttle warning_{5.0};
   mutable std::mutex problem_mutex_;  // of these two

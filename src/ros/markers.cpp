@@ -9,11 +9,12 @@ namespace palpate::node {
 
 using visualization_msgs::Marker;
 
-SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale)
+SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale, double longest)
     : num_organs_(static_cast<std::size_t>(simulator.numOrgans())),
       num_contacts_(num_organs_ + (simulator.numAnatomy() > 0 ? 1 : 0)),
       num_instruments_(static_cast<std::size_t>(simulator.numInstruments())),
       arrow_scale_(arrow_scale),
+      longest_(longest),
       shortest_(1e-3 * markerScale(simulator)) {
   const double scale = markerScale(simulator);
   for (std::size_t i = 0; i < num_organs_; ++i) {
@@ -43,6 +44,7 @@ const visualization_msgs::MarkerArray& SceneMarkers::update(const Picture& pictu
   for (Marker& m : message_.markers) m.header.stamp = picture.stamp;
   for (std::size_t i = 0; i < num_organs_; ++i) updateOrgan(picture.organs[i], i);
   updateContacts(picture);
+  fitArrows(picture);
   for (std::size_t i = 0; i < num_instruments_; ++i) updateArrow(picture, i);
   return message_;
 }
@@ -72,6 +74,13 @@ void SceneMarkers::updateContacts(const Picture& picture) {
   for (std::size_t i = 0; i < num_contacts_; ++i) {
     Marker& m = message_.markers[first + i];
     m.action = m.points.empty() ? Marker::DELETE : Marker::ADD;
+  }
+}
+
+void SceneMarkers::fitArrows(const Picture& picture) {
+  for (const Wrench& wrench : picture.spatial) {
+    if (!wrench.allFinite()) continue;
+    while (arrow_scale_ * wrench.force.norm() > longest_) arrow_scale_ *= 0.5;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,18 +23,20 @@ namespace palpate::node {
 /// Keeps the message between calls, so that nothing is allocated twice.
 class SceneMarkers {
  public:
-  /// `arrow_scale` [m/N].
-  SceneMarkers(const sim::Simulator& simulator, double arrow_scale);
+  /// `arrow_scale` [m/N] is halved, for good, where an arrow would be longer than `longest` [m].
+  SceneMarkers(const sim::Simulator& simulator, double arrow_scale,
+               double longest = std::numeric_limits<double>::infinity());
 
   const visualization_msgs::MarkerArray& update(const Picture& picture);
 
  private:
   void updateOrgan(const SurfacePicture& picture, std::size_t organ);
   void updateContacts(const Picture& picture);
+  void fitArrows(const Picture& picture);
   void updateArrow(const Picture& picture, std::size_t instrument);
 
   std::size_t num_organs_, num_contacts_, num_instruments_;
-  double arrow_scale_;
+  double arrow_scale_, longest_;
   double shortest_;                          // arrow that is shown [m]
   visualization_msgs::MarkerArray message_;  // organs, contacts, arrows
 };

@@ -40,6 +40,10 @@ About aboutNode() {
       {kOrgansTopic, kPictures, "organs, contacts and wrenches"},
       {kCutawayTopic, kPictures, "organs cut open"},
       {kAnatomyTopic, kPictures, "bone and the like, once, latched"},
+      {kStateTopic, "visualization_msgs/Marker", "why there is no force, latched"},
+      {kRvizTopic, "std_msgs/String", "a configuration of rviz for the scene, once, latched"},
+      {"/tf, /tf_static", "tf2_msgs/TFMessage",
+       "frames of the links, of a scene with input: joints"},
       {kStepReportTopic, "palpate/StepReport", "what each cycle did"},
       {kRunRecordTopic, "palpate/RunRecord", "what is simulated, once, latched"},
       {"/diagnostics", "diagnostic_msgs/DiagnosticArray", "states and rates, 1 Hz"}};

@@ -31,6 +31,7 @@
 #include "shipped.h"
 #include "simulation_loop.h"
 #include "state_folder.h"
+#include "tool_frames.h"
 #include "topics.h"
 
 namespace palpate::node {
@@ -110,6 +111,11 @@ int run(bool sends_realtime) {
   scene::Scene scene = readScene(start::sceneFile(params.scene), set);
   const palpate::RunRecord record = recordOf(scene, params.initial_state, ros::Time::now());
   scene::driveByHands(&scene);
+  for (const std::string& name : separateFrames(&scene)) {
+    ROS_WARN(
+        "instrument %s has a frame in tf that another instrument has, too: give one a tf_prefix",
+        name.c_str());
+  }
   std::vector<std::string> names;
   for (const scene::InstrumentConfig& instrument : scene.instruments) {
     names.push_back(instrument.name);
@@ -134,8 +140,9 @@ int run(bool sends_realtime) {
   LiveCycle cycle(simulator.get(), &inputs, &channels);
   SimulationLoop simulation(&cycle, scene.rates.simulation, &channels.arrivals);
   diagnostics.running(&inputs, &haptic, names);
-  PublishingLoop publishing(handle, *simulator, params.arrow_scale, params.cutaway, &channels,
-                            &diagnostics);
+  std::vector<std::string> sources;
+  for (const auto& input : inputs) sources.push_back(input->source());
+  PublishingLoop publishing(handle, *simulator, params, sources, &channels, &diagnostics);
 
   // Requests wait for the simulation; joint positions must not wait for requests.
   ros::CallbackQueue requests;

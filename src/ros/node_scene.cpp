@@ -29,7 +29,7 @@ std::string nodeSceneFile(const NodeSceneParams& params) {
 }
 
 scene::Scene readNodeScene(const NodeSceneParams& params) {
-  return readScene(nodeSceneFile(params), ros::NodeHandle(nodeName(params)));
+  return readScene(nodeSceneFile(params), ParamTree(ros::NodeHandle(nodeName(params))));
 }
 
 }  // namespace palpate::node

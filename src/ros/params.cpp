@@ -26,8 +26,11 @@ void describe(keys::FieldVisitor& v, NodeParams& p) {
   path(kInitialStateParam, "A file of ~save_state to start from.", p.initial_state);
   path(kStateDirectoryParam, "Where ~save_state writes.", p.state_directory);
   v.flag({kSaveAtEndParam, "", "The state at the end is written there, too."}, p.save_state_at_end);
-  v.number({kArrowScaleParam, "m/N", "Length of the wrench arrow."}, p.arrow_scale,
-           keys::Range::above(0.0));
+  v.number({kArrowScaleParam, "m/N", "Length of the wrench arrow; 0: fits the scene."},
+           p.arrow_scale, keys::Range::closed(0.0));
+  v.flag(
+      {kPublishLinksParam, "", "Instruments' links are published in tf, and their descriptions."},
+      p.publish_links);
   v.rule(!p.scene.empty(), kSceneParam,
          "must be a scene file or the name of a shipped scene (liver_palpation)");
   v.rule(!p.state_directory.empty(), kStateDirectoryParam, "must be a folder");

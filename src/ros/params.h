@@ -14,8 +14,10 @@ inline constexpr char kInitialStateParam[] = "initial_state";
 inline constexpr char kStateDirectoryParam[] = "state_directory";
 inline constexpr char kSaveAtEndParam[] = "save_state_at_end";
 inline constexpr char kArrowScaleParam[] = "arrow_scale";
-inline constexpr const char* kNodeParams[] = {kSceneParam, kInitialStateParam, kStateDirectoryParam,
-                                              kSaveAtEndParam, kArrowScaleParam};
+inline constexpr char kPublishLinksParam[] = "publish_links";
+inline constexpr const char* kNodeParams[] = {kSceneParam,          kInitialStateParam,
+                                              kStateDirectoryParam, kSaveAtEndParam,
+                                              kArrowScaleParam,     kPublishLinksParam};
 
 /// What libraries read below the node's name: diagnostic_updater.
 inline constexpr const char* kLibraryParams[] = {"diagnostic_period", "diagnostic_updater_use_fqn"};
@@ -34,7 +36,8 @@ struct NodeParams {
       rosHome() + "/palpate";     ///< ~state_directory: where ~save_state writes.
   bool save_state_at_end = true;  ///< ~save_state_at_end: there, too, over that of the last time.
   std::string initial_state;  ///< ~initial_state: a file of ~save_state to start from; "": rest.
-  double arrow_scale = 0.04;  ///< ~arrow_scale: length of the wrench arrow [m/N].
+  double arrow_scale = 0.0;   ///< ~arrow_scale: length of the wrench arrow [m/N]; 0: View's.
+  bool publish_links = true;  ///< ~publish_links: tf and robot descriptions of the instruments.
   CutawayConfig cutaway;      ///< ~cutaway/...
 };
 

@@ -5,22 +5,32 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "channels.h"
 #include "cutaway_markers.h"
 #include "diagnostics.h"
+#include "link_broadcaster.h"
 #include "markers.h"
+#include "params.h"
+#include "state_text.h"
 #include "throttle.h"
+#include "view.h"
 
 namespace palpate::node {
 
-/// Publishes the anatomy once. The publishing thread: step reports as they come, markers while
-/// somebody subscribes, diagnostics once a second.
+/// Publishes once, for whoever subscribes later, the anatomy and how rviz shows the scene. The
+/// publishing thread: step reports as they come, markers while somebody subscribes, the
+/// instruments' links, the state as text where it changes, diagnostics once a second.
 class PublishingLoop {
  public:
-  PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator, double arrow_scale,
-                 const CutawayConfig& cutaway, Channels* channels, Diagnostics* diagnostics);
+  /// `sources`: of each instrument, see Input::source().
+  PublishingLoop(ros::NodeHandle handle, const sim::Simulator& simulator, const NodeParams& params,
+                 const std::vector<std::string>& sources, Channels* channels,
+                 Diagnostics* diagnostics);
   ~PublishingLoop();
 
   void start();
@@ -33,11 +43,14 @@ class PublishingLoop {
 
   Channels& channels_;
   Diagnostics& diagnostics_;
+  View view_;
   bool always_;  // make pictures that nobody sees, too
   SceneMarkers markers_;
   CutawayMarkers cut_;
   Throttle cut_due_;
-  ros::Publisher organs_, cutaway_, anatomy_, report_;
+  StateText state_;
+  std::optional<LinkBroadcaster> links_;
+  ros::Publisher organs_, cutaway_, anatomy_, state_text_, rviz_config_, report_;
   std::mutex mutex_;  // for waiting only; nobody else takes it
   std::atomic<bool> stopping_{false};
   std::thread thread_;

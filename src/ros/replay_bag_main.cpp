@@ -20,6 +20,7 @@
 #include "run_record.h"
 #include "shipped.h"
 #include "throttle.h"
+#include "tool_frames.h"
 
 namespace palpate::node {
 namespace {
@@ -59,6 +60,7 @@ void replay(const Options& options) {
   scene::Scene scene = scene::readScene(start::sceneFile(options.scene));
   palpate::RunRecord record = recordOf(scene, "", ros::Time());
   if (options.live) scene::driveByHands(&scene);
+  separateFrames(&scene);
   std::unique_ptr<sim::Simulator> simulator;
   {
     start::ProgressLine line;

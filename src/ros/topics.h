@@ -14,6 +14,8 @@ inline constexpr char kWorldFrame[] = "world";
 inline constexpr char kOrgansTopic[] = "organs";           ///< visualization_msgs/MarkerArray
 inline constexpr char kAnatomyTopic[] = "anatomy";         ///< visualization_msgs/MarkerArray
 inline constexpr char kCutawayTopic[] = "cutaway";         ///< visualization_msgs/MarkerArray
+inline constexpr char kStateTopic[] = "state_text";        ///< visualization_msgs/Marker
+inline constexpr char kRvizTopic[] = "rviz_config";        ///< std_msgs/String
 inline constexpr char kStepReportTopic[] = "step_report";  ///< palpate/StepReport
 inline constexpr char kRunRecordTopic[] = "run_record";    ///< palpate/RunRecord
 inline constexpr char kMeasuredJoints[] = "measured_js";   ///< sensor_msgs/JointState, default
@@ -32,8 +34,11 @@ inline constexpr char kWrenchMarkers[] = "wrench";
 // In kCutawayTopic.
 inline constexpr char kCutMarkers[] = "cut";
 inline constexpr char kNodeMarkers[] = "nodes";
-// And in kAnatomyTopic.
+// And in kAnatomyTopic and kStateTopic.
 inline constexpr char kAnatomyMarkers[] = "anatomy";
+inline constexpr char kStateMarkers[] = "state";
+
+inline constexpr char kRobotDescription[] = "robot_description";  ///< Parameter of an instrument.
 
 /// "<instrument>/<name>".
 inline std::string instrumentTopic(const std::string& instrument, const char* name) {

@@ -174,7 +174,9 @@ void describe(keys::FieldVisitor& v, InstrumentConfig& instrument) {
           "Topic of sensor_msgs/JointState; by default the instrument's name and "
           "`/measured_js`."},
          instrument.joint_topic);
-  v.text({"tf_prefix", "", "Put before the links' names where they are looked up in tf."},
+  v.text({"tf_prefix", "",
+          "Put before the links' names in tf. An instrument with joint input that has a frame in "
+          "common with another one gets its name and `/` before this."},
          instrument.tf_prefix);
   v.text({"control_frame", "", "Link at whose origin the wrench is given.", keys::Need::kRequired},
          instrument.control_frame);

@@ -79,6 +79,21 @@ TEST_F(Markers, AreThinOnSmallOrgans) {
   EXPECT_NEAR(message.markers[2].scale.z, 0.12 * 0.012, 1e-12);
 }
 
+// Three times as long as they may be: the scale is halved twice, and stays so.
+TEST_F(Markers, HalveTheScaleOfArrowsThatAreTooLong) {
+  SceneMarkers fitting(simulator, 0.02, 0.04);
+  const auto length = [&](double newton) {
+    Picture taken = picture();
+    taken.spatial = {{Vec3(0.0, 0.0, newton), Vec3::Zero()}};
+    taken.X_WC = {Pose::Identity()};
+    const visualization_msgs::Marker& arrow = fitting.update(taken).markers.back();
+    return arrow.points[1].z - arrow.points[0].z;
+  };
+  EXPECT_DOUBLE_EQ(length(2.0), 0.04);
+  EXPECT_DOUBLE_EQ(length(6.0), 0.03);
+  EXPECT_DOUBLE_EQ(length(2.0), 0.01);
+}
+
 TEST(AnatomyMarkers, AreItsSurfaceInTheWorld) {
   const test::AnatomyScene files;
   const sim::Simulator simulator(

@@ -31,7 +31,7 @@ STARTS = {  # arguments with which each program would work, if there were a mast
     "palpate_wire": ["_seconds:=1"],
     "palpate_when_ready": ["/a", "true"],
 }
-PROGRAMS = [*STARTS, "palpate_replay_bag"]
+PROGRAMS = [*STARTS, "palpate_replay_bag", "palpate_rviz"]
 
 
 def free_port():
@@ -135,7 +135,7 @@ class NoMaster(unittest.TestCase):
 
     def test_help_has_parameters_with_defaults(self):
         for program, expected in {
-                "palpate_node": [r"~scene +required +\w", r"~arrow_scale +0\.04 +\w.*\[m/N\] \(> 0\)",
+                "palpate_node": [r"~scene +required +\w", r"~arrow_scale +0 +\w.*\[m/N\] \(>= 0\)",
                                  r"~cutaway/corner +\[1, -1, 0\] +\w", r"~save_state_at_end +true +\w"],
                 "palpate_guard": [r"~input +required +\w", r"~patience +0\.05 +\w.*\[s\]", r"~ramp +0\.02 +\w",
                                   r"~max_force_rate +\d+ +\w.*\[N/s\]"],

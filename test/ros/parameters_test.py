@@ -91,7 +91,8 @@ class Parameters(unittest.TestCase):
             "scene": [5, 2.5, True, [scene], {"a": scene}, "", text],
             "initial_state": [5, [1, 2], text],
             "state_directory": [5, True, {"a": 1}, "", numbers],
-            "arrow_scale": ["big", nan, inf, -1.0, 0, [1.0], numbers, text],
+            "arrow_scale": ["big", nan, inf, -1.0, [1.0], numbers, text],
+            "publish_links": ["yes", 1, nan, text],
             "cutaway/corner": ["all", numbers, [nan, 0, 1], [1, "a", 0], {"x": 1}],
         }
         of_scene = {

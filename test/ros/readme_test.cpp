@@ -83,6 +83,8 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
       {code(kOrgansTopic), typeOf<visualization_msgs::MarkerArray>()},
       {code(kStepReportTopic), typeOf<palpate::StepReport>()},
       {code(kRunRecordTopic), typeOf<palpate::RunRecord>()},
+      {code(kStateTopic), typeOf<visualization_msgs::Marker>()},
+      {code(kRvizTopic), typeOf<std_msgs::String>()},
       {"`/diagnostics`", typeOf<diagnostic_msgs::DiagnosticArray>()},
       {code(std::string("~") + kResetService), trigger},
       {code(std::string("~") + kSaveStateService), trigger}};

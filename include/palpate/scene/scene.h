@@ -97,7 +97,7 @@ struct InstrumentConfig {
   PoseConfig base;               ///< The URDF's root link in world (used with joint input).
   std::string input = "joints";  ///< joints | tf
   std::string joint_topic;       ///< Empty: <name>/measured_js.
-  std::string tf_prefix;         ///< Put before link names when looking up tf frames.
+  std::string tf_prefix;         ///< Put before link names in tf.
   std::string control_frame;     ///< Link where the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
   MeshShapeConfig collision_meshes;
