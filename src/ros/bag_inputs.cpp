@@ -84,7 +84,7 @@ std::vector<palpate::RunRecord> BagInputs::runRecords() const {
       records.push_back(*decodedMessage<palpate::RunRecord>(m, file_));
     }
   } catch (const rosbag::BagException& e) {
-    throw InputError(file_, "", "", "cannot be read to its end: " + cleared(e.what()));
+    throw InputError(file_, "", "", "cannot be read to its end: " + bagProblem(e));
   }
   return records;
 }

@@ -4,6 +4,7 @@
 #include <ros/names.h>
 
 #include "palpate/base/error.h"
+#include "param_tree.h"
 #include "params.h"
 #include "shipped.h"
 
