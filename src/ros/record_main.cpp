@@ -45,7 +45,7 @@ About about() {
 }
 
 std::set<std::string> topicsOf(const scene::Scene& scene) {
-  std::set<std::string> topics = {kStepReportTopic, "/diagnostics"};
+  std::set<std::string> topics = {kStepReportTopic, kRunRecordTopic, "/diagnostics"};
   for (const scene::InstrumentConfig& instrument : scene.instruments) {
     for (const char* name : {kSpatialWrench, kBodyWrench, kContactModel}) {
       topics.insert(instrumentTopic(instrument.name, name));

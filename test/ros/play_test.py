@@ -125,7 +125,7 @@ class Play(unittest.TestCase):
             self.expect_played(sent, rows, lambda m, n=name: {n + "/" + j: x for j, x in zip(m.name, m.position)}, 0.8)
             felt = messages(session, "/%s/spatial/measured_cf" % name)
             self.assertGreater(max(force(m) for m in felt), 0.02)
-        self.assertLessEqual({"/left/body/measured_cf", "/right/contact_model", "/step_report", "/diagnostics"},
+        self.assertLessEqual({"/left/body/measured_cf", "/right/contact_model", "/step_report", "/run_record"},
                              topics(session))
         self.assertFalse({"/organs", "/tf", "/tf_static"} & topics(session))
 
