@@ -86,7 +86,8 @@ for scene in "${scenes[@]}"; do
   if [ -s "$out/$scene.png" ]; then pictures+=(-label "$scene" "$out/$scene.png"); fi
 done
 if [ ${#pictures[@]} -gt 0 ]; then
-  montage -background '#20242c' -fill white -pointsize 20 "${pictures[@]}" -geometry 360x225+4+4 -tile 4x \
+  # ImageMagick's own font need not be there.
+  montage -font "$(fc-match --format '%{file}' sans)" -background '#20242c' -fill white -pointsize 20 "${pictures[@]}" -geometry 360x225+4+4 -tile 4x \
     -colors 128 "PNG8:$out/sheet.png"
   echo "$out/sheet.png"
 fi

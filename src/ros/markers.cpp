@@ -32,7 +32,7 @@ SceneMarkers::SceneMarkers(const sim::Simulator& simulator, double arrow_scale, 
   for (std::size_t i = 0; i < num_instruments_; ++i) {
     Marker m = marker(kWrenchMarkers, i, Marker::ARROW);
     m.scale.x = 0.004 * scale;  // shaft
-    m.scale.y = 0.009 * scale;  // head
+    m.scale.y = 0.014 * scale;  // head, wider than the shafts of tools
     m.scale.z = 0.012 * scale;  // length of the head
     m.color = colour(0.15F, 0.85F, 0.45F);
     m.points.resize(2);

@@ -14,8 +14,8 @@ namespace palpate::node {
 
 namespace {
 
-// Longer arrows than the organs are hide what they show.
-constexpr double kLongestArrow = 1.0;  // of the organs' size
+// Longer arrows leave the picture.
+constexpr double kLongestArrow = 0.6;  // of the organs' size
 
 SceneMarkers makeMarkers(const sim::Simulator& simulator, const View& view, double arrow_scale) {
   if (arrow_scale > 0.0) return {simulator, arrow_scale};

@@ -15,8 +15,9 @@ namespace palpate::node {
 namespace {
 
 constexpr double kAspect = 1.3;       // of a window with panels beside
+constexpr double kShownWay = 0.45;    // of the box, from its middle to the tools
 constexpr double kFilledShare = 0.8;  // of the window by the box
-constexpr double kArrowLength = 0.5;  // of the box, at the typical force
+constexpr double kArrowLength = 0.4;  // of the box, at the typical force
 
 struct SceneBox {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -40,10 +41,12 @@ SceneBox sceneBox(const sim::Simulator& simulator) {
   return box;
 }
 
-/// Where the control frames are with all joints at zero, from the middle of the box [m].
+/// Where the control frames are with all joints at zero, from the middle of the box; zero for tools
+/// that come by tf, of which nobody knows where they rest.
 Vec3 towardsTools(const sim::Simulator& simulator, const Vec3& middle) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < simulator.numInstruments(); ++i) {
+    if (simulator.scene().instruments[static_cast<std::size_t>(i)].input != "joints") continue;
     const auto joints = static_cast<Eigen::Index>(simulator.instrument(i).joints().size());
     const sim::LinkPoses poses = simulator.linkPoses(i, Eigen::VectorXd::Zero(joints));
     const Vec3 way =
@@ -130,10 +133,10 @@ View makeView(const sim::Simulator& simulator) {
   }
   box.min = view.box_min;
   box.max = view.box_max;
-  const Vec3 tools = towardsTools(simulator, box.middle());
+  Vec3 tools = towardsTools(simulator, box.middle());
+  if (!(tools.norm() > 0.0)) tools = Vec3::UnitZ();
   // A part of the way to the tools is seen, too.
-  const Vec3 shown =
-      box.middle() + 0.6 * view.size() * (tools.norm() > 0.0 ? tools.normalized() : Vec3::UnitZ());
+  const Vec3 shown = box.middle() + kShownWay * view.size() * tools.normalized();
   box.add(shown);
   view.focus = box.middle();
   // From the front, and the higher the more the tools come from above.

@@ -18,6 +18,7 @@
 #include "palpate/base/number.h"
 #include "params.h"
 #include "sensor_msgs/JointState.h"
+#include "std_msgs/String.h"
 #include "std_srvs/Trigger.h"
 #include "support/source_folder.h"
 #include "support/temp_folder.h"

@@ -39,7 +39,7 @@ TEST(View, HasTheWholeOrganInTheWindow) {
     scene.organs[0].scale = scale;
     const sim::Simulator simulator(scene);
     const View view = makeView(simulator);
-    EXPECT_NEAR(view.size(), 0.1 * scale, 1e-9);
+    EXPECT_NEAR(view.size(), 0.1 * scale, 0.01 * scale);  // it sags under its weight
     double most = 0.0;
     const Points& x = simulator.positions(0);
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
@@ -56,8 +56,10 @@ TEST(View, HasArrowsThatFitTheOrganAndItsStiffness) {
   const sim::Simulator soft(scene);
   scene.organs[0].material.constants["young_modulus"] = {6.0e4};
   const sim::Simulator stiff(scene);
-  EXPECT_NEAR(makeView(stiff).arrow_scale, 0.1 * makeView(soft).arrow_scale, 1e-9);
-  // Pressed by 10 mm, twice the ball's radius: some tenths of a newton.
+  // But for how far it sags.
+  EXPECT_NEAR(makeView(stiff).arrow_scale / makeView(soft).arrow_scale, 0.1, 0.01);
+  // Pressed by 10 mm, twice the ball's radius, which takes 2.8 times the force of one, and dragged,
+  // on edges of 17 mm, which make it larger: the guess may be an order of magnitude below.
   double peak = 0.0;
   sim::Simulator simulator(scene::readScene(slab.file()));
   for (const Eigen::VectorXd& q : test::SlabScene::press()) {
@@ -65,8 +67,8 @@ TEST(View, HasArrowsThatFitTheOrganAndItsStiffness) {
         peak,
         simulator.step({simulator.linkPoses(0, q)}, 0.01).instruments[0].spatial.force.norm());
   }
-  EXPECT_GT(typicalForce(soft), peak / 5.0);
-  EXPECT_LT(typicalForce(soft), peak * 5.0);
+  EXPECT_GT(typicalForce(soft), peak / 12.0);
+  EXPECT_LT(typicalForce(soft), peak);
 }
 
 TEST(View, KnowsANeedle) {
