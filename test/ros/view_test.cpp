@@ -97,8 +97,9 @@ TEST(RvizConfig, ShowsEachInstrumentAndTopicOfTheScene) {
       if (display[key])
         found.insert(display["Class"].as<std::string>() + " " + display[key].as<std::string>());
     }
-    if (display["Force Arrow Scale"])
+    if (display["Force Arrow Scale"]) {
       EXPECT_DOUBLE_EQ(display["Force Arrow Scale"].as<double>(), 0.123);
+    }
   }
   EXPECT_EQ(found,
             (std::set<std::string>{"rviz/MarkerArray /organs", "rviz/MarkerArray /cut",

@@ -13,7 +13,8 @@ namespace {
 
 TEST(ModelLibrary, HasTheMakerOfEachModelBesideFem) {
   for (const std::string& name : modelNames()) {
-    if (name != "fem") EXPECT_NE(makerInLibrary(name), nullptr) << name;
+    if (name == "fem") continue;
+    EXPECT_NE(makerInLibrary(name), nullptr) << name;
   }
 }
 
