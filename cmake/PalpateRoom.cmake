@@ -39,3 +39,13 @@ function(palpate_room name)
     set_property(GLOBAL APPEND PROPERTY PALPATE_CORE_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${source})
   endforeach()
 endfunction()
+
+# palpate_built_beside(CORE VARIABLE): the other libraries of rooms of a build, which stand beside its core.
+function(palpate_built_beside core variable)
+  set(found)
+  foreach(library studies learning spring_networks surface_elements)
+    string(REPLACE palpate_core palpate_${library} other ${core})
+    list(APPEND found ${other})
+  endforeach()
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()

@@ -20,11 +20,7 @@ function(palpate_fuzz_program name)
 /(surrogate|springs)_file[.]cpp$|/database_folder[.]cpp$")
   get_target_property(libraries palpate_core LINK_LIBRARIES)
   target_sources(${name} PRIVATE ${sources})
-  set(others)  # stand beside it
-  foreach(library studies learning spring_networks surface_elements)
-    string(REPLACE palpate_core palpate_${library} other ${PALPATE_FUZZ_CORE})
-    list(APPEND others ${other})
-  endforeach()
+  palpate_built_beside(${PALPATE_FUZZ_CORE} others)
   target_link_libraries(${name} PRIVATE ${others} ${PALPATE_FUZZ_CORE} ${libraries} palpate_core_flags)
 endfunction()
 
