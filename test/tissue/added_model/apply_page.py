@@ -23,11 +23,11 @@ def main(page, model_list, folder):
         sys.exit(f"{page}: no include and entry: {include!r}, {entry!r}")
 
     text = pathlib.Path(model_list).read_text()
-    for mark, addition, behind in [('#include "fem/make_fem.h"\n', include, True),
-                                   ('{"fem", makeFem, true},\n', entry, True)]:
+    for mark, addition in [('#include "fem/make_fem.h"\n', include),
+                           ('{"fem", makeFem, true},', "\n" + entry)]:
         if mark not in text:
             sys.exit(f"{model_list}: has no {mark!r}")
-        at = text.index(mark) + len(mark) * behind
+        at = text.index(mark) + len(mark)
         text = text[:at] + addition + text[at:]
 
     folder = pathlib.Path(folder)
