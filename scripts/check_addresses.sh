@@ -5,7 +5,7 @@
 #   scripts/check_addresses.sh [--quick] [REGEX]
 #
 #   --quick  only the rooms that test/addresses/CMakeLists.txt names, and their tests
-#   REGEX    only the programs of tests whose names match
+#   REGEX    only the tests whose names match
 #
 # Only the core is built anew, in build-addresses/, with --quick those rooms only, in build-addresses-quick/; the
 # tests of build/ run with it in place of their own. Left out are those that have a malloc of their own, and those of
@@ -45,12 +45,21 @@ if $quick; then
 fi
 BUILD_DIR=$folder BUILD_TYPE=RelWithDebInfo CMAKE_ARGS="${cmake[*]}" CXXFLAGS=$flags scripts/build.sh "$target"
 
-mapfile -t programs < <(
-  find test -regextype posix-extended -regex "test/($rooms)/[a-z0-9_]+_test[.]cpp" -not -path 'test/ros/*' |
-    sed 's|.*/||; s|[.]cpp$||' | grep -vxE "$slow" | grep -E "$only" | sort |
-    while read -r name; do find build -name "$name" -type f -perm -u+x; done |
-    xargs -r grep -LF __libc_malloc)
-[ ${#programs[@]} -gt 0 ] || { echo "check_addresses.sh: no program of tests that are built matches '$only'" >&2; exit 2; }
+# Name, program and suites of each test that ctest knows, but of those that have a malloc of their own.
+mapfile -t tests < <(
+  (cd build && ctest --show-only=json-v1) | /usr/bin/python3 -c '
+import json, re, sys
+rooms, slow, only = sys.argv[1:]
+for test in json.load(sys.stdin)["tests"]:
+    name, command = test["name"], test.get("command", [])
+    folder = next((p["value"] for p in test["properties"] if p["name"] == "WORKING_DIRECTORY"), "")
+    if (len(command) == 2 and command[1].startswith("--gtest_filter=") and not re.search("/test/ros$", folder)
+            and re.search(f"/test/({rooms})$", folder) and not re.fullmatch(slow, name) and re.search(only, name)):
+        print(name, *command)' "$rooms" "$slow" "$only" |
+    while read -r name program filter; do
+      if [ -x "$program" ] && ! grep -qF __libc_malloc "$program"; then echo "$name $program $filter"; fi
+    done | sort)
+[ ${#tests[@]} -gt 0 ] || { echo "check_addresses.sh: no test that is built matches '$only'" >&2; exit 2; }
 
 cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
 # shellcheck disable=SC1091
@@ -60,9 +69,9 @@ runtime=$(c++ -print-file-name=libasan.so)
 core=$(find "$PWD/$folder" -name libpalpate_core.so | head -n 1)
 mkdir -p "$logs"
 try() {
-  local name=${1##*/} start=$SECONDS status=0
+  local name=$1 start=$SECONDS status=0
   LD_PRELOAD=$runtime LD_LIBRARY_PATH=${core%/*}:${LD_LIBRARY_PATH:-} \
-    timeout 3600 "$1" --gtest_brief=1 >"$logs/$name" 2>&1 </dev/null || status=$?
+    timeout 3600 "$2" "$3" --gtest_brief=1 >"$logs/$name" 2>&1 </dev/null || status=$?
   if [ "$status" -ne 0 ]; then
     grep -m 1 -A 30 -E 'ERROR: |runtime error: |: Failure$' "$logs/$name" || tail -n 30 "$logs/$name"
   fi
@@ -71,5 +80,5 @@ try() {
   return "$status"
 }
 export -f try
-printf '%s\n' "${programs[@]}" | xargs -P "$cores" -I{} bash -c 'try {} || exit 1' || exit 1
-echo "${#programs[@]} programs of tests, nothing found"
+printf '%s\n' "${tests[@]}" | xargs -P "$cores" -L1 bash -c 'try "$@" || exit 1' try || exit 1
+echo "${#tests[@]} tests, nothing found"

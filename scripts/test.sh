@@ -17,7 +17,6 @@ export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 checks=true
 threads=false
-left_out=
 only=
 for argument in "$@"; do
   case $argument in
@@ -41,7 +40,7 @@ if $threads; then
   mapfile -t targets < <(
     grep -rlE 'ThreadPool|Background|std::(thread|async|atomic)' test --include='*_test.cpp' |
       grep -v '^test/ros/' | sed 's|.*/||; s|\.cpp$||' | sort)
-  only=${only:-^($(IFS='|'; echo "${targets[*]}"))/} left_out=_NOT_BUILT
+  only=${only:-^($(IFS='|'; echo "${targets[*]}"))\$}
   BUILD_DIR=build-sanitize-thread
   export BUILD_TYPE=RelWithDebInfo
   export CXXFLAGS="-O1 -fno-omit-frame-pointer -fsanitize=thread -fno-sanitize-recover=all"
@@ -83,34 +82,22 @@ check() {
   rm -f "$log"
 }
 
-# reason_of NAME: what a test said that skipped itself.
-reason_of() {
-  awk -v name="${1%% *}" '
-    / Testing: / { mine = $3 == name }
-    mine && /: Skipped$/ && (getline reason) > 0 { print reason; found = 1; exit }
-    END { if (!found) print "it says no reason" }' "$BUILD_DIR/Testing/Temporary/LastTest.log"
-}
-
-# run_ctest ARGUMENT ...: counts what ctest says about each test.
+# run_ctest ARGUMENT ...: counts what ctest says, by case where a test has several.
 run_ctest() {
-  local log status
+  local log status counted line p f s
   log=$(mktemp)
   status=0
   (cd "$BUILD_DIR" && ctest --output-on-failure --timeout 600 "$@" </dev/null 2>&1) |
     grep --line-buffered -vE '^ +Start +[0-9]+:' | tee "$log" || status=$?
-  local counts
-  counts=$(sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* \.\.+ *(Passed|\*\*\*)/\1/p' "$log" | awk '
-    /^Passed/ { p++; next }
-    /^\*\*\*Skipped|^\*\*\*Not Run \(Disabled\)/ { s++; next }
-    { f++ }
-    END { print p + 0, f + 0, s + 0 }')
-  read -r p f s <<<"$counts"
+  counted=$(/usr/bin/python3 -B scripts/count_tests.py "$log" "$BUILD_DIR/Testing/Temporary/LastTest.log")
+  read -r p f s <<<"$counted"
   passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
-  while read -r name; do left_out_tests+=("$name: $(reason_of "$name")"); done < <(
-    sed -nE 's/^\t *[0-9]+ - (.*) \((Skipped|Disabled)\)$/\1/p' "$log")
-  while read -r name; do failures+=("$name"); done < <(
-    sed -nE 's/^\t *[0-9]+ - (.*) \((Failed|Timeout|SEGFAULT|[^)]*)\)$/\1 (\2)/p' "$log" |
-      grep -vE '\((Skipped|Disabled)\)$' || true)
+  while read -r line; do
+    case $line in
+      'skipped '*) left_out_tests+=("${line#skipped }") ;;
+      'failed '*) failures+=("${line#failed }") ;;
+    esac
+  done <<<"$counted"
   if [ "$status" -ne 0 ] && [ "$f" -eq 0 ]; then
     failed=$((failed + 1))
     failures+=("ctest $* (exit status $status)")
@@ -157,6 +144,6 @@ unset ROS_MASTER_URI
 # shellcheck disable=SC1091
 . scripts/env.sh
 start=$SECONDS
-run_ctest -j "$cores" --no-tests=error ${only:+-R "$only"} ${left_out:+-E "$left_out"}
+run_ctest -j "$cores" --no-tests=error ${only:+-R "$only"}
 echo "tests took $((SECONDS - start)) s"
 finish

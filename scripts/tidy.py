@@ -54,12 +54,19 @@ class Build:
         root = pathlib.Path.cwd()
         for entry in json.loads((self.folder / "compile_commands.json").read_text()):
             source = pathlib.Path(entry["directory"], entry["file"]).resolve()
-            if root not in source.parents:
-                continue
             flags = self.plain(shlex.split(entry["command"]))
-            name = str(source.relative_to(root))
-            self.flags[name] = flags
-            self.search[name] = [pathlib.Path(f[2:]).resolve() for f in flags if f.startswith("-I")]
+            for part in self.parts(source):
+                if root in part.parents:
+                    name = str(part.relative_to(root))
+                    self.flags[name] = flags
+                    self.search[name] = [pathlib.Path(f[2:]).resolve() for f in flags if f.startswith("-I")]
+
+    @staticmethod
+    def parts(source):
+        """The sources that CMake compiles as one, or the one source."""
+        if source.parent.name != "Unity":
+            return [source]
+        return [pathlib.Path(name).resolve() for name in INCLUDE.findall(source.read_text())]
 
     @staticmethod
     def plain(command):

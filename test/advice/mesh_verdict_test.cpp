@@ -10,7 +10,7 @@
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 
-namespace palpate::advice {
+namespace palpate::advice::mesh_verdict_test {
 namespace {
 
 using test::contains;
@@ -149,4 +149,4 @@ TEST_F(GradedSlab, IsJudgedByItsFinestPart) {
 }
 
 }  // namespace
-}  // namespace palpate::advice
+}  // namespace palpate::advice::mesh_verdict_test

@@ -7,7 +7,7 @@
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 
-namespace palpate::advice {
+namespace palpate::advice::scene_verdict_test {
 namespace {
 
 using test::contains;
@@ -241,4 +241,4 @@ TEST(SceneFacts, HaveTheMethodThatAutoTook) {
 }
 
 }  // namespace
-}  // namespace palpate::advice
+}  // namespace palpate::advice::scene_verdict_test

@@ -7,7 +7,7 @@
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "support/contains.h"
 
-namespace palpate::analysis {
+namespace palpate::analysis::case_dynamics_test {
 namespace {
 
 BoundaryCondition onPlane(double z) {
@@ -142,4 +142,4 @@ TEST(CaseDynamics, AutoSaysWhatItTook) {
 }
 
 }  // namespace
-}  // namespace palpate::analysis
+}  // namespace palpate::analysis::case_dynamics_test

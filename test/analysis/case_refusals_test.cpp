@@ -7,7 +7,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::analysis {
+namespace palpate::analysis::case_refusals_test {
 namespace {
 
 using test::hasProblem;
@@ -68,4 +68,4 @@ TEST_F(CaseRefusals, SelectionsThatFindNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::analysis
+}  // namespace palpate::analysis::case_refusals_test

@@ -11,7 +11,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::analysis {
+namespace palpate::analysis::case_test {
 namespace {
 
 using test::hasProblem;
@@ -197,4 +197,4 @@ TEST(CaseFormat, CommittedPageIsTheGeneratedOne) {
 }
 
 }  // namespace
-}  // namespace palpate::analysis
+}  // namespace palpate::analysis::case_test

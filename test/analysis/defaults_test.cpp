@@ -16,7 +16,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate {
+namespace palpate::defaults_test {
 namespace {
 
 void expectSame(const solver::StepSettings& a, const solver::StepSettings& b) {
@@ -108,4 +108,4 @@ TEST(Defaults, AreWrittenOnce) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::defaults_test

@@ -8,7 +8,7 @@
 
 #include "support/temp_folder.h"
 
-namespace palpate::test {
+namespace palpate::test::accuracy_record_test {
 namespace {
 
 const AccuracyRow kRow{"a \"bar\"", "one element", "anp", "force [N]", 1.01,
@@ -46,4 +46,4 @@ TEST(AccuracyRecord, FailsTheTestBeyondTheBound) {
 }
 
 }  // namespace
-}  // namespace palpate::test
+}  // namespace palpate::test::accuracy_record_test

@@ -16,7 +16,7 @@
 #include "support/contains.h"
 #include "support/temp_folder.h"
 
-namespace palpate {
+namespace palpate::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(AtomicFileTest, WritersOfTheSameFileDoNotMix) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::atomic_file_test

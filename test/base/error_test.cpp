@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate {
+namespace palpate::error_test {
 namespace {
 
 TEST(InputError, SaysFileKeyValueAndWhatIsAllowed) {
@@ -49,4 +49,4 @@ TEST(NearestName, FindsTyposAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::error_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <thread>
 
-namespace palpate {
+namespace palpate::latest_value_test {
 namespace {
 
 TEST(LatestValue, StartsWithTheInitialValue) {
@@ -47,4 +47,4 @@ TEST(LatestValue, IsNeverTornNorOldBetweenTwoThreads) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::latest_value_test

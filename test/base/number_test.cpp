@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace palpate {
+namespace palpate::number_test {
 namespace {
 
 TEST(ParseNumber, ReadsWholeDecimals) {
@@ -91,4 +91,4 @@ TEST(FormatNumber, DoesNotFollowTheLocale) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::number_test

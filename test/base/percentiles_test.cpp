@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate {
+namespace palpate::percentiles_test {
 namespace {
 
 TEST(Percentiles, AreZeroWithoutValues) {
@@ -34,4 +34,4 @@ TEST(Percentiles, AreAlwaysOneOfTheValues) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::percentiles_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-namespace palpate {
+namespace palpate::phase_times_test {
 namespace {
 
 TEST(PhaseTimes, EveryPhaseHasANameOfItsOwn) {
@@ -49,4 +49,4 @@ TEST(PhaseTimer, AddsTheTimeOfItsLife) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::phase_times_test

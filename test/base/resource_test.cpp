@@ -8,7 +8,7 @@
 
 #include "support/temp_folder.h"
 
-namespace palpate {
+namespace palpate::resource_test {
 namespace {
 
 using test::TempFolder;
@@ -128,4 +128,4 @@ TEST(Resource, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::resource_test

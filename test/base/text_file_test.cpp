@@ -10,7 +10,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate {
+namespace palpate::text_file_test {
 namespace {
 
 using test::complaint;
@@ -69,4 +69,4 @@ TEST_F(TextFile, IsReadToItsEndWhateverItSaysOfItsSize) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::text_file_test

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace palpate {
+namespace palpate::thread_pool_test {
 namespace {
 
 TEST(ThreadPool, VisitsEachIndexOnce) {
@@ -111,4 +111,4 @@ TEST(ThreadPool, DoesNothingMoreOfATaskThatIsGivenUp) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::thread_pool_test

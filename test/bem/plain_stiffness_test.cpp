@@ -12,7 +12,7 @@
 #include "palpate/bem/surface_stiffness.h"
 #include "surfaces.h"
 
-namespace palpate::bem {
+namespace palpate::bem::plain_stiffness_test {
 namespace {
 
 using Eigen::Index;
@@ -111,4 +111,4 @@ TEST(PlainStiffness, WithoutTractionsIsNotSymmetric) {
 }
 
 }  // namespace
-}  // namespace palpate::bem
+}  // namespace palpate::bem::plain_stiffness_test

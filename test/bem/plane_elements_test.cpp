@@ -10,7 +10,7 @@
 
 #include "palpate/bem/plane_plate.h"
 
-namespace palpate::bem {
+namespace palpate::bem::plane_elements_test {
 namespace {
 
 using Eigen::Matrix2Xd;
@@ -172,4 +172,4 @@ TEST(PlaneElements, RefuseWhatTheyCannotSolve) {
 }
 
 }  // namespace
-}  // namespace palpate::bem
+}  // namespace palpate::bem::plane_elements_test

@@ -14,7 +14,7 @@
 
 #include "surfaces.h"
 
-namespace palpate::bem {
+namespace palpate::bem::surface_stiffness_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -211,4 +211,4 @@ TEST(SurfaceStiffness, RefusesWhatItCannotSolve) {
 }
 
 }  // namespace
-}  // namespace palpate::bem
+}  // namespace palpate::bem::surface_stiffness_test

@@ -12,7 +12,7 @@
 #include "bem/surface_operators.h"
 #include "surfaces.h"
 
-namespace palpate::bem {
+namespace palpate::bem::triangle_potentials_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -170,4 +170,4 @@ TEST(TrianglePotentials, GiveTheTractionsOfKelvin) {
 }
 
 }  // namespace
-}  // namespace palpate::bem
+}  // namespace palpate::bem::triangle_potentials_test

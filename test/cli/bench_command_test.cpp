@@ -9,7 +9,7 @@
 #include "run_cli.h"
 #include "support/contains.h"
 
-namespace palpate {
+namespace palpate::bench_command_test {
 namespace {
 
 using test::contains;
@@ -210,4 +210,4 @@ TEST_F(BenchCommand, SmallRunsEverySceneThatIsABox) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::bench_command_test

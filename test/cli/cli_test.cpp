@@ -5,7 +5,7 @@
 #include "palpate/scene/scene.h"
 #include "run_cli.h"
 
-namespace palpate {
+namespace palpate::cli_test {
 namespace {
 
 using test::CliResult;
@@ -39,4 +39,4 @@ TEST(Cli, WrongArgumentsAreBadInput) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::cli_test

@@ -6,7 +6,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate {
+namespace palpate::database_command_test {
 namespace {
 
 using test::CliResult;
@@ -98,4 +98,4 @@ TEST_F(DatabaseCommand, RefusesAnOrganThatNothingHolds) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::database_command_test

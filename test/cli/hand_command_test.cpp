@@ -8,7 +8,7 @@
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 
-namespace palpate::cli {
+namespace palpate::cli::hand_command_test {
 namespace {
 
 using test::contains;
@@ -56,4 +56,4 @@ TEST_F(HandCommand, RefusesNumbersThatAreNoneByName) {
 }
 
 }  // namespace
-}  // namespace palpate::cli
+}  // namespace palpate::cli::hand_command_test

@@ -8,7 +8,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate {
+namespace palpate::mesh_command_test {
 namespace {
 
 using test::CliResult;
@@ -206,4 +206,4 @@ TEST_F(MeshCommand, BadInput) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::mesh_command_test

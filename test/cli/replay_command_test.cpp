@@ -8,7 +8,7 @@
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 
-namespace palpate {
+namespace palpate::replay_command_test {
 namespace {
 
 using test::contains;
@@ -146,4 +146,4 @@ TEST_F(ReplayCommand, BadFilesAreBadInput) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::replay_command_test

@@ -10,7 +10,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate {
+namespace palpate::scenes_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST(ScenesCommand, AnInstalledProgramFindsWhatIsInstalled) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::scenes_command_test

@@ -11,7 +11,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate {
+namespace palpate::skin_command_test {
 namespace {
 
 using test::CliResult;
@@ -124,4 +124,4 @@ TEST_F(SkinCommand, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::skin_command_test

@@ -10,7 +10,7 @@
 #include "support/contains.h"
 #include "support/uniaxial.h"
 
-namespace palpate {
+namespace palpate::solve_command_test {
 namespace {
 
 using test::contains;
@@ -211,4 +211,4 @@ TEST_F(SolveCommand, SaysStressStretchAndTheEnergyOfRegions) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::solve_command_test

@@ -11,7 +11,7 @@
 #include "run_cli.h"
 #include "support/contains.h"
 
-namespace palpate {
+namespace palpate::springs_command_test {
 namespace {
 
 using test::CliResult;
@@ -143,4 +143,4 @@ TEST_F(SpringsCommand, BadInput) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::springs_command_test

@@ -6,7 +6,7 @@
 #include "support/contains.h"
 #include "support/temp_folder.h"
 
-namespace palpate {
+namespace palpate::torture_command_test {
 namespace {
 
 using test::CliResult;
@@ -42,4 +42,4 @@ TEST_F(TortureCommand, RefusesAMethodThatThereIsNot) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::torture_command_test

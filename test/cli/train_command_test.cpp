@@ -6,7 +6,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate {
+namespace palpate::train_command_test {
 namespace {
 
 using test::contains;
@@ -47,4 +47,4 @@ TEST(TrainCommand, LearnsFromADatabaseAndRefusesWhatIsWrongByName) {
 }
 
 }  // namespace
-}  // namespace palpate
+}  // namespace palpate::train_command_test

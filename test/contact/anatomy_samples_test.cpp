@@ -10,7 +10,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::anatomy_samples_test {
 namespace {
 
 constexpr double kFine = 1e-3, kCoarse = 6e-3;  // between samples [m]
@@ -106,4 +106,4 @@ TEST_F(AnatomySamples, GoOnWithTheirOwnKind) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::anatomy_samples_test

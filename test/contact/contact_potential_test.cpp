@@ -7,7 +7,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::contact_potential_test {
 namespace {
 
 using instrument::Box;
@@ -182,4 +182,4 @@ TEST_P(ContactWithEveryShape, FarBodiesHaveNoCandidates) {
 INSTANTIATE_TEST_SUITE_P(Shapes, ContactWithEveryShape, ::testing::Range(0, 3));
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::contact_potential_test

@@ -6,7 +6,7 @@
 #include "palpate/contact/signed_distance.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::cylinder_distance_test {
 namespace {
 
 using instrument::Cylinder;
@@ -69,4 +69,4 @@ TEST(CylinderDistance, IsKnownAtSomePoints) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::cylinder_distance_test

@@ -10,7 +10,7 @@
 #include "support/no_jumps.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::face_contact_test {
 namespace {
 
 using instrument::Box;
@@ -258,4 +258,4 @@ TEST(FaceContact, IsNotAskedForWhereSamplesAreCloseEnough) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::face_contact_test

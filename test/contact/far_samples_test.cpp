@@ -10,7 +10,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::far_samples_test {
 namespace {
 
 constexpr double kSpacing = 1e-3;  // of samples [m]
@@ -142,4 +142,4 @@ TEST_P(FarSamples, AreAskedAgainWhereTheyCameNear) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::far_samples_test

@@ -10,7 +10,7 @@
 
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::layer_contact_test {
 namespace {
 
 constexpr int kColumns = 5, kRows = 12;
@@ -161,4 +161,4 @@ TEST(LayerContact, RefusesGapsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::layer_contact_test

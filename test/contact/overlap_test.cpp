@@ -8,7 +8,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::overlap_test {
 namespace {
 
 const mesh::TetMesh kBlock = mesh::boxMesh(Vec3(0.06, 0.05, 0.04), Eigen::Vector3i(3, 2, 2));
@@ -92,4 +92,4 @@ TEST(Overlap, KeepsTheMargin) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::overlap_test

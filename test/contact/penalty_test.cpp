@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate::contact {
+namespace palpate::contact::penalty_test {
 namespace {
 
 constexpr Penalty kPenalty{3.0e7, 1.0e-4};
@@ -37,4 +37,4 @@ TEST(Penalty, HardensTowardsTheMiddleOfTheBodyOnly) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::penalty_test

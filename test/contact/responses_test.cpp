@@ -14,7 +14,7 @@
 #include "support/no_jumps.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::responses_test {
 namespace {
 
 const instrument::Geometry kShapes[] = {instrument::Sphere{0.03}, instrument::Capsule{0.02, 0.01},
@@ -234,4 +234,4 @@ TEST(Responses, OfUnknownNamesAreRefused) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::responses_test

@@ -11,7 +11,7 @@
 #include "sampled_surfaces.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::rigid_contact_test {
 namespace {
 
 using instrument::Geometry;
@@ -224,4 +224,4 @@ TEST(RigidContact, ForceHasNoJumpsWhileAToolSlides) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::rigid_contact_test

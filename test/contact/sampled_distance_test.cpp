@@ -10,7 +10,7 @@
 #include "sampled_surfaces.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::sampled_distance_test {
 namespace {
 
 using instrument::Geometry;
@@ -93,4 +93,4 @@ TEST(SampledDistance, TissueInANotchIsNotInTheShape) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::sampled_distance_test

@@ -16,7 +16,7 @@
 #include "palpate/organs/organs.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::segment_tracker_test {
 namespace {
 
 struct Surface {
@@ -204,4 +204,4 @@ TEST(SegmentTracker, MeetsVertexEdgeAndFace) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::segment_tracker_test

@@ -7,7 +7,7 @@
 #include "palpate/contact/signed_distance.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::shape_motion_test {
 namespace {
 
 /// A point of the shape (inside or on it), by rejection.
@@ -108,4 +108,4 @@ TEST(ShapeMotion, InterpolationIsEvenAndStaysARotation) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::shape_motion_test

@@ -10,7 +10,7 @@
 
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::signed_distance_test {
 namespace {
 
 using instrument::Box;
@@ -247,4 +247,4 @@ TEST(SignedDistance, OfNotANumberIsNotADistance) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::signed_distance_test

@@ -14,7 +14,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::surface_contact_test {
 namespace {
 
 const Penalty kLaw{3.0e6, 2.0e-3};
@@ -286,4 +286,4 @@ TEST(FlatSurfaces, ShareAPressureEvenly) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::surface_contact_test

@@ -9,7 +9,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::surface_samples_test {
 namespace {
 
 const mesh::TetMesh kBox = mesh::boxMesh(Vec3(0.1, 0.1, 0.1), Eigen::Vector3i::Constant(2));
@@ -139,4 +139,4 @@ TEST(SurfaceSamples, AreDenseOnlyWhereTrianglesAreLarge) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::surface_samples_test

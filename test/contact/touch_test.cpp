@@ -8,7 +8,7 @@
 #include "palpate/contact/signed_distance.h"
 #include "test_shapes.h"
 
-namespace palpate::contact {
+namespace palpate::contact::touch_test {
 namespace {
 
 Touch measure(const Obstacle& obstacle, const Vec3& p_begin_W, const Vec3& p_W) {
@@ -156,4 +156,4 @@ TEST(Touch, MotionIsThatSinceTheStepBegan) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::touch_test

@@ -9,7 +9,7 @@
 
 #include "support/random.h"
 
-namespace palpate::contact {
+namespace palpate::contact::triangle_distance_test {
 namespace {
 
 TrianglePoint nearest(const Mat3& x, const Vec3& p) {
@@ -112,4 +112,4 @@ TEST_F(Triangles, AreSmoothUpToTheirFaces) {
 }
 
 }  // namespace
-}  // namespace palpate::contact
+}  // namespace palpate::contact::triangle_distance_test

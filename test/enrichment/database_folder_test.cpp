@@ -11,7 +11,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::database_folder_test {
 namespace {
 
 struct Body {
@@ -98,4 +98,4 @@ TEST(DatabaseFolder, RefusesForcesThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::database_folder_test

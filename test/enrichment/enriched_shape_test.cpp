@@ -10,7 +10,7 @@
 #include "palpate/mesh/surface_levels.h"
 #include "palpate/organs/organs.h"
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::enriched_shape_test {
 namespace {
 
 // A dent of a given depth and a given width about a point, which moves nothing else.
@@ -136,4 +136,4 @@ TEST(EnrichedShape, RefusesSamplesOfOtherPoints) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::enriched_shape_test

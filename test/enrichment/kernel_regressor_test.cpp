@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::kernel_regressor_test {
 namespace {
 
 Eigen::MatrixXd someFeatures(int samples) {
@@ -81,4 +81,4 @@ TEST(KernelRegressor, RefusesNoSamplesAndNoWidth) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::kernel_regressor_test

@@ -8,7 +8,7 @@
 
 #include "palpate/mesh/tet_mesh.h"
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::press_plan_test {
 namespace {
 
 mesh::SurfaceMesh cube() {
@@ -62,4 +62,4 @@ TEST(PressPlan, DrawsOtherPressesForAnotherSeedAndIndex) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::press_plan_test

@@ -7,7 +7,7 @@
 
 #include "palpate/material/material.h"
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::pressed_body_test {
 namespace {
 
 constexpr double kYoung = 5e3, kSize = 0.04;
@@ -95,4 +95,4 @@ TEST(PressedBody, RefusesABodyThatIsNotHeld) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::pressed_body_test

@@ -12,7 +12,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::enrichment {
+namespace palpate::enrichment::surrogate_test {
 namespace {
 
 // Stiffer to the right, and the farther it is displaced; all points move along, those far less.
@@ -215,4 +215,4 @@ TEST(RankCorrelation, IsOfTheOrderAlone) {
 }
 
 }  // namespace
-}  // namespace palpate::enrichment
+}  // namespace palpate::enrichment::surrogate_test

@@ -10,7 +10,7 @@
 #include "support/hollow.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::cavity_test {
 namespace {
 
 constexpr CavityContent kBile{1000.0, 2.0e4, false};
@@ -130,4 +130,4 @@ TEST(Cavity, NeedsFacesThatEncloseIt) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::cavity_test

@@ -8,7 +8,7 @@
 #include "palpate/solver/static_solver.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::composite_body_test {
 namespace {
 
 material::Solid solid(double young_modulus, double poisson_ratio) {
@@ -141,4 +141,4 @@ TEST_P(Layers, RelaxationKeepsTheSumOfTheSeries) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::composite_body_test

@@ -9,7 +9,7 @@
 #include "support/law_response.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::elements_test {
 namespace {
 
 // A box whose inner nodes are moved, so that no two elements are alike; the middles of the edges
@@ -219,4 +219,4 @@ TEST(Masses, SumToTheBodyAndArePositive) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::elements_test

@@ -10,7 +10,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::foundation_test {
 namespace {
 
 constexpr FoundationConstants kConstants{3.0e4, 1.0e4, 200.0, 50.0};
@@ -118,4 +118,4 @@ TEST(Foundation, HoldsABodyAsItsSpringsDo) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::foundation_test

@@ -6,7 +6,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::inversion_guard_test {
 namespace {
 
 class FlatElements : public ::testing::TestWithParam<bool> {
@@ -77,4 +77,4 @@ TEST_P(FlatElements, AreMadeThickerByItsForces) {
 INSTANTIATE_TEST_SUITE_P(LinearAndQuadratic, FlatElements, ::testing::Bool());
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::inversion_guard_test

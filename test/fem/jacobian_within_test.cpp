@@ -8,7 +8,7 @@
 #include "palpate/fem/elasticity.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::jacobian_within_test {
 namespace {
 
 struct Body {
@@ -85,4 +85,4 @@ TEST(JacobianWithin, SeesACornerCurledOver) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::jacobian_within_test

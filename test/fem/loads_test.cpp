@@ -8,7 +8,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::loads_test {
 namespace {
 
 const mesh::TetMesh kBox = mesh::boxMesh(Vec3(0.1, 0.2, 0.3), Eigen::Vector3i(2, 3, 4));
@@ -132,4 +132,4 @@ TEST(FollowerPressure, HessianOnBentQuadraticFacesIsThatOfTheGradient) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::loads_test

@@ -10,7 +10,7 @@
 #include "support/law_response.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::packed_tetrahedra_test {
 namespace {
 
 template <int N, bool kPressures>
@@ -250,4 +250,4 @@ TYPED_TEST(Packed, TakesViscousSolidsAndLeavesOtherLawsToOthers) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::packed_tetrahedra_test

@@ -8,7 +8,7 @@
 #include "fem/shape_functions.h"
 #include "palpate/mesh/nested_mesh.h"
 
-namespace palpate::fem {
+namespace palpate::fem::point_change_test {
 namespace {
 
 using mesh::TetMesh;
@@ -144,4 +144,4 @@ TEST_P(PointChanges, CopyWhatDoesNotChangeAndRefuseOtherElements) {
 INSTANTIATE_TEST_SUITE_P(OfElements, PointChanges, ::testing::Values(1, 4));
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::point_change_test

@@ -8,7 +8,7 @@
 
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::prony_history_test {
 namespace {
 
 constexpr int kElements = 23, kPoints = 4;
@@ -183,4 +183,4 @@ TEST_F(History, GoesToPartsAndToWhatIsJoined) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::prony_history_test

@@ -10,7 +10,7 @@
 #include "support/law_types.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::psd_projection_test {
 namespace {
 
 Mat9 projectedByAll(const Mat9& A) {
@@ -104,4 +104,4 @@ TEST(PsdProjection, LeavesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::psd_projection_test

@@ -5,7 +5,7 @@
 
 #include "palpate/mesh/tet_mesh.h"
 
-namespace palpate::fem {
+namespace palpate::fem::supports_test {
 namespace {
 
 const Points kBox = mesh::boxMesh(Vec3::Ones(), Eigen::Vector3i::Constant(2)).points;
@@ -38,4 +38,4 @@ TEST(FreeRigidMotions, IsSilentForThreeTwoOne) {
 }
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::supports_test

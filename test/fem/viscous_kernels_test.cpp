@@ -9,7 +9,7 @@
 #include "palpate/fem/elasticity.h"
 #include "support/random.h"
 
-namespace palpate::fem {
+namespace palpate::fem::viscous_kernels_test {
 namespace {
 
 // Both laws with kernels, viscous in several terms, and a solid that is not viscous between them.
@@ -181,4 +181,4 @@ INSTANTIATE_TEST_SUITE_P(Elements, ViscousKernels, ::testing::ValuesIn(elementNa
                          [](const auto& element) { return element.param; });
 
 }  // namespace
-}  // namespace palpate::fem
+}  // namespace palpate::fem::viscous_kernels_test

@@ -9,7 +9,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::cell_data_test {
 namespace {
 
 constexpr char kVtkHead[] = R"(# vtk DataFile Version 3.0
@@ -114,4 +114,4 @@ TEST_F(CellData, OfVtuPieces) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::cell_data_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate::formats {
+namespace palpate::formats::csv_cells_test {
 namespace {
 
 using Cells = std::vector<std::string_view>;
@@ -22,4 +22,4 @@ TEST(CsvCells, AreTrimmed) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::csv_cells_test

@@ -8,7 +8,7 @@
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 
-namespace palpate::formats {
+namespace palpate::formats::gmsh_errors_test {
 namespace {
 
 const std::string kFormat2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -146,4 +146,4 @@ TEST(GmshErrors, OfCountsInBinaryVersion4) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::gmsh_errors_test

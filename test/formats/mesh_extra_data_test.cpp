@@ -10,7 +10,7 @@
 #include "palpate/formats/vtu_writer.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::mesh_extra_data_test {
 namespace {
 
 class ExtraData : public testing::Test {
@@ -82,4 +82,4 @@ TEST_F(ExtraData, MeshesOfTheInstrument) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::mesh_extra_data_test

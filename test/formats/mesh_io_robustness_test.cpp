@@ -13,7 +13,7 @@
 #include "palpate/formats/vtu_writer.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::mesh_io_robustness_test {
 namespace {
 
 void expectValid(const mesh::SurfaceMesh& surface) {
@@ -139,4 +139,4 @@ TEST(WrittenVtu, EveryPrefix) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::mesh_io_robustness_test

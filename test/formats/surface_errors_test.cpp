@@ -8,7 +8,7 @@
 #include "formats/surface_formats.h"
 #include "formats/surface_samples.h"
 
-namespace palpate::formats {
+namespace palpate::formats::surface_errors_test {
 namespace {
 
 const std::string kOut = ": the index is out of range; there are ";
@@ -181,4 +181,4 @@ TEST(WrlErrors, OfFields) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::surface_errors_test

@@ -11,7 +11,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::surface_io_test {
 namespace {
 
 const test::TempFolder& dir() {
@@ -342,4 +342,4 @@ TEST(WriteSurface, LeavesNothingElseBehind) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::surface_io_test

@@ -9,7 +9,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::tet_io_test {
 namespace {
 
 const test::TempFolder& dir() {
@@ -313,4 +313,4 @@ TEST(Medit, RefusesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::tet_io_test

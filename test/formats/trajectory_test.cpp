@@ -9,7 +9,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::trajectory_test {
 namespace {
 
 using test::hasProblem;
@@ -121,4 +121,4 @@ TEST_F(TrajectoryFile, ManyColumnsAreRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::trajectory_test

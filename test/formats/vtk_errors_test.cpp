@@ -6,7 +6,7 @@
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 
-namespace palpate::formats {
+namespace palpate::formats::vtk_errors_test {
 namespace {
 
 void expectOfVtk(const std::string& good, const std::vector<Spoiling>& spoilings) {
@@ -135,4 +135,4 @@ TEST(MeditErrors, OfNumbers) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::vtk_errors_test

@@ -6,7 +6,7 @@
 #include "formats/tet_formats.h"
 #include "formats/tet_samples.h"
 
-namespace palpate::formats {
+namespace palpate::formats::vtu_errors_test {
 namespace {
 
 void expectOfVtu(const VtuForm& form, const std::vector<Spoiling>& spoilings) {
@@ -145,4 +145,4 @@ TEST(VtuErrors, OfALastPartThatIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::vtu_errors_test

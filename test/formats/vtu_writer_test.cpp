@@ -11,7 +11,7 @@
 #include "palpate/formats/tet_io.h"
 #include "support/temp_folder.h"
 
-namespace palpate::formats {
+namespace palpate::formats::vtu_writer_test {
 namespace {
 
 /// A box whose coordinates have all their bits in use.
@@ -131,4 +131,4 @@ TEST(VtuWriter, RefusesArraysThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace palpate::formats
+}  // namespace palpate::formats::vtu_writer_test

@@ -11,7 +11,7 @@
 
 #include "palpate/haptics/velocity_estimate.h"
 
-namespace palpate::haptics {
+namespace palpate::haptics::device_test {
 namespace {
 
 constexpr double kTick = 1e-3;
@@ -106,4 +106,4 @@ TEST(DeviceLimits, RefuseDevicesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::device_test

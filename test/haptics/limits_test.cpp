@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace palpate::haptics {
+namespace palpate::haptics::limits_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -35,4 +35,4 @@ TEST(Limits, RefuseWhatIsNoLimit) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::limits_test

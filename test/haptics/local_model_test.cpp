@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
-namespace palpate::haptics {
+namespace palpate::haptics::local_model_test {
 namespace {
 
 // Springs that push the tool up: 300 N/m along z, 120 and 150 aside, with a couple between.
@@ -170,4 +170,4 @@ TEST(LocalModel, GivesUpAContactThatDoesNotCome) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::local_model_test

@@ -11,7 +11,7 @@
 
 #include "palpate/haptics/velocity_estimate.h"
 
-namespace palpate::haptics {
+namespace palpate::haptics::passivity_test {
 namespace {
 
 constexpr double kTick = 1e-3;
@@ -146,4 +146,4 @@ TEST(Passivity, RefusesSettingsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::passivity_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace palpate::haptics {
+namespace palpate::haptics::silence_guard_test {
 namespace {
 
 constexpr double kPatience = 0.05, kRamp = 0.02, kTick = 0.002;
@@ -108,4 +108,4 @@ TEST_F(SilenceGuardTest, WhatIsNotFiniteIsSilence) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::silence_guard_test

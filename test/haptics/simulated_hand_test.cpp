@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace palpate::haptics {
+namespace palpate::haptics::simulated_hand_test {
 namespace {
 
 constexpr double kTick = 1e-3;
@@ -71,4 +71,4 @@ TEST(SimulatedHand, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::simulated_hand_test

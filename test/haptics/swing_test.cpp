@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace palpate::haptics {
+namespace palpate::haptics::swing_test {
 namespace {
 
 TEST(Swing, IsTheWayOfAnOscillation) {
@@ -38,4 +38,4 @@ TEST(Swing, IsNothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::swing_test

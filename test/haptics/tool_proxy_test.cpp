@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace palpate::haptics {
+namespace palpate::haptics::tool_proxy_test {
 namespace {
 
 using LinkPoses = ToolProxy::LinkPoses;
@@ -146,4 +146,4 @@ TEST(ToolProxy, RefusesLimitsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::tool_proxy_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace palpate::haptics {
+namespace palpate::haptics::velocity_estimate_test {
 namespace {
 
 constexpr double kTick = 1e-3, kStep = 5.5e-5;
@@ -45,4 +45,4 @@ TEST(VelocityEstimate, ALeapIsNoVelocity) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::velocity_estimate_test

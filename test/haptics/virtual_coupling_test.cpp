@@ -10,7 +10,7 @@
 #include "palpate/haptics/local_model.h"
 #include "palpate/haptics/tool_renderer.h"
 
-namespace palpate::haptics {
+namespace palpate::haptics::virtual_coupling_test {
 namespace {
 
 constexpr double kCycle = 0.01;
@@ -139,4 +139,4 @@ TEST(VirtualCoupling, ForgetsAToolThatIsLost) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::virtual_coupling_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace palpate::haptics {
+namespace palpate::haptics::wrench_fade_test {
 namespace {
 
 const Wrench kPush{Vec3(0.1, -0.0, 1.0 / 3.0), Vec3(0.01, 0, 0)};
@@ -51,4 +51,4 @@ TEST(WrenchFade, WithoutARampIsThereOrNot) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::wrench_fade_test

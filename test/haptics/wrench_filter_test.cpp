@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace palpate::haptics {
+namespace palpate::haptics::wrench_filter_test {
 namespace {
 
 constexpr double kDt = 1e-3;
@@ -141,4 +141,4 @@ TEST(WrenchFilter, ResetIsZeroAtOnce) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::wrench_filter_test

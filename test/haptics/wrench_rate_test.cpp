@@ -8,7 +8,7 @@
 
 #include "palpate/haptics/body_wrench.h"
 
-namespace palpate::haptics {
+namespace palpate::haptics::wrench_rate_test {
 namespace {
 
 constexpr double kTick = 1.0e-3;
@@ -67,4 +67,4 @@ TEST(WrenchRate, RefusesRatesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace palpate::haptics
+}  // namespace palpate::haptics::wrench_rate_test

@@ -12,7 +12,7 @@
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::bad_urdf_test {
 namespace {
 
 using test::TempFolder;
@@ -323,4 +323,4 @@ TEST(BadUrdf, IsSilent) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::bad_urdf_test

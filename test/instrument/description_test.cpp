@@ -10,7 +10,7 @@
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::description_test {
 namespace {
 
 const std::string kArm =
@@ -65,4 +65,4 @@ TEST(Description, SaysWhereMeshesAreWhoeverReadsIt) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::description_test

@@ -10,7 +10,7 @@
 
 #include "support/concave_surfaces.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::instrument_hull_test {
 namespace {
 
 std::string refusal(const mesh::SurfaceMesh& surface) {
@@ -61,4 +61,4 @@ TEST(InstrumentHull, TakesTrianglesWithoutArea) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::instrument_hull_test

@@ -13,7 +13,7 @@
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::instrument_test {
 namespace {
 
 using test::TempFolder;
@@ -198,4 +198,4 @@ TEST(CollisionShapes, MissingVisualMeshIsAWarning) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::instrument_test

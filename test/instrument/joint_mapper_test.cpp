@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate::instrument {
+namespace palpate::instrument::joint_mapper_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -85,4 +85,4 @@ TEST(JointMapper, WantsNothingFromAnInstrumentWithoutJoints) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::joint_mapper_test

@@ -15,7 +15,7 @@
 #include "support/temp_folder.h"
 #include "urdf_text.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::mesh_shape_test {
 namespace {
 
 using test::contains;
@@ -152,4 +152,4 @@ TEST(MeshShape, OfAnInstrumentIsNotedWithItsLink) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::mesh_shape_test

@@ -13,7 +13,7 @@
 #include "palpate/instrument/mesh_shape.h"
 #include "support/source_folder.h"
 
-namespace palpate::instrument {
+namespace palpate::instrument::shipped_instruments_test {
 namespace {
 
 /// An instrument and its poses at joints given by name, the others at zero.
@@ -254,4 +254,4 @@ TEST(ExtraInstruments, OmniIsAnArmWithoutCollisionShapes) {
 }
 
 }  // namespace
-}  // namespace palpate::instrument
+}  // namespace palpate::instrument::shipped_instruments_test

@@ -8,7 +8,7 @@
 #include "palpate/base/error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::io {
+namespace palpate::io::csv_writer_test {
 namespace {
 
 TEST(CsvWriter, WritesHeaderAndRows) {
@@ -49,4 +49,4 @@ TEST(CsvWriter, RefusesWhereNothingCanBeWritten) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::io::csv_writer_test

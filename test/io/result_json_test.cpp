@@ -8,7 +8,7 @@
 #include "palpate/base/error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::io {
+namespace palpate::io::result_json_test {
 namespace {
 
 analysis::SolveResult example() {
@@ -77,4 +77,4 @@ TEST(ResultJson, GoesToAFile) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::io::result_json_test

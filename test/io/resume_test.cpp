@@ -14,7 +14,7 @@
 #include "sim/slab_scene.h"
 #include "support/learned_box.h"
 
-namespace palpate::io {
+namespace palpate::io::resume_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -302,4 +302,4 @@ TEST(ResumeCases, AreSavedAsleepAndInContact) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::io::resume_test

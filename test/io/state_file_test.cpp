@@ -9,7 +9,7 @@
 #include "sim/slab_scene.h"
 #include "support/contains.h"
 
-namespace palpate::io {
+namespace palpate::io::state_file_test {
 namespace {
 
 using test::contains;
@@ -146,4 +146,4 @@ TEST_F(StateFile, ARestoreThatFailsLeavesAllAsItWas) {
 }
 
 }  // namespace
-}  // namespace palpate::io
+}  // namespace palpate::io::state_file_test

@@ -7,7 +7,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::keys {
+namespace palpate::keys::yaml_bounds_test {
 namespace {
 
 struct Point {
@@ -97,4 +97,4 @@ TEST_F(YamlBounds, ValuesAreCounted) {
 }
 
 }  // namespace
-}  // namespace palpate::keys
+}  // namespace palpate::keys::yaml_bounds_test

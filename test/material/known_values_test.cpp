@@ -9,7 +9,7 @@
 #include "support/random.h"
 #include "support/uniaxial.h"
 
-namespace palpate::material {
+namespace palpate::material::known_values_test {
 namespace {
 
 double pull(const std::string& law, const Constants& constants, double stretch) {
@@ -160,4 +160,4 @@ TEST(KnownValues, PoissonRatioGivesKappaOfTheModulusAtRest) {
 }
 
 }  // namespace
-}  // namespace palpate::material
+}  // namespace palpate::material::known_values_test

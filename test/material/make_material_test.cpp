@@ -7,7 +7,7 @@
 #include "palpate/material/material.h"
 #include "support/contains.h"
 
-namespace palpate::material {
+namespace palpate::material::make_material_test {
 namespace {
 
 using test::contains;
@@ -73,4 +73,4 @@ TEST(MakeMaterial, RefusesHalfOrMixedPairs) {
 }
 
 }  // namespace
-}  // namespace palpate::material
+}  // namespace palpate::material::make_material_test

@@ -11,7 +11,7 @@
 #include "support/law_types.h"
 #include "support/random.h"
 
-namespace palpate::material {
+namespace palpate::material::material_laws_test {
 namespace {
 
 using test::nearKink;
@@ -225,4 +225,4 @@ TYPED_TEST(EveryLaw, EnergyIsNeverNaNNorUnboundedBelow) {
 }
 
 }  // namespace
-}  // namespace palpate::material
+}  // namespace palpate::material::material_laws_test

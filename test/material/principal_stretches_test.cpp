@@ -8,7 +8,7 @@
 #include "palpate/material/principal_stretches.h"
 #include "support/random.h"
 
-namespace palpate::material {
+namespace palpate::material::principal_stretches_test {
 namespace {
 
 using test::slopeAtZero;
@@ -112,4 +112,4 @@ TEST(Ogden, TangentOfEqualStretches) {
 }
 
 }  // namespace
-}  // namespace palpate::material
+}  // namespace palpate::material::principal_stretches_test

@@ -9,7 +9,7 @@
 #include "palpate/material/solid.h"
 #include "support/contains.h"
 
-namespace palpate::material {
+namespace palpate::material::refusals_test {
 namespace {
 
 struct Refusal {
@@ -169,4 +169,4 @@ TEST(Refusals, PoissonRatioInPlaceOfKappa) {
 }
 
 }  // namespace
-}  // namespace palpate::material
+}  // namespace palpate::material::refusals_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate::mesh {
+namespace palpate::mesh::canonical_order_test {
 namespace {
 
 /// The same mesh with its points, tetrahedra and corners in another order.
@@ -51,4 +51,4 @@ TEST(CanonicalOrder, FollowsAHilbertCurve) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::canonical_order_test

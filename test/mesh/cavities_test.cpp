@@ -5,7 +5,7 @@
 
 #include "support/hollow.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::cavities_test {
 namespace {
 
 TEST(Cavities, AreNoneInASolidBody) {
@@ -38,4 +38,4 @@ TEST(Cavities, AreOrderedByTheirSize) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::cavities_test

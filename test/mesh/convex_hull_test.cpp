@@ -12,7 +12,7 @@
 
 #include "palpate/instrument/convex_hull.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::convex_hull_test {
 namespace {
 
 Points cubeCorners() {
@@ -102,4 +102,4 @@ TEST(CollisionHull, RefusesWhatIsNotConvexOrInsideOut) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::convex_hull_test

@@ -10,7 +10,7 @@
 
 #include "crooked_block.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::cutaway_test {
 namespace {
 
 const double kInf = std::numeric_limits<double>::infinity();
@@ -187,4 +187,4 @@ TEST(Cutaway, NothingOrEverythingIsCutAway) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::cutaway_test

@@ -10,7 +10,7 @@
 #include "support/concave_surfaces.h"
 #include "support/temp_folder.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::distance_grid_cache_test {
 namespace {
 
 class DistanceGridCache : public ::testing::Test {
@@ -97,4 +97,4 @@ TEST_F(DistanceGridCache, IsNotNeeded) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::distance_grid_cache_test

@@ -12,7 +12,7 @@
 #include "support/concave_surfaces.h"
 #include "support/random.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::distance_grid_test {
 namespace {
 
 /// Distance to a box from `low` to `high` from outside of it.
@@ -200,4 +200,4 @@ TEST(DistanceGrid, IsTheSameBitsEachTimeAndRefusesAFoil) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::distance_grid_test

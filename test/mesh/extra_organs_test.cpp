@@ -12,7 +12,7 @@
 #include "palpate/mesh/surface_check.h"
 #include "palpate/mesh/volume_mesher.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::extra_organs_test {
 namespace {
 
 TEST(ExtraOrgans, ALiverWithAFoldIsMendedAndMeshed) {
@@ -40,4 +40,4 @@ TEST(ExtraOrgans, ALiverWithAFoldIsMendedAndMeshed) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::extra_organs_test

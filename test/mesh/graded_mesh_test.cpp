@@ -18,7 +18,7 @@
 #include "palpate/organs/organs.h"
 #include "support/contains.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::graded_mesh_test {
 namespace {
 
 using test::contains;
@@ -229,4 +229,4 @@ TEST(GradedMesh, RefusesTooManyTetrahedraByThePlaceThatMakesThem) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::graded_mesh_test

@@ -15,7 +15,7 @@
 #include "mesh/surfaces.h"
 #include "palpate/base/error.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::mesh_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST(DefaultCacheDirectory, FollowsTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::mesh_cache_test

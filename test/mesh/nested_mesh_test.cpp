@@ -13,7 +13,7 @@
 #include "palpate/mesh/quality.h"
 #include "palpate/mesh/size_estimate.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::nested_mesh_test {
 namespace {
 
 using test::crookedBlock;
@@ -233,4 +233,4 @@ TEST(NestedMesh, RefusesBitsOfAnotherMesh) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::nested_mesh_test

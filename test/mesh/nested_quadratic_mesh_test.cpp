@@ -8,7 +8,7 @@
 #include "crooked_block.h"
 #include "support/contains.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::nested_quadratic_mesh_test {
 namespace {
 
 using test::crookedBlock;
@@ -196,4 +196,4 @@ TEST(NestedQuadraticMesh, RefusesBentEdges) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::nested_quadratic_mesh_test

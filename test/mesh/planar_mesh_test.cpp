@@ -9,7 +9,7 @@
 
 #include "palpate/mesh/surface_check.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::planar_mesh_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -101,4 +101,4 @@ TEST(PlanarMesh, RefusesWhatIsNoPolygon) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::planar_mesh_test

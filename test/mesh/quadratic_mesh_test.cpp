@@ -8,7 +8,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "support/random.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::quadratic_mesh_test {
 namespace {
 
 const TetMesh kLinear = boxMesh(Vec3(1.0, 2.0, 1.5), Eigen::Vector3i(2, 3, 2));
@@ -80,4 +80,4 @@ TEST(Locate, QuadraticShapesInterpolateASquare) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::quadratic_mesh_test

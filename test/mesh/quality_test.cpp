@@ -8,7 +8,7 @@
 #include "mesh/surfaces.h"
 #include "palpate/mesh/edge_lengths.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::quality_test {
 namespace {
 
 TEST(Quality, OfARegularTetrahedron) {
@@ -106,4 +106,4 @@ TEST(Quality, OfFlatAndOfNoTetrahedra) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::quality_test

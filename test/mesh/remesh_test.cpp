@@ -9,7 +9,7 @@
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/mesh/used_points.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::remesh_test {
 namespace {
 
 SurfaceMesh boxOf(const Vec3& size, const Eigen::Vector3i& cells) {
@@ -51,4 +51,4 @@ TEST(Remesh, GivesTheSameBitsAgain) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::remesh_test

@@ -8,7 +8,7 @@
 
 #include "palpate/base/error.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::size_check_test {
 namespace {
 
 Points boxOf(double x, double y, double z) {
@@ -65,4 +65,4 @@ TEST(SizeCheck, RefusesNothingAndNonsense) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::size_check_test

@@ -10,7 +10,7 @@
 #include "palpate/mesh/size_estimate.h"
 #include "support/random.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::size_field_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -156,4 +156,4 @@ TEST(SizeEstimate, StopsWhereThereAreTooMany) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::size_field_test

@@ -7,7 +7,7 @@
 
 #include "support/random.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::spline_grid_test {
 namespace {
 
 const GridBox kBox{Vec3(0.1, -0.2, 0.3), 0.05, Eigen::Vector3i(9, 7, 11)};
@@ -93,4 +93,4 @@ TEST(SplineGrid, ErrorGoesWithTheFourthPowerOfTheSpacing) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::spline_grid_test

@@ -5,7 +5,7 @@
 
 #include "mesh/surfaces.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::surface_check_test {
 namespace {
 
 TEST(SurfaceCheck, PassesABox) {
@@ -112,4 +112,4 @@ TEST(SurfaceCheck, FindsBoxesThatCutEachOther) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::surface_check_test

@@ -8,7 +8,7 @@
 #include "palpate/mesh/surface_check.h"
 #include "palpate/organs/organs.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::surface_levels_test {
 namespace {
 
 TEST(SurfaceLevels, SimplifyToAsManyTrianglesOfTheSameShape) {
@@ -50,4 +50,4 @@ TEST(SurfaceLevels, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::surface_levels_test

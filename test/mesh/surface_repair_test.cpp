@@ -8,7 +8,7 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/surface_check.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::surface_repair_test {
 namespace {
 
 constexpr double kVolume = 1e-3;  // [m^3] of the box
@@ -177,4 +177,4 @@ TEST(SurfaceRepair, RefusesWhatIsNoSurface) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::surface_repair_test

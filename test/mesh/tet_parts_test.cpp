@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate::mesh {
+namespace palpate::mesh::tet_parts_test {
 namespace {
 
 // Two boxes, 50 mm apart, whose nodes and tetrahedra are mixed like cards.
@@ -80,4 +80,4 @@ TEST(SplitParts, OneBodyIsOnePartAndStrayNodesAreInNone) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::tet_parts_test

@@ -7,7 +7,7 @@
 #include "palpate/mesh/selection.h"
 #include "support/contains.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::tet_selection_test {
 namespace {
 
 // A cube [0, 1]^3 of 8^3 cells: 3072 tetrahedra of equal volume.
@@ -84,4 +84,4 @@ TEST_F(TetSelection, RefusesDataThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::tet_selection_test

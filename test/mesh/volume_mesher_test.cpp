@@ -15,7 +15,7 @@
 #include "palpate/mesh/surface_check.h"
 #include "palpate/organs/organs.h"
 
-namespace palpate::mesh {
+namespace palpate::mesh::volume_mesher_test {
 namespace {
 
 MeshingOptions withEdge(double edge_length) {
@@ -180,4 +180,4 @@ TEST(VolumeMesher, RefusesASurfaceInsideOut) {
 }
 
 }  // namespace
-}  // namespace palpate::mesh
+}  // namespace palpate::mesh::volume_mesher_test

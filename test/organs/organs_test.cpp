@@ -13,7 +13,7 @@
 #include "palpate/mesh/size_check.h"
 #include "palpate/mesh/surface_check.h"
 
-namespace palpate::organs {
+namespace palpate::organs::organs_test {
 namespace {
 
 struct Expected {
@@ -136,4 +136,4 @@ TEST(Organs, RefuseImpossibleEdgeLengths) {
 }
 
 }  // namespace
-}  // namespace palpate::organs
+}  // namespace palpate::organs::organs_test

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace palpate::node {
+namespace palpate::node::conversions_test {
 namespace {
 
 TEST(Conversions, AReportSaysInMillisecondsWhereTheTimeWent) {
@@ -63,4 +63,4 @@ TEST(Conversions, NoMessageHoldsANumberThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::conversions_test

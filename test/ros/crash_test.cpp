@@ -12,7 +12,7 @@
 
 #include "ending.h"
 
-namespace palpate::node {
+namespace palpate::node::crash_test {
 namespace {
 
 volatile int deep = 0;
@@ -103,4 +103,4 @@ TEST_F(CrashDeathTest, EndsInTimeThoughTheOthersHang) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::crash_test

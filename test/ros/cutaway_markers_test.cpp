@@ -10,7 +10,7 @@
 #include "support/source_folder.h"
 #include "surface_copies.h"
 
-namespace palpate::node {
+namespace palpate::node::cutaway_markers_test {
 namespace {
 
 using visualization_msgs::Marker;
@@ -173,4 +173,4 @@ TEST(CutawayMarkers, WaitForCells) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::cutaway_markers_test

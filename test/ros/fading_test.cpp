@@ -10,7 +10,7 @@
 #include "palpate/sim/simulator.h"
 #include "sim/slab_scene.h"
 
-namespace palpate::node {
+namespace palpate::node::fading_test {
 namespace {
 
 constexpr int kTicks = 10;  // of the force loop in a cycle
@@ -100,4 +100,4 @@ TEST_F(Fading, AndComingBackIsToo) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::fading_test

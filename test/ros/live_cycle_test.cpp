@@ -13,7 +13,7 @@
 #include "palpate/sim/lockstep.h"
 #include "sim/slab_scene.h"
 
-namespace palpate::node {
+namespace palpate::node::live_cycle_test {
 namespace {
 
 /// A hand that the test moves.
@@ -165,4 +165,4 @@ TEST_F(LiveCycleTest, SavesTheStateAfterTheStepUnderWay) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::live_cycle_test

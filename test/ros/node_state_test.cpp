@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate::node {
+namespace palpate::node::node_state_test {
 namespace {
 
 CycleFacts facts(bool seen, bool live, bool stepped, bool solved) {
@@ -58,4 +58,4 @@ TEST(NodeState, APauseEndsAFault) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::node_state_test

@@ -5,7 +5,7 @@
 
 #include <boost/make_shared.hpp>
 
-namespace palpate::node {
+namespace palpate::node::one_publisher_test {
 namespace {
 
 constexpr double kPatience = 0.2;
@@ -53,4 +53,4 @@ TEST_F(OnePublisherTest, AConnectionThatIsGoneHasNoTurn) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::one_publisher_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace palpate::node {
+namespace palpate::node::pace_test {
 namespace {
 
 struct Ran {
@@ -139,4 +139,4 @@ TEST(Pace, DoesNotMakeUpForCyclesThatTookTooLong) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::pace_test

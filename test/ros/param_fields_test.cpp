@@ -15,7 +15,7 @@
 #include "support/input_error.h"
 #include "support/source_folder.h"
 
-namespace palpate::node {
+namespace palpate::node::param_fields_test {
 namespace {
 
 using XmlRpc::XmlRpcValue;
@@ -126,4 +126,4 @@ TEST(ParamTree, FindsWhatIsSet) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::param_fields_test

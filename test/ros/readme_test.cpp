@@ -26,7 +26,7 @@
 #include "topics.h"
 #include "visualization_msgs/MarkerArray.h"
 
-namespace palpate::node {
+namespace palpate::node::readme_test {
 namespace {
 
 using Row = std::vector<std::string>;  // cells
@@ -131,4 +131,4 @@ TEST(Readme, HasTheParametersOfTheNode) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::readme_test

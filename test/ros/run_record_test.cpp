@@ -20,7 +20,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::node {
+namespace palpate::node::run_record_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,7 +59,7 @@ TEST(Sha256, IsThatOfTheStandard) {  // FIPS 180-2, and of nothing
   EXPECT_EQ(sha256OfFile(folder.path("")), "");
 }
 
-class ShippedScenes : public ::testing::TestWithParam<std::string> {};
+class RecordsOfScenes : public ::testing::TestWithParam<std::string> {};
 
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> names;
@@ -70,11 +70,11 @@ std::vector<std::string> shippedScenes() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScenes, ::testing::ValuesIn(shippedScenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, RecordsOfScenes, ::testing::ValuesIn(shippedScenes()),
                          [](const auto& name) { return name.param; });
 
 // Whatever in the file, comments apart, looks like a path is among the files, which are there.
-TEST_P(ShippedScenes, NameAllTheirFiles) {
+TEST_P(RecordsOfScenes, NameAllTheirFiles) {
   const std::string file = kConfig + "scenes/" + GetParam() + ".yaml";
   const palpate::RunRecord record = recordOfFile(file);
   EXPECT_EQ(record.scene_text, test::fileBytes(file));
@@ -92,7 +92,7 @@ TEST_P(ShippedScenes, NameAllTheirFiles) {
   EXPECT_GE(count, 1);
 }
 
-TEST_P(ShippedScenes, DoNotDifferFromThemselves) {
+TEST_P(RecordsOfScenes, DoNotDifferFromThemselves) {
   const std::string file = kConfig + "scenes/" + GetParam() + ".yaml";
   EXPECT_EQ(differences(recordOfFile(file), recordOfFile(file)), std::vector<std::string>());
 }
@@ -205,4 +205,4 @@ TEST(RunRecord, IsAMessageUpToItsLastByteOnly) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::run_record_test

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace palpate::node {
+namespace palpate::node::stamps_test {
 namespace {
 
 // As it is read from a message, which may have any numbers.
@@ -25,4 +25,4 @@ TEST(Stamps, AreApartWhateverStandsInThem) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::stamps_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate::node {
+namespace palpate::node::tf_frames_test {
 namespace {
 
 constexpr double kPatience = 0.2;
@@ -140,4 +140,4 @@ TEST_F(TfFramesTest, ForgetsWhatMovedWhenTimeGoesBack) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::tf_frames_test

@@ -13,7 +13,7 @@
 #include "support/contains.h"
 #include "support/source_folder.h"
 
-namespace palpate::node {
+namespace palpate::node::tool_frames_test {
 namespace {
 
 /// A scene of instruments, each written as "name, urdf, more keys".
@@ -129,4 +129,4 @@ TEST_F(ToolFrames, OfATrackedToolAreThoseThatAreLookedUp) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::tool_frames_test

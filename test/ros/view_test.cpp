@@ -15,7 +15,7 @@
 #include "state_text.h"
 #include "support/contains.h"
 
-namespace palpate::node {
+namespace palpate::node::view_test {
 namespace {
 
 using visualization_msgs::Marker;
@@ -157,4 +157,4 @@ TEST_F(StateTexts, StandAboveTheOrgans) {
 }
 
 }  // namespace
-}  // namespace palpate::node
+}  // namespace palpate::node::view_test

@@ -7,7 +7,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::body_fields_test {
 namespace {
 
 using test::hasProblem;
@@ -181,4 +181,4 @@ TEST_F(BodyFields, Damping) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::body_fields_test

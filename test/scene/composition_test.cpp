@@ -9,7 +9,7 @@
 #include "support/random.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::composition_test {
 namespace {
 
 using test::hasProblem;
@@ -192,4 +192,4 @@ TEST_F(Composition, OfACaseHasNoPrefix) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::composition_test

@@ -9,7 +9,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::hand_settings_test {
 namespace {
 
 TEST(HandSettings, LimitsOfAnInstrumentStandBeforeThoseOfItsDeviceAndOfAll) {
@@ -43,4 +43,4 @@ TEST(DeviceModels, AreThoseOfThePage) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::hand_settings_test

@@ -10,7 +10,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::pressed_organ_test {
 namespace {
 
 constexpr char kHeldBelow[] = "{plane: {axis: z, at: 0.0, tolerance: 1.0e-4}}";
@@ -94,4 +94,4 @@ TEST_F(PressesAreKnownAgain, UnlessFibresRunOtherwise) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::pressed_organ_test

@@ -5,7 +5,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::scene_errors_test {
 namespace {
 
 using test::hasProblem;
@@ -357,4 +357,4 @@ TEST_F(SceneErrors, GarbageIsRefusedNotFatal) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::scene_errors_test

@@ -9,7 +9,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::scene_test {
 namespace {
 
 const std::string kSource = test::sourceFolder();
@@ -168,4 +168,4 @@ TEST(SceneFormat, NamesKeysRangesAndLaws) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::scene_test

@@ -6,7 +6,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::tissue_file_test {
 namespace {
 
 using test::hasProblem;
@@ -118,4 +118,4 @@ TEST_F(TissueFiles, RefusesSeriesThatLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::tissue_file_test

@@ -12,7 +12,7 @@
 #include "support/temp_folder.h"
 #include "support/uniaxial.h"
 
-namespace palpate::scene {
+namespace palpate::scene::tissue_library_test {
 namespace {
 
 const std::string kFolder = test::sourceFolder() + "/config/materials/";
@@ -135,4 +135,4 @@ TEST(TissuePage, CommittedPageIsTheGeneratedOne) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::tissue_library_test

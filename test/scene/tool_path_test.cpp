@@ -8,7 +8,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::scene {
+namespace palpate::scene::tool_path_test {
 namespace {
 
 class ToolPath : public ::testing::Test {
@@ -81,4 +81,4 @@ TEST_F(ToolPath, IsThatOfAnInstrumentOfTheScene) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::tool_path_test

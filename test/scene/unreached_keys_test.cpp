@@ -18,7 +18,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::keys {
+namespace palpate::keys::unreached_keys_test {
 
 /// Finds nothing. `enters`: goes into the items of lists all the same.
 class Nothing final : public FieldVisitor {
@@ -274,4 +274,4 @@ TEST_P(ShippedScenes, AreToldWithAllTheirKeys) {
 }
 
 }  // namespace
-}  // namespace palpate::keys
+}  // namespace palpate::keys::unreached_keys_test

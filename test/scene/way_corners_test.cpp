@@ -7,7 +7,7 @@
 
 #include "palpate/mesh/size_field.h"
 
-namespace palpate::scene {
+namespace palpate::scene::way_corners_test {
 namespace {
 
 double farthest(const std::vector<Vec3>& points, const std::vector<Vec3>& corners) {
@@ -48,4 +48,4 @@ TEST(WayCorners, OfASpiralTakeNoDepthAndNoTime) {
 }
 
 }  // namespace
-}  // namespace palpate::scene
+}  // namespace palpate::scene::way_corners_test

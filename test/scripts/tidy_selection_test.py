@@ -142,6 +142,15 @@ class Tidy(unittest.TestCase):
         self.assertEqual(self.run_tidy("src/a/one.cpp")[2], ["one.cpp"])
         self.assertTrue(self.calls[0].endswith(f"src/a/one.cpp -- -I{self.root}/include -O3"))
 
+    def test_each_source_of_those_that_are_compiled_as_one(self):
+        sources = sorted(self.root.glob("src/*/*.cpp"))
+        unit = self.write("build/src/Unity/unity_0_cxx.cxx", "".join(f'#include "{s}"\n' for s in sources))
+        self.write("build/compile_commands.json", json.dumps([
+            {"directory": str(self.root), "file": str(unit), "command": f"c++ -O3 -o x.o -c {unit}"}]))
+        status, said, seen = self.run_tidy("src/a/two.cpp")
+        self.assertEqual((status, seen), (0, ["two.cpp"]), said)
+        self.assertTrue(self.calls[0].endswith("src/a/two.cpp -- -O3"), self.calls)
+
 
 if __name__ == "__main__":
     if not shutil.which("git"):

@@ -13,7 +13,7 @@
 #include "support/contains.h"
 #include "support/input_error.h"
 
-namespace palpate::sim {
+namespace palpate::sim::anatomy_test {
 namespace {
 
 using test::AnatomyScene;
@@ -277,4 +277,4 @@ TEST_F(AnatomyErrors, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::anatomy_test

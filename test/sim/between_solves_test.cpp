@@ -11,7 +11,7 @@
 #include "palpate/haptics/tool_renderer.h"
 #include "slab_scene.h"
 
-namespace palpate::sim {
+namespace palpate::sim::between_solves_test {
 namespace {
 
 constexpr int kCycle = 10, kSolve = 5;  // of the simulation, and from its input to its wrench [ms]
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(Motions, BetweenSolves, ::testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::between_solves_test

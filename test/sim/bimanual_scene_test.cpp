@@ -4,7 +4,7 @@
 
 #include "shipped_replay.h"
 
-namespace palpate::sim {
+namespace palpate::sim::bimanual_scene_test {
 namespace {
 
 // Times of the shipped trajectory [s]: jaws closed, lifted, about to lower, lowered, open, end.
@@ -91,4 +91,4 @@ TEST(BimanualScene, LiftsByTheForceOfTheTissueBelowAndLetsGo) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::bimanual_scene_test

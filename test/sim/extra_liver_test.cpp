@@ -10,7 +10,7 @@
 #include "palpate/sim/simulator.h"
 #include "support/source_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::extra_liver_test {
 namespace {
 
 TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
@@ -59,4 +59,4 @@ TEST(ExtraLiver, IsMeshedLoadedAndPalpated) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::extra_liver_test

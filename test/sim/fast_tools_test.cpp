@@ -7,7 +7,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::fast_tools_test {
 namespace {
 
 constexpr double kStep = 0.01, kDeep = 0.014;
@@ -96,4 +96,4 @@ TEST_F(FastTools, WhatIsFarFromABalanceIsNotFelt) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::fast_tools_test

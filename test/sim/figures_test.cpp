@@ -16,7 +16,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::figures_test {
 namespace {
 
 using tissue::Figure;
@@ -131,7 +131,7 @@ TEST(Figures, OfOrgansAndPartsAreOne) {
   }
 }
 
-TEST(Skips, OfPartsCountASleepingOneAsLeftOut) {
+TEST(SkipFigures, OfPartsCountASleepingOneAsLeftOut) {
   tissue::TissueStep asleep, awake, organ;
   asleep.slept = true;
   asleep.distant_samples = 3;
@@ -198,4 +198,4 @@ TEST(Figures, OfSubStepsAreThoseOfAllOfThem) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::figures_test

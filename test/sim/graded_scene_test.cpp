@@ -7,7 +7,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::graded_scene_test {
 namespace {
 
 // The shipped slab, 100 x 100 x 30 mm, under the probe, whose ball of 5 mm touches its top.
@@ -70,4 +70,4 @@ TEST_F(GradedScene, FeelsLessThanAUniformMeshOfMoreTetrahedra) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::graded_scene_test

@@ -11,7 +11,7 @@
 #include "palpate/haptics/swing.h"
 #include "slab_scene.h"
 
-namespace palpate::sim {
+namespace palpate::sim::hand_loop_test {
 namespace {
 
 // What comes of the last second.
@@ -168,4 +168,4 @@ TEST_F(HandOnSlab, GivesTheSameBitsAgain) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::hand_loop_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace palpate::sim {
+namespace palpate::sim::hand_motion_test {
 namespace {
 
 // Velocities are those of the positions, and nothing leaps.
@@ -50,4 +50,4 @@ TEST(HandMotion, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::hand_motion_test

@@ -8,7 +8,7 @@
 #include "palpate/haptics/swing.h"
 #include "palpate/sim/hand_loop.h"
 
-namespace palpate::sim {
+namespace palpate::sim::hand_on_bone_test {
 namespace {
 
 struct Held {
@@ -94,4 +94,4 @@ TEST_F(HandOnBone, SlidesWithoutLeaps) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::hand_on_bone_test

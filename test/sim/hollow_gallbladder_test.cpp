@@ -7,7 +7,7 @@
 #include "support/input_error.h"
 #include "support/source_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::hollow_gallbladder_test {
 namespace {
 
 scene::Scene gallbladder() {
@@ -75,4 +75,4 @@ TEST(HollowGallbladder, SaysWhatIsWrongWithItsPressure) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::hollow_gallbladder_test

@@ -2,7 +2,7 @@
 // The shipped block of cells is pressed and dragged, and comes back.
 #include "shipped_replay.h"
 
-namespace palpate::sim {
+namespace palpate::sim::honeycomb_scene_test {
 namespace {
 
 // Times of the shipped trajectory [s]: before the touch, pressed, dragged, away, end.
@@ -31,4 +31,4 @@ TEST(HoneycombScene, IsPressedDraggedAndLetGo) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::honeycomb_scene_test

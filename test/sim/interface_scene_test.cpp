@@ -9,7 +9,7 @@
 #include "slab_scene.h"
 #include "support/input_error.h"
 
-namespace palpate::sim {
+namespace palpate::sim::interface_scene_test {
 namespace {
 
 // Times of the shipped trajectory [s]: before the touch, pressed, gone about, away.
@@ -95,4 +95,4 @@ TEST(InterfaceScene, RefusesAToolThatIsNoSegment) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::interface_scene_test

@@ -5,7 +5,7 @@
 
 #include "slab_scene.h"
 
-namespace palpate::sim {
+namespace palpate::sim::lockstep_test {
 namespace {
 
 class LockstepOnSlab : public ::testing::Test {
@@ -70,4 +70,4 @@ TEST_F(LockstepOnSlab, TimeThatGoesBackBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::lockstep_test

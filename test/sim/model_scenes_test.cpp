@@ -9,7 +9,7 @@
 #include "shipped_replay.h"
 #include "support/contains.h"
 
-namespace palpate::sim {
+namespace palpate::sim::model_scenes_test {
 namespace {
 
 class ModelScenes : public ::testing::TestWithParam<std::string> {};
@@ -107,4 +107,4 @@ TEST(ClothScene, PushesBackAndLetsGo) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::model_scenes_test

@@ -10,7 +10,7 @@
 #include "support/input_error.h"
 #include "support/source_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::needle_scene_test {
 namespace {
 
 scene::Scene block() {
@@ -65,4 +65,4 @@ TEST(NeedleScene, SaysWhatIsWrongWithANeedle) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::needle_scene_test

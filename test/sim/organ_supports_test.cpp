@@ -11,7 +11,7 @@
 #include "support/input_error.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::organ_supports_test {
 namespace {
 
 using test::contains;
@@ -152,4 +152,4 @@ TEST_F(Supports, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::organ_supports_test

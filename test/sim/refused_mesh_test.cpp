@@ -9,7 +9,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::refused_mesh_test {
 namespace {
 
 // A ball that begins 10 mm below the top of the shipped slab: while it is thrown out, the tissue is
@@ -60,4 +60,4 @@ TEST_P(RefusedMesh, IsNotTakenAndAnotherOneComes) {
 INSTANTIATE_TEST_SUITE_P(Elements, RefusedMesh, ::testing::Values("anp", "tet10", "tet10p"));
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::refused_mesh_test

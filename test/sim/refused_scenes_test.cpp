@@ -9,7 +9,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::refused_scenes_test {
 namespace {
 
 using test::contains;
@@ -93,4 +93,4 @@ TEST_F(RefusedScenes, TrianglesResolveTheSurface) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::refused_scenes_test

@@ -4,7 +4,7 @@
 
 #include "shipped_replay.h"
 
-namespace palpate::sim {
+namespace palpate::sim::retraction_scene_test {
 namespace {
 
 // Times of the shipped trajectory [s]: lifted, probe before it touches, first and second palpation
@@ -71,4 +71,4 @@ TEST(RetractionScene, HoldsTheLobeWhileTheProbePalpates) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::retraction_scene_test

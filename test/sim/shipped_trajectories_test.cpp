@@ -8,7 +8,7 @@
 
 #include "sim/shipped_replay.h"
 
-namespace palpate::sim {
+namespace palpate::sim::shipped_trajectories_test {
 namespace {
 
 struct Motion {
@@ -43,4 +43,4 @@ TEST_P(ShippedTrajectories, TouchConvergeAndLetGo) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::shipped_trajectories_test

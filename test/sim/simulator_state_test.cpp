@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace palpate::sim {
+namespace palpate::sim::simulator_state_test {
 namespace {
 
 TEST(SimulatorState, IsItsBytes) {
@@ -29,4 +29,4 @@ TEST(SimulatorState, HasATime) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::simulator_state_test

@@ -10,7 +10,7 @@
 #include "slab_scene.h"
 #include "support/input_error.h"
 
-namespace palpate::sim {
+namespace palpate::sim::simulator_test {
 namespace {
 
 using test::SlabScene;
@@ -196,4 +196,4 @@ TEST(SimulatorLoading, SaysWhichKeyOfTheSceneIsWrong) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::simulator_test

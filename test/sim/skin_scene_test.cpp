@@ -5,7 +5,7 @@
 #include "palpate/skin/two_layer_block.h"
 #include "shipped_replay.h"
 
-namespace palpate::sim {
+namespace palpate::sim::skin_scene_test {
 namespace {
 
 // Force on a flat punch by a depth, of a disc of the same layers; linear and small [N/m].
@@ -45,4 +45,4 @@ TEST(SkinScene, PushesBackAtBothDepthsAndLetsGo) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::skin_scene_test

@@ -15,7 +15,7 @@
 #include "support/input_error.h"
 #include "support/source_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::skips_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -163,4 +163,4 @@ TEST(Skips, ARestingSceneCostsNextToNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::skips_test

@@ -13,7 +13,7 @@
 #include "palpate/sim/lockstep.h"
 #include "slab_scene.h"
 
-namespace palpate::sim {
+namespace palpate::sim::state_hash_test {
 namespace {
 
 std::uint64_t hashOf(const std::vector<double>& values) {
@@ -149,4 +149,4 @@ TEST_F(HashedRuns, SayWhatTheHashCosts) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::state_hash_test

@@ -8,7 +8,7 @@
 
 #include "slab_scene.h"
 
-namespace palpate::sim {
+namespace palpate::sim::tools_test {
 namespace {
 
 using test::SlabScene;
@@ -172,4 +172,4 @@ TEST_F(ProxiedTools, TakeOverTheStateOfOnesWithoutAProxy) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::tools_test

@@ -13,7 +13,7 @@
 #include "palpate/sim/simulator.h"
 #include "support/source_folder.h"
 
-namespace palpate::sim {
+namespace palpate::sim::turned_scene_test {
 namespace {
 
 struct Scene {
@@ -77,4 +77,4 @@ TEST_P(Turned, FeelsTheSameInItsOwnAxes) {
 }
 
 }  // namespace
-}  // namespace palpate::sim
+}  // namespace palpate::sim::turned_scene_test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace palpate::skin {
+namespace palpate::skin::plane_statics_test {
 namespace {
 
 constexpr double kE = 2.0e5;
@@ -110,4 +110,4 @@ TEST(PlaneStatics, NothingMovesWhereAllIsHeld) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::plane_statics_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace palpate::skin {
+namespace palpate::skin::plane_triangle_test {
 namespace {
 
 constexpr double kE = 0.2e6, kNu = 0.48, kPi = 3.14159265358979323846;
@@ -108,4 +108,4 @@ TEST(PlaneTriangle, RefusesAnUnknownName) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::plane_triangle_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace palpate::skin {
+namespace palpate::skin::profile_fit_test {
 namespace {
 
 TwoLayerBlock meshOf(int columns) {
@@ -109,4 +109,4 @@ TEST(ProfileFit, RingsAreReadFromTheirAxis) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::profile_fit_test

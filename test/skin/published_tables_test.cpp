@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace palpate::skin {
+namespace palpate::skin::published_tables_test {
 namespace {
 
 TEST(PublishedTables, AreReproducedToTheLastPrintedDigit) {
@@ -62,4 +62,4 @@ TEST(PublishedTables, ADigitMoreOrLessDoesNotAgree) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::published_tables_test

@@ -8,7 +8,7 @@
 
 #include "palpate/base/error.h"
 
-namespace palpate::skin {
+namespace palpate::skin::skin_sweep_test {
 namespace {
 
 TEST(SkinSweep, RatiosAreThoseOfTheTables) {
@@ -74,4 +74,4 @@ TEST(SkinSweep, RefusesARatioOfNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::skin_sweep_test

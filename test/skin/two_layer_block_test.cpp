@@ -10,7 +10,7 @@
 #include "palpate/skin/profile_fit.h"
 #include "support/input_error.h"
 
-namespace palpate::skin {
+namespace palpate::skin::two_layer_block_test {
 namespace {
 
 using test::hasProblem;
@@ -232,4 +232,4 @@ TEST(TwoLayerBlock, RefusesWhatIsNoBlock) {
 }
 
 }  // namespace
-}  // namespace palpate::skin
+}  // namespace palpate::skin::two_layer_block_test

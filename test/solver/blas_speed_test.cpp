@@ -5,7 +5,7 @@
 
 #include "support/contains.h"
 
-namespace palpate::solver {
+namespace palpate::solver::blas_speed_test {
 namespace {
 
 using test::contains;
@@ -41,4 +41,4 @@ TEST(BlasSpeed, IsMeasuredHereAndBelievable) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::blas_speed_test

@@ -8,7 +8,7 @@
 #include "palpate/solver/potential.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::cholmod_solver_test {
 namespace {
 
 constexpr double kTolerance = 1e-2;  // as Newton's method asks, far from the end
@@ -124,4 +124,4 @@ TEST(CholmodSolver, TellsThatAMatrixIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::cholmod_solver_test

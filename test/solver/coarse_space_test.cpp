@@ -15,7 +15,7 @@
 #include "solver/chunks.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::coarse_space_test {
 namespace {
 
 // A cube of 15 cells a side, 4096 nodes, held below, where a step of 10 ms has begun; some nodes of
@@ -239,4 +239,4 @@ TEST(CoarseSpace, PaysWhereNewsHaveALongWayToGo) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::coarse_space_test

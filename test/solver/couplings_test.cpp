@@ -18,7 +18,7 @@
 #include "support/random.h"
 #include "tissue/fem/sparse_assembly.h"
 
-namespace palpate::solver {
+namespace palpate::solver::couplings_test {
 namespace {
 
 constexpr int kNumNodes = 64;  // of a cube of three cells a side
@@ -281,7 +281,7 @@ TEST_P(TiedBody, PredictsWithWhatIsTied) {
 }
 
 // The kept stiffness with couplings that come and go is the one of now.
-TEST(KeptStiffness, HasTheCouplingsOfNow) {
+TEST(KeptCouplings, HasTheCouplingsOfNow) {
   test::Random random;
   Tied tied;
   fem::Stiffness A = tied.body->makeMatrix();
@@ -312,4 +312,4 @@ TEST(KeptStiffness, HasTheCouplingsOfNow) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::couplings_test

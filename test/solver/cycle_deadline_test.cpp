@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace palpate::solver {
+namespace palpate::solver::cycle_deadline_test {
 namespace {
 
 constexpr double kSeconds = 0.02;
@@ -77,4 +77,4 @@ TEST(Deadline, GivesSeveralCyclesTheTimeOfAll) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::cycle_deadline_test

@@ -12,7 +12,7 @@
 #include "palpate/solver/line_search.h"
 #include "palpate/solver/newton.h"
 
-namespace palpate::solver {
+namespace palpate::solver::integrator_test {
 namespace {
 
 // A block held at the bottom, pushed to the side and let go.
@@ -165,4 +165,4 @@ TEST(Integrator, StateKnowsWhatWasOutOfBalance) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::integrator_test

@@ -13,7 +13,7 @@
 #include "palpate/solver/inertia.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::joint_potential_test {
 namespace {
 
 // A block of an element, drawn down and not at rest, with a held bottom and masses.
@@ -233,4 +233,4 @@ TEST_P(SideBySide, APairIsPlacedByItsMembers) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::joint_potential_test

@@ -16,7 +16,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::solver {
+namespace palpate::solver::kept_stiffness_test {
 namespace {
 
 // Springs between a node and its neighbours on the diagonal, here and there as it moves on.
@@ -282,4 +282,4 @@ TEST(KeptStiffness, IsKeptOverWhatThePageSays) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::kept_stiffness_test

@@ -6,7 +6,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/mesh/tet_mesh.h"
 
-namespace palpate::solver {
+namespace palpate::solver::line_search_test {
 namespace {
 
 // Nodes drawn to where they are `moved`, but one that only a weak force draws, for ever.
@@ -82,4 +82,4 @@ TEST(LineSearch, ShortensAllWhereItWouldGoUphillElse) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::line_search_test

@@ -10,7 +10,7 @@
 #include "palpate/solver/potential.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::linear_solvers_test {
 namespace {
 
 // A cube of n cells a side. "ELEMENT_two": of two solids, so that nodes between have two pressures.
@@ -210,7 +210,7 @@ TEST(BlockPcg, SaysWhatIsWrong) {
   EXPECT_EQ(pcg.solve(s.A, s.b, 1e-6, &x).status, SolveStatus::kNotPositiveDefinite);
 }
 
-TEST(CholmodSolver, SaysWhatIsWrongAndRecovers) {
+TEST(CholmodErrors, SaysWhatIsWrongAndRecovers) {
   const System s;
   CholmodSolver cholmod;
   Points x;
@@ -225,7 +225,7 @@ TEST(CholmodSolver, SaysWhatIsWrongAndRecovers) {
 }
 
 // Small matrices are factored as L D L', which is there for indefinite ones as well.
-TEST(CholmodSolver, FindsIndefiniteMatricesOfAllSizes) {
+TEST(CholmodErrors, FindsIndefiniteMatricesOfAllSizes) {
   for (const int n : {1, 2, 3, 6}) {
     const System s("tet4", n);
     CholmodSolver cholmod;
@@ -239,4 +239,4 @@ TEST(CholmodSolver, FindsIndefiniteMatricesOfAllSizes) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::linear_solvers_test

@@ -11,7 +11,7 @@
 #include "palpate/solver/newton.h"
 #include "palpate/solver/stale_pcg.h"
 
-namespace palpate::solver {
+namespace palpate::solver::minimizers_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -267,7 +267,7 @@ double beginOver(double height, Pushed* pushed, Points* g) {
   return pushed->potential.gradient(pushed->x, g);
 }
 
-TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
+TEST(MinimizerLineSearch, EndsBetweenTrialsWhenAskedTo) {
   Pushed pushed;
   Points g;
   double value = beginOver(0.01, &pushed, &g);
@@ -282,7 +282,7 @@ TEST(LineSearch, EndsBetweenTrialsWhenAskedTo) {
 }
 
 // However short the step, and small what it adds to the value.
-TEST(LineSearch, TakesNoStepUphill) {
+TEST(MinimizerLineSearch, TakesNoStepUphill) {
   Pushed pushed;
   Points g;
   double value = beginOver(0.01, &pushed, &g);
@@ -344,7 +344,7 @@ TEST(Lbfgs, StopsAtItsLimitWithABetterState) {
   EXPECT_LT(pushed.potential.value(pushed.x), before);
 }
 
-TEST(StalePcg, NeedsFarFewerIterationsThanBlockJacobi) {
+TEST(MinimizerStalePcg, NeedsFarFewerIterationsThanBlockJacobi) {
   Pushed plain(0.499), stale(0.499);
   const auto pcg = plain.make("implicit_pcg"), async = stale.make("implicit_async");
   plain.rise = stale.rise = 0.002;
@@ -356,7 +356,7 @@ TEST(StalePcg, NeedsFarFewerIterationsThanBlockJacobi) {
 
 // A solve of its own: what prepare() has not factorised is begun by a solve and taken into use some
 // cycles later, never before.
-TEST(StalePcg, TakesAFactorIntoUseAtAFixedCycle) {
+TEST(MinimizerStalePcg, TakesAFactorIntoUseAtAFixedCycle) {
   Pushed pushed;
   pushed.time.start(pushed.mesh.points, Points::Zero(3, pushed.mesh.numPoints()));
   pushed.time.beginStep(kStep, &pushed.potential);
@@ -384,4 +384,4 @@ TEST(StalePcg, TakesAFactorIntoUseAtAFixedCycle) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::minimizers_test

@@ -6,7 +6,7 @@
 #include "half_stiff_block.h"
 #include "palpate/base/state_bytes.h"
 
-namespace palpate::solver {
+namespace palpate::solver::pcg_or_factor_test {
 namespace {
 
 constexpr int kMostIterations = 500;
@@ -136,4 +136,4 @@ TEST(PcgOrFactor, GoesOnFromWhatItSaved) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::pcg_or_factor_test

@@ -8,7 +8,7 @@
 #include "palpate/solver/cholmod_solver.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::pressure_system_test {
 namespace {
 
 // A cube that is held below, a little bent.
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(All, Pressures,
                                             ::testing::Values(0.3, 0.45, 0.499)));
 
 // Whichever way is taken, by iterations or by the factor of all, the answer is the same.
-TEST(CholmodSolver, FindsTheSameBothWays) {
+TEST(CholmodPressure, FindsTheSameBothWays) {
   for (const double poisson_ratio : {0.45, 0.4995}) {
     const Cube cube("anp", poisson_ratio, 6);
     Points x;
@@ -73,7 +73,7 @@ TEST(CholmodSolver, FindsTheSameBothWays) {
 
 // Nine tenths of the stiffness of all volumes are taken from the elements: what is left of them is
 // indefinite, the whole is not.
-TEST(CholmodSolver, FactorisesAllWhereTheRestIsNotDefinite) {
+TEST(CholmodPressure, FactorisesAllWhereTheRestIsNotDefinite) {
   Cube cube("anp", 0.45, 3);
   const fem::VolumeStiffness& volume = cube.K.volume();
   const fem::VolumeStiffness::Pattern& pattern = *volume.pattern;
@@ -96,4 +96,4 @@ TEST(CholmodSolver, FactorisesAllWhereTheRestIsNotDefinite) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::pressure_system_test

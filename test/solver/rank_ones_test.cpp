@@ -14,7 +14,7 @@
 #include "palpate/solver/stale_pcg.h"
 #include "support/random.h"
 
-namespace palpate::solver {
+namespace palpate::solver::rank_ones_test {
 namespace {
 
 constexpr int kNumNodes = 64;  // of a cube of three cells a side
@@ -130,4 +130,4 @@ TEST_P(RankOnes, ComeBackFromBytes) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::rank_ones_test

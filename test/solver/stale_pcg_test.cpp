@@ -6,7 +6,7 @@
 #include "half_stiff_block.h"
 #include "palpate/base/state_bytes.h"
 
-namespace palpate::solver {
+namespace palpate::solver::stale_pcg_test {
 namespace {
 
 using test::HalfStiffBlock;
@@ -82,4 +82,4 @@ TEST(StalePcg, GoesOnFromWhatItSaved) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::stale_pcg_test

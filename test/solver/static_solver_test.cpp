@@ -11,7 +11,7 @@
 #include "support/random.h"
 #include "support/uniaxial.h"
 
-namespace palpate::solver {
+namespace palpate::solver::static_solver_test {
 namespace {
 
 // Laws for which `right` holds.
@@ -208,4 +208,4 @@ TEST(StaticSolver, SaysHowFarItCame) {
 }
 
 }  // namespace
-}  // namespace palpate::solver
+}  // namespace palpate::solver::static_solver_test

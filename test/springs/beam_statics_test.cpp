@@ -8,7 +8,7 @@
 #include "palpate/springs/network_statics.h"
 #include "palpate/springs/spring_grids.h"
 
-namespace palpate::springs {
+namespace palpate::springs::beam_statics_test {
 namespace {
 
 constexpr double E = 1.0e7;
@@ -88,4 +88,4 @@ TEST(BeamStatics, WithFlexionStiffnessTheContractionDecaysByTheRoot) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::beam_statics_test

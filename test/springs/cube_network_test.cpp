@@ -8,7 +8,7 @@
 #include "palpate/springs/network_statics.h"
 #include "palpate/springs/spring_grids.h"
 
-namespace palpate::springs {
+namespace palpate::springs::cube_network_test {
 namespace {
 
 constexpr double E = 100.0, kEdge = 0.25, kExact = 1e-10;
@@ -118,4 +118,4 @@ TEST(CubeNetwork, NonlinearEquilibriumOfATwoPercentPull) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::cube_network_test

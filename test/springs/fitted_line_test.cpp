@@ -11,7 +11,7 @@
 #include "palpate/springs/structured_springs.h"
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::fitted_line_test {
 namespace {
 
 constexpr double E = 1.0e7, h = 0.1;
@@ -100,4 +100,4 @@ TEST(FittedLine, RefusesPlacesThatDoNotAscend) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::fitted_line_test

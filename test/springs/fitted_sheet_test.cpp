@@ -13,7 +13,7 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::fitted_sheet_test {
 namespace {
 
 using test::contains;
@@ -301,4 +301,4 @@ TEST(FittedSheet, PlatesComeToRestUnderLargeDeflections) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::fitted_sheet_test

@@ -15,7 +15,7 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::fitted_solid_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -296,4 +296,4 @@ TEST(FittedSolid, RefusesWhatIsNoBody) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::fitted_solid_test

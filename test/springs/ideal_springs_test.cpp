@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace palpate::springs {
+namespace palpate::springs::ideal_springs_test {
 namespace {
 
 constexpr double E = 2.1e6, I = 3.0e-9, U = 0.013;
@@ -115,4 +115,4 @@ TEST(IdealSprings, RefusesConstantsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::ideal_springs_test

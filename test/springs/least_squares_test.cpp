@@ -8,7 +8,7 @@
 
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::least_squares_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -97,4 +97,4 @@ TEST(LeastSquares, EqualitiesAreKept) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::least_squares_test

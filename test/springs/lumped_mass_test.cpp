@@ -9,7 +9,7 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::lumped_mass_test {
 namespace {
 
 // Sums of a few hundred terms: some units in the last place.
@@ -64,4 +64,4 @@ TEST(LumpedMass, TheSumIsTheWholeInAnyFrame) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::lumped_mass_test

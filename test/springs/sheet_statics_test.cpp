@@ -9,7 +9,7 @@
 #include "palpate/springs/network_statics.h"
 #include "palpate/springs/spring_grids.h"
 
-namespace palpate::springs {
+namespace palpate::springs::sheet_statics_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -281,4 +281,4 @@ TEST(SheetStatics, WithoutPreloadNothingResistsASmallDeflection) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::sheet_statics_test

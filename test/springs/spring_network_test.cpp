@@ -10,7 +10,7 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::springs {
+namespace palpate::springs::spring_network_test {
 namespace {
 
 using test::contains;
@@ -120,4 +120,4 @@ TEST(SpringNetwork, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::spring_network_test

@@ -10,7 +10,7 @@
 #include "support/contains.h"
 #include "support/temp_folder.h"
 
-namespace palpate::springs {
+namespace palpate::springs::springs_file_test {
 namespace {
 
 using test::contains;
@@ -109,4 +109,4 @@ TEST_F(SpringsFile, DoesNotWriteWhatItWouldNotRead) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::springs_file_test

@@ -10,7 +10,7 @@
 #include "palpate/springs/network_statics.h"
 #include "palpate/springs/spring_grids.h"
 
-namespace palpate::springs {
+namespace palpate::springs::step_bound_test {
 namespace {
 
 // Largest modulus of an eigenvalue of one step, of a network whose stiffnesses are their bounds.
@@ -80,4 +80,4 @@ TEST(StepBound, RefusesStepsAndDragsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::step_bound_test

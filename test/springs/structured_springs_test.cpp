@@ -10,7 +10,7 @@
 
 #include "palpate/springs/spring_network.h"
 
-namespace palpate::springs {
+namespace palpate::springs::structured_springs_test {
 namespace {
 
 constexpr double E = 1.0e7, h = 0.1, U = 2.0, kDegree = 3.14159265358979323846 / 180.0;
@@ -195,4 +195,4 @@ TEST(StructuredSprings, CubesKeepTheirConditions) {
 }
 
 }  // namespace
-}  // namespace palpate::springs
+}  // namespace palpate::springs::structured_springs_test

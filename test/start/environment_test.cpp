@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace palpate::start {
+namespace palpate::start::environment_test {
 namespace {
 
 long pageFaults() {
@@ -54,4 +54,4 @@ TEST(Environment, ALargeWriteFailsAndEndsNothing) {
 }
 
 }  // namespace
-}  // namespace palpate::start
+}  // namespace palpate::start::environment_test

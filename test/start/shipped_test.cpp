@@ -20,7 +20,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::start {
+namespace palpate::start::shipped_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST_F(Shipped, EachRunsAtRealTimeOrSaysHowFast) {
 }
 
 }  // namespace
-}  // namespace palpate::start
+}  // namespace palpate::start::shipped_test

@@ -5,7 +5,7 @@
 #include "adaptive_slab.h"
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::adaptive_mesh_test {
 namespace {
 
 using test::AdaptiveSlab;
@@ -150,4 +150,4 @@ TEST(AdaptiveMesh, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::adaptive_mesh_test

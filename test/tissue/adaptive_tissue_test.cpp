@@ -12,7 +12,7 @@
 #include "adaptive_slab.h"
 #include "support/hold_response.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::adaptive_tissue_test {
 namespace {
 
 using test::AdaptiveSlab;
@@ -323,4 +323,4 @@ INSTANTIATE_TEST_SUITE_P(Elements, AdaptiveTissue, ::testing::Values("anp", "tet
                          [](const auto& element) { return std::string(element.param); });
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::adaptive_tissue_test

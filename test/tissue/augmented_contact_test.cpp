@@ -8,7 +8,7 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::augmented_contact_test {
 namespace {
 
 using test::onTool;
@@ -122,12 +122,12 @@ TEST(AugmentedContact, EndsWithTheTouch) {
 // least. Without multipliers the greatest force is 1.04 N.
 TEST(AugmentedContact, DoesNotSwingUpInShortSteps) {
   for (const double step : {5e-4, 2e-3}) {
-    test::Slab slab("implicit_pcg");
+    test::LiverSlab slab("implicit_pcg");
     slab.settings.integrator = "bdf2";
     slab.settings.mass_damping = 5.0;
     const auto tissue = slab.make();
     double greatest = 0.0;
-    for (test::Press press(0.006, 0.05, step); press.time() < 0.4;) {
+    for (test::LiverPress press(0.006, 0.05, step); press.time() < 0.4;) {
       greatest = std::max(greatest, onTool(tissue->step({press.next()}, step)).z());
     }
     EXPECT_GT(greatest, 0.9) << step;
@@ -136,4 +136,4 @@ TEST(AugmentedContact, DoesNotSwingUpInShortSteps) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::augmented_contact_test

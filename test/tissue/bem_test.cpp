@@ -10,7 +10,7 @@
 #include "model_variants.h"
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::bem_test {
 namespace {
 
 using test::kStep;
@@ -183,4 +183,4 @@ TEST(BoundaryElements, RefuseWhatTheyDoNotKnow) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::bem_test

@@ -8,7 +8,7 @@
 
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::body_groups_test {
 namespace {
 
 using test::Balls;
@@ -215,4 +215,4 @@ TEST(BodyGroups, SleepWhenAllMembersAreStillAndApartFromOthers) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::body_groups_test

@@ -13,7 +13,7 @@
 #include "support/hollow.h"
 #include "tissue/fem/adaptive_tissue.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::cavity_pressure_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -143,7 +143,7 @@ Pressed press(const Hollow& hollow) {
   return pressed;
 }
 
-class EveryMethod : public ::testing::TestWithParam<std::string> {};
+class MethodsWithFluid : public ::testing::TestWithParam<std::string> {};
 std::vector<std::string> fluidMethods() {
   std::vector<std::string> names;
   for (const std::string& name : methodNames()) {
@@ -151,10 +151,10 @@ std::vector<std::string> fluidMethods() {
   }
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, ::testing::ValuesIn(fluidMethods()),
+INSTANTIATE_TEST_SUITE_P(Methods, MethodsWithFluid, ::testing::ValuesIn(fluidMethods()),
                          [](const auto& method) { return method.param; });
 
-TEST_P(EveryMethod, FeelsThatAFluidKeepsItsVolume) {
+TEST_P(MethodsWithFluid, FeelsThatAFluidKeepsItsVolume) {
   Hollow empty(GetParam()), full(GetParam());
   constexpr double kStiffness = 1.0e6;
   full.fill(500.0, kStiffness);
@@ -173,7 +173,7 @@ TEST_P(EveryMethod, FeelsThatAFluidKeepsItsVolume) {
   EXPECT_LT(shrinks, 0.05 * shrinks_empty);
 }
 
-TEST_P(EveryMethod, ComesToRestInflatedAndSleeps) {
+TEST_P(MethodsWithFluid, ComesToRestInflatedAndSleeps) {
   Hollow hollow(GetParam());
   hollow.settings.gravity.setZero();
   hollow.fill(500.0, 1.0e6);
@@ -301,4 +301,4 @@ TEST(HollowOrgan, NeedsToBeHeldUnlessNothingActs) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::cavity_pressure_test

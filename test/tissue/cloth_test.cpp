@@ -16,7 +16,7 @@
 #include "tissue/cloth/sheet_elasticity.h"
 #include "tissue/cloth/sheet_network.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::cloth_test {
 namespace {
 
 using test::kStep;
@@ -322,4 +322,4 @@ TEST(Cloth, RefusesWhatASheetCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::cloth_test

@@ -7,7 +7,7 @@
 
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::collision_test {
 namespace {
 
 using test::makeOrgans;
@@ -105,4 +105,4 @@ TEST(Collision, KeepsAngularMomentumToFirstOrder) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::collision_test

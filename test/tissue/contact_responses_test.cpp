@@ -11,10 +11,10 @@
 #include "palpate/solver/minimizer_list.h"
 #include "support/hold_response.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::contact_responses_test {
 namespace {
 
-using test::Slab;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 
 std::vector<std::string> methods() {
@@ -35,8 +35,8 @@ struct Ball {
   contact::Obstacle step(int k) const { return {&shape, 0, at(k), at(k + 1)}; }
 };
 
-Slab slabWith(const std::string& method, const std::string& response) {
-  Slab slab(method, Eigen::Vector3i(6, 6, 3));
+LiverSlab slabWith(const std::string& method, const std::string& response) {
+  LiverSlab slab(method, Eigen::Vector3i(6, 6, 3));
   slab.settings.responses.push_back(test::kHold);
   slab.settings.contact.model = response;
   slab.settings.contact.stiffness = 1e7;
@@ -83,7 +83,7 @@ TEST_P(EveryMethodThatTakesResponses, HoldsTheTissueAndBalancesForces) {
 
 TEST_P(EveryMethodThatTakesResponses, SameBitsWithThreadsAndAfterAReset) {
   ThreadPool pool(2);
-  const Slab slab = slabWith(GetParam(), "hold");
+  const LiverSlab slab = slabWith(GetParam(), "hold");
   const auto one = slab.make(), two = slab.make(&pool);
   const Ball ball;
   const auto run = [&](TissueModel* tissue) {
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizerWithResponses,
 
 // A cycle that is tried again, in more and shorter steps, begins with the memory that it had.
 TEST_P(EveryMinimizerWithResponses, ForgetsWhatAFailedCycleDid) {
-  Slab slab = slabWith(GetParam(), "cautious");
+  LiverSlab slab = slabWith(GetParam(), "cautious");
   slab.settings.responses.push_back(
       {"cautious", [](const contact::ResponseSettings&) -> std::unique_ptr<contact::Response> {
          return std::make_unique<Cautious>();
@@ -153,4 +153,4 @@ TEST(ContactResponses, OfUnknownNamesAreRefused) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::contact_responses_test

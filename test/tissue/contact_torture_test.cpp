@@ -14,7 +14,7 @@
 #include "palpate/contact/signed_distance.h"
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::contact_torture_test {
 namespace {
 
 int fromEnvironment(const char* name, int otherwise) {
@@ -218,4 +218,4 @@ TEST(ContactTorture, TellsNoForceOfWhatIsPierced) { EXPECT_EQ(Scene(101, "honeyc
 TEST(ContactTorture, ThrowsNoParticles) { EXPECT_EQ(Scene(8, "sampled_elasticity").run(), ""); }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::contact_torture_test

@@ -10,16 +10,16 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::critical_step_test {
 namespace {
 
 struct Body {
-  test::Slab slab;
+  test::LiverSlab slab;
   std::unique_ptr<fem::Elasticity> elasticity;
 
   explicit Body(const std::string& element, double poisson_ratio = 0.45)
       : slab("tled", Eigen::Vector3i(3, 3, 2), element) {
-    const material::Material law = test::Slab::liver("stable_neo_hookean", poisson_ratio);
+    const material::Material law = test::LiverSlab::liver("stable_neo_hookean", poisson_ratio);
     elasticity = fem::makeElasticity(element, slab.mesh, fem::Composition::uniform(law, 1060.0));
   }
 
@@ -117,4 +117,4 @@ TEST(CriticalStep, IsEndlessWhereNothingIsFree) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::critical_step_test

@@ -6,7 +6,7 @@
 
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::cycle_budget_test {
 namespace {
 
 solver::NewtonReport took(int iterations, int halvings = 0) {
@@ -85,4 +85,4 @@ TEST(CycleBudget, BoundsWhatCyclesTakeThatDoNotConverge) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::cycle_budget_test

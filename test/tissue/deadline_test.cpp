@@ -11,7 +11,7 @@
 #include "palpate/tissue/method_facts.h"
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::deadline_test {
 namespace {
 
 using test::kStep;
@@ -171,4 +171,4 @@ TEST_P(AfterForcesThatAreGone, ABalanceIsOneOfThoseThatThereAre) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::deadline_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace palpate::tissue {
+namespace palpate::tissue::dense_lu_test {
 namespace {
 
 TEST(DenseLu, SolvesWhatNeedsPivots) {
@@ -37,4 +37,4 @@ TEST(DenseLu, LeavesNoNumberOfASingularMatrix) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::dense_lu_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace palpate::tissue {
+namespace palpate::tissue::dense_saddle_test {
 namespace {
 
 TEST(DenseSaddle, SolvesAsTheWholeMatrix) {
@@ -52,4 +52,4 @@ TEST(DenseSaddle, TellsWhenItIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::dense_saddle_test

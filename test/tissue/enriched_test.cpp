@@ -12,7 +12,7 @@
 #include "tissue/enriched/fine_surface.h"
 #include "tissue/enriched/learned_detail.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::enriched_test {
 namespace {
 
 test::OrganSketch blockOf(const std::string& detail) {
@@ -185,4 +185,4 @@ TEST(EnrichedTissue, RefusesWhatItCannotTreat) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::enriched_test

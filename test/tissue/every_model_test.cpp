@@ -9,7 +9,7 @@
 
 #include "model_variants.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::every_model_test {
 namespace {
 
 using test::kStep;
@@ -169,4 +169,4 @@ TEST_P(EveryModel, IsAsNewAfterAReset) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::every_model_test

@@ -8,7 +8,7 @@
 #include "support/contains.h"
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::fem_organs_test {
 namespace {
 
 using test::Balls;
@@ -183,4 +183,4 @@ TEST(FemOrgans, SayWhichOfThemIsNotHeld) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::fem_organs_test

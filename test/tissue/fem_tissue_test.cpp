@@ -12,7 +12,7 @@
 #include "slab.h"
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::fem_tissue_test {
 namespace {
 
 using instrument::Capsule;
@@ -290,4 +290,4 @@ TEST(FemTissue, SwaysLessWithDamping) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::fem_tissue_test

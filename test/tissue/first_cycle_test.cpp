@@ -6,7 +6,7 @@
 
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::first_cycle_test {
 namespace {
 
 using test::kStep;
@@ -40,4 +40,4 @@ TEST_P(MethodThatFactorises, HasDoneSoBeforeTheFirstCycle) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::first_cycle_test

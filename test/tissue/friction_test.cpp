@@ -13,7 +13,7 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::friction_test {
 namespace {
 
 using test::onTool;
@@ -369,4 +369,4 @@ TEST(Friction, IsRefusedByTheMethodThatKnowsNone) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::friction_test

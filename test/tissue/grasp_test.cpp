@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::grasp_test {
 namespace {
 
 using test::onTool;
@@ -160,4 +160,4 @@ TEST(Grasp, LiftsNothingWithOneJaw) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::grasp_test

@@ -12,7 +12,7 @@
 #include "palpate/solver/minimizer_list.h"
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::group_memory_test {
 namespace {
 
 using test::Balls;
@@ -212,4 +212,4 @@ TEST(GroupMesh, BecomesAnotherWithinAContact) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::group_memory_test

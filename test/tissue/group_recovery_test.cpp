@@ -9,7 +9,7 @@
 
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::group_recovery_test {
 namespace {
 
 using test::block;
@@ -239,4 +239,4 @@ TEST(GroupRecovery, PutsBackOnceWhatIsPressedInsideOut) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::group_recovery_test

@@ -9,7 +9,7 @@
 #include "honeycomb_block.h"
 #include "tissue/honeycomb/side_feedback.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::honeycomb_cell_test {
 namespace {
 
 using test::HoneycombBlock;
@@ -191,4 +191,4 @@ TEST(HoneycombCell, PressesBackByFluidAndWalls) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::honeycomb_cell_test

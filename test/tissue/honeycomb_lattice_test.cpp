@@ -10,7 +10,7 @@
 #include "honeycomb_block.h"
 #include "tissue/honeycomb/side_feedback.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::honeycomb_lattice_test {
 namespace {
 
 using test::HoneycombBlock;
@@ -242,4 +242,4 @@ TEST_P(Pressed, CutOffLeavesOutWhatIsFar) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::honeycomb_lattice_test

@@ -6,7 +6,7 @@
 
 #include "model_variants.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::honeycomb_rate_test {
 namespace {
 
 using test::kStep;
@@ -54,4 +54,4 @@ TEST(HoneycombRate, OfAThousandCells) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::honeycomb_rate_test

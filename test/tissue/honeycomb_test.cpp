@@ -9,7 +9,7 @@
 #include "tissue/honeycomb/honeycomb_organ.h"
 #include "tissue/honeycomb/side_feedback.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::honeycomb_test {
 namespace {
 
 using test::kStep;
@@ -304,4 +304,4 @@ TEST(Honeycomb, SaysWhenItHasTooFewWaves) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::honeycomb_test

@@ -12,7 +12,7 @@
 #include "hybrid_block.h"
 #include "tissue/hybrid/hybrid_elasticity.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::hybrid_loop_test {
 namespace {
 
 using test::ballAt;
@@ -144,4 +144,4 @@ TEST_P(HybridLoopAt, LagsAndComesToTheSameRest) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::hybrid_loop_test

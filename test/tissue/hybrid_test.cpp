@@ -11,7 +11,7 @@
 #include "support/contains.h"
 #include "tissue/tensor_mass/tensor_mass_elasticity.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::hybrid_test {
 namespace {
 
 using test::ballAt;
@@ -174,4 +174,4 @@ TEST(Hybrid, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::hybrid_test

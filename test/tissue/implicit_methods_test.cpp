@@ -7,7 +7,7 @@
 #include "palpate/solver/minimizer_list.h"
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::implicit_methods_test {
 namespace {
 
 using test::kStep;
@@ -184,4 +184,4 @@ TEST(ImplicitPcg, SolvesWhatAFactorDoes) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::implicit_methods_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace palpate::tissue {
+namespace palpate::tissue::interruptible_matrix_test {
 namespace {
 
 using Interruptible = Eigen::BiCGSTAB<InterruptibleMatrix, InterruptibleMatrix::Diagonal>;
@@ -56,4 +56,4 @@ TEST(InterruptibleMatrix, EndsWithWhatWasFoundByThen) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::interruptible_matrix_test

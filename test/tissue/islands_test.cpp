@@ -8,7 +8,7 @@
 
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::islands_test {
 namespace {
 
 using instrument::Geometry;
@@ -147,4 +147,4 @@ TEST(Islands, SayWhichPartIsNotHeld) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::islands_test

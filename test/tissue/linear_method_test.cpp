@@ -9,11 +9,11 @@
 #include "support/contains.h"
 #include "tissue/fem/surface_compliance.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::linear_method_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 
 class LinearPrecomputedElement : public ::testing::TestWithParam<std::string> {};
@@ -27,15 +27,15 @@ TEST_P(LinearPrecomputedElement, IsTheFemSolveWithTheLinearLaw) {
   Points x[2];
   int k = 0;
   for (const char* method : {"linear_precomputed", "implicit_pcg"}) {
-    Slab slab(method, Eigen::Vector3i(5, 5, 3), GetParam());
-    slab.law = Slab::liver("linear", 0.45);
+    LiverSlab slab(method, Eigen::Vector3i(5, 5, 3), GetParam());
+    slab.law = LiverSlab::liver("linear", 0.45);
     slab.settings.integrator = "static";
     slab.settings.tolerance = 1e-8;
     slab.settings.position_tolerance = 1e-12;
     slab.settings.max_newton_iterations = 100;
     slab.settings.gravity = Vec3(0.0, 1.0, -9.81);
     const auto tissue = slab.make();
-    for (Press press(0.006, 0.05); press.time() < 0.2;) {
+    for (LiverPress press(0.006, 0.05); press.time() < 0.2;) {
       const TissueStep& step = tissue->step({press.next()}, kStep);
       ASSERT_TRUE(step.ok()) << method << " " << solver::toString(step.status);
       forces[k].push_back(test::onTool(step));
@@ -46,7 +46,7 @@ TEST_P(LinearPrecomputedElement, IsTheFemSolveWithTheLinearLaw) {
   for (std::size_t i = 0; i < forces[0].size(); ++i) {
     EXPECT_LT((forces[0][i] - forces[1][i]).norm(), 1e-5 * forces[1].back().norm()) << i;
   }
-  const Points rest = Slab("tled", Eigen::Vector3i(5, 5, 3), GetParam()).mesh.points;
+  const Points rest = LiverSlab("tled", Eigen::Vector3i(5, 5, 3), GetParam()).mesh.points;
   EXPECT_LT((x[0] - x[1]).norm(), 1e-6 * (x[1] - rest).norm());
 }
 
@@ -54,10 +54,10 @@ TEST(LinearPrecomputed, IsTheTangentOfANonlinearLawAtRest) {
   double force[2];
   int k = 0;
   for (const char* method : {"linear_precomputed", "implicit_pcg"}) {
-    Slab slab(method);
+    LiverSlab slab(method);
     slab.settings.integrator = "static";
     const auto tissue = slab.make();
-    for (Press press(0.0005, 0.05); press.time() < 0.1;) {
+    for (LiverPress press(0.0005, 0.05); press.time() < 0.1;) {
       force[k] = test::onTool(tissue->step({press.next()}, kStep)).z();
     }
     ++k;
@@ -67,7 +67,7 @@ TEST(LinearPrecomputed, IsTheTangentOfANonlinearLawAtRest) {
 }
 
 TEST(LinearPrecomputed, BalancesForcesReturnsAndSleeps) {
-  Slab slab("linear_precomputed");
+  LiverSlab slab("linear_precomputed");
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   const auto tissue = slab.make();
   const Points begin = tissue->positions();
@@ -76,7 +76,7 @@ TEST(LinearPrecomputed, BalancesForcesReturnsAndSleeps) {
   EXPECT_TRUE(tissue->step({}, kStep).slept);
   EXPECT_EQ(tissue->positions(), begin);
   double peak = 0.0, elastic = 0.0;
-  for (Press press(0.01, 0.1); press.time() < 0.2;) {
+  for (LiverPress press(0.01, 0.1); press.time() < 0.2;) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
     ASSERT_TRUE(step.ok());
     EXPECT_LE(step.residual, step.tolerance);
@@ -95,7 +95,7 @@ TEST(LinearPrecomputed, BalancesForcesReturnsAndSleeps) {
 // Quasi-static: what was before does not matter, nor how long a cycle is, but to a contact with a
 // memory.
 TEST(LinearPrecomputed, ForgetsItsPast) {
-  Slab slab("linear_precomputed");
+  LiverSlab slab("linear_precomputed");
   slab.settings.contact.model = "penalty";
   const auto slow = slab.make(), leaping = slab.make();
   const instrument::Geometry ball = instrument::Sphere{0.01};
@@ -118,7 +118,7 @@ TEST(LinearPrecomputed, ForgetsItsPast) {
 }
 
 TEST(LinearPrecomputed, TakesSeveralTools) {
-  const auto tissue = Slab("linear_precomputed").make();
+  const auto tissue = LiverSlab("linear_precomputed").make();
   const instrument::Geometry ball = instrument::Sphere{0.008};
   const instrument::Geometry box = instrument::Box{Vec3(0.008, 0.008, 0.008)};
   const auto at = [](double x, double z) { return poseFromXyzRpy(Vec3(x, 0.05, z), Vec3::Zero()); };
@@ -138,9 +138,9 @@ TEST(LinearPrecomputed, TakesSeveralTools) {
 
 TEST(LinearPrecomputed, SameInputsSameBitsWhateverTheThreads) {
   ThreadPool pool(3);
-  const Slab slab("linear_precomputed");
+  const LiverSlab slab("linear_precomputed");
   const auto one = slab.make(), two = slab.make(&pool);
-  for (Press a(0.01, 0.2), b(0.01, 0.2); a.time() < 0.2;) {
+  for (LiverPress a(0.01, 0.2), b(0.01, 0.2); a.time() < 0.2;) {
     ASSERT_EQ(test::onTool(one->step({a.next()}, kStep)),
               test::onTool(two->step({b.next()}, kStep)));
     ASSERT_EQ(one->positions(), two->positions());
@@ -148,7 +148,7 @@ TEST(LinearPrecomputed, SameInputsSameBitsWhateverTheThreads) {
 }
 
 TEST(LinearPrecomputed, AThinFastToolDoesNotPassThrough) {
-  Slab slab("linear_precomputed");
+  LiverSlab slab("linear_precomputed");
   slab.settings.sample_spacing = 0.0005;
   const auto tissue = slab.make();
   const instrument::Geometry needle = instrument::Capsule{0.001, 0.03};
@@ -167,7 +167,7 @@ TEST(LinearPrecomputed, AThinFastToolDoesNotPassThrough) {
 }
 
 TEST(LinearPrecomputed, KeepsNineNumbersForEachPairOfSurfaceNodes) {
-  const Slab slab("linear_precomputed");  // 9 x 9 x 5 nodes, the bottom held
+  const LiverSlab slab("linear_precomputed");  // 9 x 9 x 5 nodes, the bottom held
   const auto elasticity =
       fem::makeElasticity("anp", slab.mesh, fem::Composition::uniform(slab.law, 1060.0));
   const auto triangles = mesh::trianglesOf(mesh::boundaryFaces(slab.mesh));
@@ -176,7 +176,7 @@ TEST(LinearPrecomputed, KeepsNineNumbersForEachPairOfSurfaceNodes) {
   EXPECT_EQ(compliance.memory(), 9 * sizeof(double) * movable * movable);
 }
 
-std::string refusal(const Slab& slab) {
+std::string refusal(const LiverSlab& slab) {
   try {
     slab.make();
   } catch (const std::invalid_argument& error) {
@@ -187,22 +187,22 @@ std::string refusal(const Slab& slab) {
 
 TEST(LinearPrecomputed, RefusesABodyWithTooLargeASurface) {
   const std::string message =
-      refusal(Slab("linear_precomputed", Eigen::Vector3i(42, 42, 2), "tet4"));
+      refusal(LiverSlab("linear_precomputed", Eigen::Vector3i(42, 42, 2), "tet4"));
   EXPECT_TRUE(test::contains(message, "the surface has 2017 nodes that can move"));
   EXPECT_TRUE(test::contains(message, "enlarge edge_length"));
 }
 
 TEST(LinearPrecomputed, RefusesWhatItCannotDo) {
-  Slab moving("linear_precomputed");
+  LiverSlab moving("linear_precomputed");
   moving.settings.integrator = "bdf2";
   EXPECT_TRUE(test::contains(refusal(moving), "integrator = bdf2"));
-  Slab viscous("linear_precomputed");
+  LiverSlab viscous("linear_precomputed");
   viscous.prony = {{0.5, 0.2}};
   EXPECT_TRUE(test::contains(refusal(viscous), "viscoelastic"));
-  Slab loose("linear_precomputed");
+  LiverSlab loose("linear_precomputed");
   loose.free.setOnes();
   EXPECT_TRUE(test::contains(refusal(loose), "translation along x"));
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::linear_method_test

@@ -7,11 +7,12 @@
 
 #include "palpate/fem/elasticity.h"
 #include "palpate/tissue/fem/fem_tissue.h"
+#include "step_forces.h"
 
 namespace palpate::test {
 
 /// A slab 100 x 100 x 40 mm of liver whose bottom is held.
-struct Slab {
+struct LiverSlab {
   mesh::TetMesh mesh;
   fem::FreeMask free;
   tissue::FemSettings settings;
@@ -19,8 +20,9 @@ struct Slab {
   double density = 1060.0;
   std::vector<material::PronyTerm> prony;
 
-  explicit Slab(const std::string& method, const Eigen::Vector3i& cells = Eigen::Vector3i(8, 8, 4),
-                const std::string& element = "anp")
+  explicit LiverSlab(const std::string& method,
+                     const Eigen::Vector3i& cells = Eigen::Vector3i(8, 8, 4),
+                     const std::string& element = "anp")
       : mesh(fem::meshFor(element, mesh::boxMesh(Vec3(0.1, 0.1, 0.04), cells))),
         free(fem::FreeMask::Ones(3, mesh.numPoints())),
         law(liver("stable_neo_hookean", 0.45)) {
@@ -42,9 +44,9 @@ struct Slab {
 };
 
 /// A ball of 10 mm over the middle of the slab, from above to `depth` at `speed` and held there.
-class Press {
+class LiverPress {
  public:
-  explicit Press(double depth, double speed, double step = 0.01)
+  explicit LiverPress(double depth, double speed, double step = 0.01)
       : depth_(depth), speed_(speed), step_(step) {}
 
   contact::Obstacle next() {
@@ -62,16 +64,5 @@ class Press {
   instrument::Geometry shape_ = instrument::Sphere{0.01};
   double depth_, speed_, step_, t_ = 0.0;
 };
-
-inline Vec3 onTool(const tissue::TissueStep& step) {
-  Vec3 sum = Vec3::Zero();
-  for (const tissue::TissueContact& c : step.contacts) sum += c.force_W;
-  return sum;
-}
-
-/// Of the forces on the tissue; zero if they cancel [N].
-inline Vec3 imbalance(const tissue::TissueStep& step) {
-  return step.support_force + step.gravity_force + step.inertia_force - onTool(step);
-}
 
 }  // namespace palpate::test

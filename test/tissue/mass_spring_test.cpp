@@ -10,7 +10,7 @@
 #include "support/temp_folder.h"
 #include "tissue/springs/tet_network.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::mass_spring_test {
 namespace {
 
 using test::kStep;
@@ -176,4 +176,4 @@ TEST(MassSpring, RefusesWhatSpringsCannotBe) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::mass_spring_test

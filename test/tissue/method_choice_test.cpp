@@ -7,11 +7,11 @@
 #include "palpate/tissue/fem/islands.h"
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::method_choice_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 
 using test::contains;
 
@@ -105,18 +105,18 @@ TEST(MethodChoice, IsNotExplicitWhereThatWouldDoHarm) {
   EXPECT_TRUE(contains(chooseMethod(other).reason, "ring"));
 }
 
-fem::Composition composition(const Slab& slab) {
+fem::Composition composition(const LiverSlab& slab) {
   return {{material::Solid{slab.law, slab.density, slab.prony}}, {}, {}};
 }
 
-CycleCounts countsOf(const Slab& slab, ThreadPool* pool = nullptr) {
+CycleCounts countsOf(const LiverSlab& slab, ThreadPool* pool = nullptr) {
   FemBody body(slab.mesh, composition(slab), slab.free, slab.settings, pool);
   return countCycle(&body);
 }
 
-Slab slabWith(double poisson_ratio, const std::string& element = "anp") {
-  Slab slab("auto", Eigen::Vector3i(8, 8, 4), element);
-  slab.law = Slab::liver("stable_neo_hookean", poisson_ratio);
+LiverSlab slabWith(double poisson_ratio, const std::string& element = "anp") {
+  LiverSlab slab("auto", Eigen::Vector3i(8, 8, 4), element);
+  slab.law = LiverSlab::liver("stable_neo_hookean", poisson_ratio);
   return slab;
 }
 
@@ -143,14 +143,14 @@ TEST(CycleCounts, FollowTheBody) {
   EXPECT_TRUE(tet10p.tets.quadratic && tet10p.tets.averaged);
   EXPECT_EQ(tet10p.tets.number, tet4.tets.number);
 
-  Slab longer = slabWith(0.45);
+  LiverSlab longer = slabWith(0.45);
   longer.settings.step = 0.03;
   EXPECT_GE(countsOf(longer).linear_iterations, soft.linear_iterations);
   EXPECT_NEAR(countsOf(longer).sub_steps, 3.0 * soft.sub_steps, 3.0);
 }
 
 TEST(CycleCounts, SeeWhatTheExplicitMethodWouldRefuse) {
-  Slab slab = slabWith(0.45);
+  LiverSlab slab = slabWith(0.45);
   EXPECT_TRUE(countsOf(slab).explicit_accepts);
   EXPECT_FALSE(countsOf(slab).mass_damping);
   slab.settings.mass_damping = 5.0;
@@ -167,7 +167,7 @@ TEST(CycleCounts, SeeWhatTheExplicitMethodWouldRefuse) {
 TEST(CycleCounts, AreTheSameWithThreadsAndInEveryLoad) {
   ThreadPool two(2), three(3);
   for (const double poisson_ratio : {0.45, 0.499}) {
-    const Slab slab = slabWith(poisson_ratio);
+    const LiverSlab slab = slabWith(poisson_ratio);
     const std::vector<std::string> notes = slab.make()->notes();
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_TRUE(contains(notes[0], "method auto takes ")) << notes[0];
@@ -178,14 +178,14 @@ TEST(CycleCounts, AreTheSameWithThreadsAndInEveryLoad) {
 }
 
 // Presses a slab by `auto` and by what that chose.
-std::string expectSameBits(Slab slab) {
+std::string expectSameBits(LiverSlab slab) {
   const std::string method = chooseMethod(countsOf(slab)).method;
   const auto chosen = slab.make();
   slab.settings.method = method;
   const auto named = slab.make();
   EXPECT_TRUE(named->notes().empty());
   EXPECT_EQ(chosen->positions(), named->positions());
-  for (Press a(0.01, 0.05), b(0.01, 0.05); a.time() < 0.25;) {
+  for (LiverPress a(0.01, 0.05), b(0.01, 0.05); a.time() < 0.25;) {
     const TissueStep& one = chosen->step({a.next()}, slab.settings.step);
     const TissueStep& other = named->step({b.next()}, slab.settings.step);
     EXPECT_EQ(one.linear_iterations, other.linear_iterations);
@@ -199,7 +199,7 @@ std::string expectSameBits(Slab slab) {
 }
 
 TEST(MethodAuto, IsTheChosenMethodToTheBit) {
-  Slab slab = slabWith(0.45);
+  LiverSlab slab = slabWith(0.45);
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   expectSameBits(slab);
   slab.prony = {{0.3, 0.1}};
@@ -207,7 +207,7 @@ TEST(MethodAuto, IsTheChosenMethodToTheBit) {
   expectSameBits(slabWith(0.499));
   expectSameBits(slabWith(0.45, "p1p1"));
   for (const char* integrator : {"static", "bdf2"}) {
-    Slab other = slabWith(0.45);
+    LiverSlab other = slabWith(0.45);
     other.settings.integrator = integrator;
     EXPECT_NE(expectSameBits(other), "tled");
   }
@@ -215,14 +215,14 @@ TEST(MethodAuto, IsTheChosenMethodToTheBit) {
 
 // Coarse, so that a sub-step is long.
 TEST(MethodAuto, GoesExplicitForSoftDampedTissue) {
-  Slab slab = slabWith(0.3, "tet4");
+  LiverSlab slab = slabWith(0.3, "tet4");
   slab.settings.mass_damping = 5.0;
   slab.settings.step = 0.002;
   EXPECT_EQ(expectSameBits(slab), "tled");
 }
 
 TEST(MethodAuto, ChoosesForEachPartOfAnOrgan) {
-  Slab slab = slabWith(0.45, "tet4");
+  LiverSlab slab = slabWith(0.45, "tet4");
   mesh::TetMesh two = slab.mesh;
   const auto n = static_cast<int>(two.numPoints());
   two.points.conservativeResize(3, 2 * n);
@@ -240,7 +240,7 @@ TEST(MethodAuto, ChoosesForEachPartOfAnOrgan) {
 }
 
 TEST(MethodNotes, NameAFactorThatIsLongerThanACycle) {
-  Slab slab = slabWith(0.499);
+  LiverSlab slab = slabWith(0.499);
   slab.settings.method = "lbfgs";
   EXPECT_TRUE(slab.make()->notes().empty());
   slab.settings.step = 1e-7;
@@ -254,4 +254,4 @@ TEST(MethodNotes, NameAFactorThatIsLongerThanACycle) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::method_choice_test

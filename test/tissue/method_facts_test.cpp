@@ -9,14 +9,14 @@
 #include "support/contains.h"
 #include "tissue/fem/method_choice.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::method_facts_test {
 namespace {
 
 using solver::LinearSystems;
 using test::contains;
-using test::Slab;
+using test::LiverSlab;
 
-std::string refusal(const Slab& slab) {
+std::string refusal(const LiverSlab& slab) {
   try {
     slab.make();
   } catch (const std::invalid_argument& error) {
@@ -41,9 +41,9 @@ TEST(MethodFacts, FitWhatAMethodDoes) {
   for (const std::string& name : methodNames()) {
     if (name == "auto") continue;
     const MethodFacts facts = methodFacts(name);
-    const auto tissue = Slab(name, Eigen::Vector3i(4, 4, 2), "tet4").make();
+    const auto tissue = LiverSlab(name, Eigen::Vector3i(4, 4, 2), "tet4").make();
     int linear = 0;
-    for (test::Press press(0.005, 0.1); press.time() < 0.1;) {
+    for (test::LiverPress press(0.005, 0.1); press.time() < 0.1;) {
       linear += tissue->step({press.next()}, 0.01).linear_iterations;
     }
     if (facts.linear_systems == LinearSystems::kIterations) {
@@ -74,7 +74,7 @@ TEST(MethodFacts, SayWhatEachMethodTakes) {
   for (const std::string& name : methodNames()) {
     const MethodFacts facts = methodFacts(name);
     for (const std::string& integrator : solver::integratorNames()) {
-      Slab slab(name, Eigen::Vector3i(2, 2, 1), "tet4");
+      LiverSlab slab(name, Eigen::Vector3i(2, 2, 1), "tet4");
       slab.settings.integrator = integrator;
       const bool takes = std::count(facts.integrators.begin(), facts.integrators.end(), integrator);
       const std::string told = refusal(slab);
@@ -84,10 +84,10 @@ TEST(MethodFacts, SayWhatEachMethodTakes) {
         EXPECT_TRUE(contains(told, "leave the key out or choose an implicit method")) << told;
       }
     }
-    Slab viscous(name, Eigen::Vector3i(2, 2, 1), "tet4");
+    LiverSlab viscous(name, Eigen::Vector3i(2, 2, 1), "tet4");
     viscous.prony = {{0.3, 0.1}};
     EXPECT_EQ(refusal(viscous).empty(), facts.viscous) << name << ": " << refusal(viscous);
-    Slab damped(name, Eigen::Vector3i(2, 2, 1), "tet4");
+    LiverSlab damped(name, Eigen::Vector3i(2, 2, 1), "tet4");
     damped.settings.stiffness_damping = 0.5;
     EXPECT_EQ(refusal(damped).empty(), facts.stiffness_damping) << name << ": " << refusal(damped);
   }
@@ -109,8 +109,8 @@ TEST(MethodFacts, AutoChoosesAmongThoseThatAreForIt) {
 }
 
 TEST(MethodFacts, TheModelSaysWhatAutoTook) {
-  Slab stiff("auto", Eigen::Vector3i(8, 8, 4));
-  stiff.law = Slab::liver("stable_neo_hookean", 0.499);
+  LiverSlab stiff("auto", Eigen::Vector3i(8, 8, 4));
+  stiff.law = LiverSlab::liver("stable_neo_hookean", 0.499);
   const auto tissue = stiff.make();
   ASSERT_EQ(tissue->methods(0).size(), 1u);
   const std::string taken = tissue->methods(0)[0];
@@ -119,4 +119,4 @@ TEST(MethodFacts, TheModelSaysWhatAutoTook) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::method_facts_test

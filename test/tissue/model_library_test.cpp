@@ -8,7 +8,7 @@
 
 #include "palpate/tissue/model_list.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::model_library_test {
 namespace {
 
 TEST(ModelLibrary, HasTheMakerOfEachModelBesideFem) {
@@ -32,4 +32,4 @@ TEST(ModelLibrary, IsNamedWhereItIsNotThere) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::model_library_test

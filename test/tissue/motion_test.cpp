@@ -9,7 +9,7 @@
 
 #include "support/contains.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::motion_test {
 namespace {
 
 const Vec3 kWay(0.003, -0.004, 0.012);
@@ -108,4 +108,4 @@ TEST(Motions, SayWhatIsWrongWithATable) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::motion_test

@@ -9,7 +9,7 @@
 #include "slab.h"
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::needle_test {
 namespace {
 
 using test::onTool;
@@ -189,4 +189,4 @@ TEST(NeedleChannel, GradientAndHessianAreThoseOfTheValue) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::needle_test

@@ -8,7 +8,7 @@
 #include "support/contains.h"
 #include "tissue/neural/tool_press.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::neural_test {
 namespace {
 
 using test::contains;
@@ -219,4 +219,4 @@ TEST_F(Neural, RefusesWhatItHasNotLearned) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::neural_test

@@ -6,7 +6,7 @@
 
 #include "adaptive_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::next_mesh_test {
 namespace {
 
 using test::AdaptiveSlab;
@@ -151,4 +151,4 @@ TEST_P(NextMeshOf, EndsWithItsTissue) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::next_mesh_test

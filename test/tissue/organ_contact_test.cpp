@@ -9,7 +9,7 @@
 #include "palpate/contact/surface_contact.h"
 #include "two_organs.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::organ_contact_test {
 namespace {
 
 using test::Balls;
@@ -286,4 +286,4 @@ TEST(OrganContact, LeavesAnUnfoldedOrganAsItIs) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::organ_contact_test

@@ -5,7 +5,7 @@
 
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::outside_of_law_test {
 namespace {
 
 using test::kStep;
@@ -146,4 +146,4 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewThatIsHeldAndCarried) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::outside_of_law_test

@@ -7,24 +7,24 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::recovery_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 
 int told(Recovery recovery) { return static_cast<int>(recovery); }
 
-Slab smallSlab() {
-  Slab slab("implicit_pcg", Eigen::Vector3i(5, 5, 3), "tet4");
+LiverSlab smallSlab() {
+  LiverSlab slab("implicit_pcg", Eigen::Vector3i(5, 5, 3), "tet4");
   slab.settings.mass_damping = 60.0;
   return slab;
 }
 
 // One that fails wherever a tool goes on.
-Slab failingSlab() {
-  Slab slab = smallSlab();
+LiverSlab failingSlab() {
+  LiverSlab slab = smallSlab();
   slab.settings.only_converged = true;
   slab.settings.max_newton_iterations = 1;
   slab.settings.max_time_steps = 1;
@@ -34,7 +34,7 @@ Slab failingSlab() {
 
 TEST(Recovery, IsNoneWhereAStepIsSolved) {
   const auto tissue = smallSlab().make();
-  for (Press press(0.006, 0.05); press.time() < 0.3;) {
+  for (LiverPress press(0.006, 0.05); press.time() < 0.3;) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
     EXPECT_TRUE(step.ok());
     EXPECT_EQ(step.recovery, told(Recovery::kNone)) << press.time();
@@ -45,7 +45,7 @@ TEST(Recovery, IsNoneWhereAStepIsSolved) {
 TEST(Recovery, SolvesAgainOrInShorterStepsWhereElementsGetFlat) {
   const auto tissue = smallSlab().make();
   int worst = 0;
-  for (Press press(0.032, 0.1); press.time() < 0.6;) {
+  for (LiverPress press(0.032, 0.1); press.time() < 0.6;) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
     EXPECT_TRUE(solver::usable(step.status));
     EXPECT_GT(step.min_jacobian, 0.0);
@@ -57,12 +57,12 @@ TEST(Recovery, SolvesAgainOrInShorterStepsWhereElementsGetFlat) {
 }
 
 TEST(Recovery, TakesShorterStepsWhereOneFails) {
-  Slab slab = smallSlab();
+  LiverSlab slab = smallSlab();
   slab.settings.only_converged = true;
   slab.settings.max_newton_iterations = 2;
   const auto tissue = slab.make();
   int worst = 0;
-  for (Press press(0.01, 0.3); press.time() < 0.1;) {
+  for (LiverPress press(0.01, 0.3); press.time() < 0.1;) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
     if (!step.ok()) continue;
     EXPECT_EQ(step.time_steps > 1, step.recovery == told(Recovery::kShorterSteps));
@@ -73,8 +73,8 @@ TEST(Recovery, TakesShorterStepsWhereOneFails) {
 
 // Folded through itself and at rest: no force leads out of it.
 TEST(Recovery, PutsBackWhatRestsTurnedInsideOut) {
-  Slab slab = smallSlab();
-  slab.law = Slab::liver("st_venant_kirchhoff", 0.3);
+  LiverSlab slab = smallSlab();
+  slab.law = LiverSlab::liver("st_venant_kirchhoff", 0.3);
   const auto tissue = slab.make();
   Points x = slab.mesh.points;
   x.row(2) *= -1.0;  // through the plane that holds it
@@ -96,7 +96,7 @@ TEST(Recovery, PutsBackWhatRestsTurnedInsideOut) {
 // Viscous and folded it takes iterations in each cycle for good, which lead to where they began.
 TEST(Recovery, PutsBackWhatIterationsLeaveTurnedInsideOut) {
   for (const int cells : {2, 3}) {
-    Slab slab("implicit_pcg", Eigen::Vector3i(cells, cells, 2), "tet10");
+    LiverSlab slab("implicit_pcg", Eigen::Vector3i(cells, cells, 2), "tet10");
     slab.law = material::makeMaterial("stable_neo_hookean",
                                       {{"young_modulus", {3.7e3}}, {"poisson_ratio", {0.3}}});
     slab.prony = {{0.166, 5.66e-6}};
@@ -118,8 +118,8 @@ TEST(Recovery, PutsBackWhatIterationsLeaveTurnedInsideOut) {
 
 // Next to the incompressible it trembles by micrometres, each cycle with iterations, for ever.
 TEST(Recovery, PutsBackWhatTremblesTurnedInsideOut) {
-  Slab slab("implicit_pcg", Eigen::Vector3i(4, 4, 3), "p1p1");
-  slab.law = Slab::liver("stable_neo_hookean", 0.4999);
+  LiverSlab slab("implicit_pcg", Eigen::Vector3i(4, 4, 3), "p1p1");
+  slab.law = LiverSlab::liver("stable_neo_hookean", 0.4999);
   slab.settings.mass_damping = 60.0;
   const auto tissue = slab.make();
   const Points& rest = slab.mesh.points;
@@ -140,7 +140,7 @@ TEST(Recovery, PutsBackWhatTremblesTurnedInsideOut) {
 }
 
 TEST(Recovery, RollsBackWhatAllFailIn) {
-  const Slab slab = smallSlab();
+  const LiverSlab slab = smallSlab();
   const auto tissue = slab.make();
   Points v = tissue->velocities();
   v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ TEST(Recovery, RollsBackWhatAllFailIn) {
 
 // Asked to end where the first solve failed and shorter steps were next.
 TEST(Recovery, IsOnlyLateWhereThereIsNoTimeForShorterSteps) {
-  const Slab slab = smallSlab();
+  const LiverSlab slab = smallSlab();
   const auto tissue = slab.make();
   Points v = tissue->velocities();
   v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
@@ -171,7 +171,7 @@ TEST(Recovery, IsNeverFrozenForBeingLate) {
   const auto tissue = failingSlab().make();
   const solver::Interrupt at_once = [] { return true; };
   tissue->setInterrupt(&at_once);
-  Press press(0.02, 0.05);
+  LiverPress press(0.02, 0.05);
   int late = 0;
   for (int k = 0; k < 40; ++k) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
@@ -183,7 +183,7 @@ TEST(Recovery, IsNeverFrozenForBeingLate) {
 
 TEST(Recovery, FreezesWhatFailsAgainAndAgainUntilTheToolsLeave) {
   const auto tissue = failingSlab().make();
-  Press press(0.02, 0.05);
+  LiverPress press(0.02, 0.05);
   TissueStep step;
   int failed = 0, frozen = 0;
   Points kept;
@@ -220,7 +220,7 @@ TEST(Recovery, TriesAFrozenOrganNowAndThen) {
 
 // Newton's method alone, from points anywhere in a cube: where it fails once it fails for good.
 TEST(Recovery, PutsBackWhatFailsAgainWithoutATool) {
-  Slab slab = smallSlab();
+  LiverSlab slab = smallSlab();
   slab.settings.method = "newton_bicgstab";
   const auto tissue = slab.make();
   Points x = tissue->positions();
@@ -249,9 +249,9 @@ TEST(Recovery, PutsBackWhatFailsAgainWithoutATool) {
 }
 
 TEST(Recovery, StaysFrozenInASavedState) {
-  const Slab slab = failingSlab();
+  const LiverSlab slab = failingSlab();
   const auto one = slab.make(), other = slab.make();
-  Press press(0.02, 0.05);
+  LiverPress press(0.02, 0.05);
   int k = 0;
   while (one->step({press.next()}, kStep).recovery != told(Recovery::kFrozen)) {
     ASSERT_LT(++k, 40);
@@ -266,4 +266,4 @@ TEST(Recovery, StaysFrozenInASavedState) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::recovery_test

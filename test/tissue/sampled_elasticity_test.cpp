@@ -12,7 +12,7 @@
 #include "support/random.h"
 #include "tissue/sampled/sampled_body.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::sampled_elasticity_test {
 namespace {
 
 constexpr double kMu = 2.0e3, kLambda = 3.0e3;
@@ -260,4 +260,4 @@ TEST(SampledElasticity, RefusesAStepThatIsAlwaysTooLong) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::sampled_elasticity_test

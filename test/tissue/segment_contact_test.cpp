@@ -15,17 +15,17 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::segment_contact_test {
 namespace {
 
-using test::Slab;
+using test::LiverSlab;
 constexpr double kStep = 0.01, kTop = 0.04;
 constexpr double kOnTool = 1e-9;  // [m]
 const Vec3 kVertex(0.05, 0.05, kTop), kEdge(0.055, 0.05, kTop), kFace(0.0533, 0.0521, kTop);
 
-Slab slabOf(const std::string& law = "neo_hookean",
-            const Eigen::Vector3i& cells = Eigen::Vector3i(8, 8, 4)) {
-  Slab slab("newton_bicgstab", cells, "tet4");
+LiverSlab slabOf(const std::string& law = "neo_hookean",
+                 const Eigen::Vector3i& cells = Eigen::Vector3i(8, 8, 4)) {
+  LiverSlab slab("newton_bicgstab", cells, "tet4");
   slab.law = material::makeMaterial(law, material::exampleConstants(law));
   slab.density = 1000.0;
   slab.settings.contact.model = "prescribed";
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
 // what the supports exert, and when the tool has left there is none.
 TEST_P(SegmentPlaces, GoesWithTheTipAndIsLetGo) {
   const auto& [law, place] = GetParam();
-  const Slab slab = slabOf(law);
+  const LiverSlab slab = slabOf(law);
   const auto tissue = slab.make();
   const Material point(slab.mesh, place);
   const Rod rod;
@@ -118,7 +118,7 @@ TEST_P(SegmentPlaces, GoesWithTheTipAndIsLetGo) {
 // What the tool does is what the tissue stores.
 TEST_P(SegmentPlaces, ForceIsTheDerivativeOfTheEnergy) {
   const auto& [law, place] = GetParam();
-  Slab slab = slabOf(law);
+  LiverSlab slab = slabOf(law);
   slab.settings.tolerance = 1e-9;
   slab.settings.position_tolerance = 1e-10;
   slab.settings.linear_tolerance = 1e-8;
@@ -141,7 +141,7 @@ TEST_P(SegmentPlaces, ForceIsTheDerivativeOfTheEnergy) {
 
 // Over vertices, edges and faces, down and up.
 TEST(SegmentContact, IsFollowedOverTheSurface) {
-  Slab slab = slabOf();
+  LiverSlab slab = slabOf();
   const auto tissue = slab.make();
   Rod rod;
   rod.tilt = Vec3(0.2, 0.1, 0.0);
@@ -162,7 +162,7 @@ TEST(SegmentContact, IsFollowedOverTheSurface) {
 
 // Leaps in, far away, through and through, and back: no force of what is no longer touched.
 TEST(SegmentContact, SurvivesLeaps) {
-  const Slab slab = slabOf();
+  const LiverSlab slab = slabOf();
   const auto tissue = slab.make();
   const Rod rod;
   const Vec3 above = kFace + Vec3(0, 0, 0.02), inside = kFace - Vec3(0, 0, 0.012);
@@ -191,7 +191,7 @@ double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
 // A hand that trembles, turns and sometimes leaps: what is solved is in balance and touches the
 // tool, whatever is not solved leaves no trace, and in the end nothing is left of any of it.
 TEST(SegmentContact, SurvivesARandomHand) {
-  const Slab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
+  const LiverSlab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
   const auto tissue = slab.make();
   test::Random random(5);
   Rod rod;
@@ -228,7 +228,7 @@ TEST(SegmentContact, SurvivesARandomHand) {
 }
 
 TEST(SegmentContact, LetsAToolBeThatStartsInside) {
-  const Slab slab = slabOf();
+  const LiverSlab slab = slabOf();
   const auto tissue = slab.make();
   const Rod rod;
   const Vec3 inside = kFace - Vec3(0, 0, 0.02), above = kFace + Vec3(0, 0, 0.01);
@@ -245,7 +245,7 @@ TEST(SegmentContact, LetsAToolBeThatStartsInside) {
 
 // Both ends outside, across the slab's upper edge: it is pushed, and let go.
 TEST(SegmentContact, PushesWithItsSide) {
-  const Slab slab = slabOf();
+  const LiverSlab slab = slabOf();
   const auto tissue = slab.make();
   Rod rod;
   rod.tilt = Vec3(0.0, -M_PI / 4.0, 0.0);
@@ -279,7 +279,7 @@ std::vector<Vec3> wander() {
 
 TEST(SegmentContact, SameInputsSameBitsWhateverTheThreads) {
   ThreadPool pool(3);
-  const Slab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
+  const LiverSlab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
   const auto one = slab.make(), two = slab.make(&pool);
   const Rod rod;
   const std::vector<Vec3> tips = wander();
@@ -293,7 +293,7 @@ TEST(SegmentContact, SameInputsSameBitsWhateverTheThreads) {
 // From every cycle on, mid-contact too, another model goes on with the same bits; and a reset one
 // begins anew with them.
 TEST(SegmentContact, GoesOnFromItsState) {
-  const Slab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
+  const LiverSlab slab = slabOf("neo_hookean", Eigen::Vector3i(6, 6, 3));
   const auto tissue = slab.make(), other = slab.make();
   const Rod rod;
   const std::vector<Vec3> tips = wander();
@@ -329,7 +329,7 @@ TEST(SegmentContact, RelaxesUnderAHeldTool) {
   const Vec3 above = kFace + Vec3(0, 0, 0.001), inside = kFace - Vec3(0, 0, 0.004);
   double force[2];
   for (const bool relaxes : {false, true}) {
-    Slab slab = slabOf("mooney_rivlin", Eigen::Vector3i(6, 6, 3));
+    LiverSlab slab = slabOf("mooney_rivlin", Eigen::Vector3i(6, 6, 3));
     slab.law = law(relaxes ? 1.0 : 0.5);
     if (relaxes) slab.prony = {{0.5, 0.1}};
     const auto tissue = slab.make();
@@ -344,7 +344,7 @@ TEST(SegmentContact, RelaxesUnderAHeldTool) {
 }
 
 TEST(SegmentContact, WalksAndAsksTheTreeOnce) {
-  const Slab slab = slabOf();
+  const LiverSlab slab = slabOf();
   const fem::Composition tissue{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
   FemBody body(slab.mesh, tissue, slab.free, slab.settings, nullptr);
   SegmentContact contact(&body);
@@ -372,7 +372,7 @@ TEST(SegmentContact, WalksAndAsksTheTreeOnce) {
 
 // The tree is asked while nothing is held, by every cycle near the surface, and then not again.
 TEST(SegmentContact, ReportsTheSearchesOfEachCycle) {
-  const Slab slab = slabOf();
+  const LiverSlab slab = slabOf();
   const Rod rod;
   std::vector<TissueStep> cycles[2];
   for (std::vector<TissueStep>& done : cycles) {
@@ -409,7 +409,7 @@ TEST(SegmentContact, ReportsTheSearchesOfEachCycle) {
 }
 
 TEST(SegmentContact, IsRefusedWhereItCannotBe) {
-  const auto refusal = [](const Slab& slab) -> std::string {
+  const auto refusal = [](const LiverSlab& slab) -> std::string {
     try {
       slab.make();
     } catch (const std::invalid_argument& error) {
@@ -417,14 +417,14 @@ TEST(SegmentContact, IsRefusedWhereItCannotBe) {
     }
     return "";
   };
-  Slab other = slabOf();
+  LiverSlab other = slabOf();
   other.settings.method = "implicit_pcg";
   EXPECT_TRUE(test::contains(refusal(other), "contact.model = prescribed"));
   EXPECT_TRUE(test::contains(refusal(other), "choose method newton_bicgstab"));
-  Slab curved("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "tet10");
+  LiverSlab curved("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "tet10");
   curved.settings.contact.model = "prescribed";
   EXPECT_TRUE(test::contains(refusal(curved), "choose anp or tet4"));
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::segment_contact_test

@@ -3,7 +3,7 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::sharp_tool_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -11,7 +11,7 @@ constexpr double kStep = 0.01;
 // Edges that run into a soft contact: there is always a place on them that is just in front of the
 // surface or just behind it, and a slow cycle is not cut into stages for that.
 TEST(SharpTool, GoesOnInFewStages) {
-  test::Slab slab("implicit_pcg", Eigen::Vector3i(6, 6, 3), "tet4");
+  test::LiverSlab slab("implicit_pcg", Eigen::Vector3i(6, 6, 3), "tet4");
   slab.settings.contact.model = "penalty";
   slab.settings.contact.stiffness = 1e6;
   const auto tissue = slab.make();
@@ -33,4 +33,4 @@ TEST(SharpTool, GoesOnInFewStages) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::sharp_tool_test

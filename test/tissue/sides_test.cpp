@@ -4,7 +4,7 @@
 
 #include "slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::sides_test {
 namespace {
 
 using test::kStep;
@@ -65,4 +65,4 @@ TEST(Sides, StayThoseOfAToolThatIsPressedIn) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::sides_test

@@ -6,6 +6,7 @@
 
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/tissue/fem/fem_tissue.h"
+#include "step_forces.h"
 
 namespace palpate::test {
 
@@ -56,11 +57,5 @@ class Press {
   instrument::Geometry shape_ = instrument::Sphere{0.01};
   double t_ = 0.0;
 };
-
-inline Vec3 onTool(const tissue::TissueStep& step) {
-  Vec3 sum = Vec3::Zero();
-  for (const tissue::TissueContact& c : step.contacts) sum += c.force_W;
-  return sum;
-}
 
 }  // namespace palpate::test

@@ -10,7 +10,7 @@
 #include "support/random.h"
 #include "tissue/springs/spring_elasticity.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::spring_elasticity_test {
 namespace {
 
 fem::Composition soft() {
@@ -174,4 +174,4 @@ TEST_F(Springs, RefuseNetworksOfOtherPoints) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::spring_elasticity_test

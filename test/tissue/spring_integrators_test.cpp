@@ -9,7 +9,7 @@
 
 #include "tissue/springs/spring_integrators.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::spring_integrators_test {
 namespace {
 
 constexpr double kSquare = 400.0, kDamping = 6.0;  // w^2, d: x'' + d x' + w^2 x = 0
@@ -78,4 +78,4 @@ TEST(Integrator, WithoutDampingOnlySymplecticEulerIsStable) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::spring_integrators_test

@@ -12,11 +12,11 @@
 #include "tissue/fem/prescribed_contact.h"
 #include "tissue/fem/sparse_assembly.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::sticking_newton_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 
 // A ball of 25 mm, several elements wide where it touches.
@@ -39,7 +39,7 @@ TEST_P(NewtonBicgstabElement, FeelsAboutTheForceOfTheDefaultMethod) {
   double force[2];
   int k = 0;
   for (const char* method : {"newton_bicgstab", "implicit_pcg"}) {
-    Slab slab(method, Eigen::Vector3i(14, 14, 5), GetParam());
+    LiverSlab slab(method, Eigen::Vector3i(14, 14, 5), GetParam());
     slab.settings.integrator = "static";
     const auto tissue = slab.make();
     const LargeBall ball;
@@ -56,7 +56,7 @@ TEST_P(NewtonBicgstabElement, FeelsAboutTheForceOfTheDefaultMethod) {
 }
 
 TEST_P(NewtonBicgstabElement, BalancesForcesHoldsNoPenetrationAndLetsGo) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), GetParam());
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), GetParam());
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   slab.settings.sample_spacing = 0.0;  // nodes only
   const auto tissue = slab.make();
@@ -87,7 +87,7 @@ TEST_P(NewtonBicgstabElement, BalancesForcesHoldsNoPenetrationAndLetsGo) {
 
 // Between the nodes: an edge or a triangle is moved as a whole.
 TEST(NewtonBicgstab, FeelsAToolThatMissesEveryNode) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4));
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4));
   slab.settings.sample_spacing = 0.002;
   const auto tissue = slab.make();
   const instrument::Geometry tip = instrument::Sphere{0.003};
@@ -104,7 +104,7 @@ TEST(NewtonBicgstab, FeelsAToolThatMissesEveryNode) {
 }
 
 TEST(NewtonBicgstab, SurvivesLeapsRestoreAndReset) {
-  const Slab slab("newton_bicgstab");
+  const LiverSlab slab("newton_bicgstab");
   const auto tissue = slab.make();
   const LargeBall ball;
   for (const double depth : {0.012, -0.1, 0.008}) {
@@ -125,7 +125,7 @@ TEST(NewtonBicgstab, SurvivesLeapsRestoreAndReset) {
 // Newton's steps know the tangent alone: where they squeeze an exponential law far beyond it, its
 // forces may be finite and such that no iteration leads back.
 TEST(NewtonBicgstab, DoesNotSqueezeAnExponentialLawBeyondReturn) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(5, 5, 2), "tet4");
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(5, 5, 2), "tet4");
   slab.law = material::makeMaterial("demiray", {{"a", {2000.0}}, {"b", {1.3}}, {"kappa", {2e4}}});
   const auto tissue = slab.make();
   const LargeBall ball;
@@ -143,7 +143,7 @@ TEST(NewtonBicgstab, DoesNotSqueezeAnExponentialLawBeyondReturn) {
 TEST(NewtonBicgstab, NeitherClimbsNorRestsOnASaddle) {
   int put_back = 0;
   for (int seed = 1; seed <= 10; ++seed) {
-    Slab slab("newton_bicgstab", Eigen::Vector3i(4, 4, 2), "tet4");
+    LiverSlab slab("newton_bicgstab", Eigen::Vector3i(4, 4, 2), "tet4");
     slab.settings.gravity.setZero();
     const auto tissue = slab.make();
     const Points rest = tissue->positions();
@@ -170,7 +170,7 @@ TEST(NewtonBicgstab, NeitherClimbsNorRestsOnASaddle) {
 
 // What it pulls at is let go by a solution; where there never is one it must be as well.
 TEST(NewtonBicgstab, CarriesNothingAlongThatNeverConverges) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), "tet4");
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(8, 8, 4), "tet4");
   slab.settings.max_newton_iterations = 1;
   slab.settings.gravity.setZero();
   const auto tissue = slab.make();
@@ -187,7 +187,7 @@ TEST(NewtonBicgstab, CarriesNothingAlongThatNeverConverges) {
 }
 
 TEST(NewtonBicgstab, RelaxesUnderAHeldTool) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
   slab.prony = {{0.5, 0.1}};
   const auto tissue = slab.make();
   const LargeBall ball;
@@ -203,7 +203,7 @@ TEST(NewtonBicgstab, RelaxesUnderAHeldTool) {
 
 TEST(NewtonBicgstab, SameInputsSameBitsWhateverTheThreads) {
   ThreadPool pool(3);
-  const Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  const LiverSlab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
   const auto one = slab.make(), two = slab.make(&pool);
   const LargeBall ball;
   for (int k = 0; k < 5; ++k) {
@@ -215,7 +215,7 @@ TEST(NewtonBicgstab, SameInputsSameBitsWhateverTheThreads) {
 
 TEST(SparseAssembly, IsTheMatrixThatMultiplies) {
   for (const char* element : {"tet4", "anp"}) {
-    const Slab slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), element);
+    const LiverSlab slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), element);
     const auto elasticity =
         fem::makeElasticity(element, slab.mesh, fem::Composition::uniform(slab.law, 1060.0));
     fem::Stiffness K = elasticity->makeMatrix();
@@ -231,7 +231,7 @@ TEST(SparseAssembly, IsTheMatrixThatMultiplies) {
 }
 
 TEST(NewtonBicgstab, RefusesWhatItCannotDo) {
-  const auto refusal = [](const Slab& slab) -> std::string {
+  const auto refusal = [](const LiverSlab& slab) -> std::string {
     try {
       slab.make();
     } catch (const std::invalid_argument& error) {
@@ -239,16 +239,16 @@ TEST(NewtonBicgstab, RefusesWhatItCannotDo) {
     }
     return "";
   };
-  Slab moving("newton_bicgstab");
+  LiverSlab moving("newton_bicgstab");
   moving.settings.integrator = "bdf2";
   EXPECT_TRUE(test::contains(refusal(moving), "integrator = bdf2"));
-  EXPECT_TRUE(test::contains(refusal(Slab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "p1p1")),
-                             "element p1p1"));
+  EXPECT_TRUE(test::contains(
+      refusal(LiverSlab("newton_bicgstab", Eigen::Vector3i(2, 2, 2), "p1p1")), "element p1p1"));
 }
 
 // What is held can be saved, and taken up by another body of the same mesh.
 TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
-  const Slab slab("newton_bicgstab");
+  const LiverSlab slab("newton_bicgstab");
   const fem::Composition liver{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
   const LargeBall ball;
   const auto begin = [&](FemBody* body) {
@@ -282,7 +282,7 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
 // time; far from rest they may lead up.
 TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
   for (const double height : {1.1, 3.0}) {
-    Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+    LiverSlab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
     slab.settings.gravity.setZero();
     const auto tissue = slab.make();
     const solver::Interrupt at_once = [] { return true; };
@@ -299,7 +299,7 @@ TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
 
 // A ball that wanders deep in the slab, where ten iterations a cycle follow it no way.
 TEST(NewtonBicgstab, IsNotTurnedInsideOutByToolsInCyclesThatAreAlwaysCut) {
-  Slab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
+  LiverSlab slab("newton_bicgstab", Eigen::Vector3i(6, 6, 3));
   slab.settings.gravity.setZero();
   const auto tissue = slab.make();
   const solver::Interrupt at_once = [] { return true; };
@@ -317,4 +317,4 @@ TEST(NewtonBicgstab, IsNotTurnedInsideOutByToolsInCyclesThatAreAlwaysCut) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::sticking_newton_test

@@ -7,10 +7,10 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::stretched_start_test {
 namespace {
 
-using test::Slab;
+using test::LiverSlab;
 constexpr double kStep = 0.002;
 constexpr double kRounding = 1e-12;  // [J]
 
@@ -24,8 +24,8 @@ struct Case {
 class StretchedStart : public testing::TestWithParam<Case> {};
 
 TEST_P(StretchedStart, ComesBackWithoutFlyingApart) {
-  Slab slab(GetParam().method, GetParam().cells, GetParam().element);
-  slab.law = Slab::liver(GetParam().law, 0.49);
+  LiverSlab slab(GetParam().method, GetParam().cells, GetParam().element);
+  slab.law = LiverSlab::liver(GetParam().law, 0.49);
   slab.settings.mass_damping = 60.0;
   slab.settings.stiffness_damping = 0.5 * kStep;
   const auto tissue = slab.make();
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"implicit_pcg", "tet10p", "stable_neo_hookean", {2, 2, 1}}));
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::stretched_start_test

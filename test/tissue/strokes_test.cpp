@@ -11,7 +11,7 @@
 #include "slab.h"
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::strokes_test {
 namespace {
 
 using test::Slab;
@@ -116,4 +116,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Strokes, ::testing::Values(kRod, kFlatRod, kNeedle,
                          [](const auto& param) { return std::string(param.param.name); });
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::strokes_test

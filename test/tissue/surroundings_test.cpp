@@ -12,7 +12,7 @@
 #include "support/contains.h"
 #include "tissue/fem/adaptive_tissue.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::surroundings_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -32,9 +32,9 @@ std::vector<int> bottomOf(const mesh::TetMesh& mesh) {
 }
 
 // The slab, whose bottom is glued to something that breathes, lies on springs, or both.
-struct Held : test::Slab {
+struct Held : test::LiverSlab {
   explicit Held(const std::string& method, const std::string& element = "anp")
-      : Slab(method, Eigen::Vector3i(5, 5, 3), element), surroundings(free) {
+      : LiverSlab(method, Eigen::Vector3i(5, 5, 3), element), surroundings(free) {
     settings.gravity = Vec3(0.0, 0.0, -9.81);
     settings.mass_damping = 5.0;
   }
@@ -79,7 +79,7 @@ Vec3 imbalance(const TissueStep& step) {
 
 bool isImplicit(const std::string& method) { return methodFacts(method).own_integration.empty(); }
 
-class EveryMethod : public ::testing::TestWithParam<std::string> {
+class MethodsInSurroundings : public ::testing::TestWithParam<std::string> {
  protected:
   // What the sum of forces may be off by: the residual of as many nodes.
   static double offBalance(const Held& held, const TissueStep& step) {
@@ -91,13 +91,13 @@ std::vector<std::string> solvingMethods() {
   names.erase(std::find(names.begin(), names.end(), "auto"));
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, ::testing::ValuesIn(solvingMethods()),
+INSTANTIATE_TEST_SUITE_P(Methods, MethodsInSurroundings, ::testing::ValuesIn(solvingMethods()),
                          [](const auto& method) { return method.param; });
 
 // An organ that is carried feels a tool as one that rests feels the tool moved the other way. What
 // differs is the inertia of the organ, its mass times the largest acceleration, and of methods with
 // damping by mass its braking.
-TEST_P(EveryMethod, FeelsAToolAgainstWhichItBreathes) {
+TEST_P(MethodsInSurroundings, FeelsAToolAgainstWhichItBreathes) {
   if (GetParam() == "newton_bicgstab") {
     GTEST_SKIP() << "its points stick where they were caught, and it is not the same ones that are "
                     "caught by a tool that comes and by tissue that comes";
@@ -141,7 +141,7 @@ TEST_P(EveryMethod, FeelsAToolAgainstWhichItBreathes) {
 }
 
 // A slab on springs sinks by its weight over their stiffness, and the springs carry it.
-TEST_P(EveryMethod, LiesOnSprings) {
+TEST_P(MethodsInSurroundings, LiesOnSprings) {
   Held held(GetParam());
   held.layOnSprings({2.0e5, 5.0e4, 0.0, 0.0}, false);
   held.settings.tolerance = 1e-8;
@@ -168,7 +168,7 @@ TEST_P(EveryMethod, LiesOnSprings) {
 }
 
 // Springs whose anchors breathe, pressed, in balance to the last digits that are solved for.
-TEST_P(EveryMethod, BalancesOnSpringsThatBreathe) {
+TEST_P(MethodsInSurroundings, BalancesOnSpringsThatBreathe) {
   Held held(GetParam());
   held.layOnSprings({2.0e5, 5.0e4, 0.0, 0.0}, true);
   held.settings.tolerance = 1e-12;
@@ -316,4 +316,4 @@ TEST(Surroundings, WithDampersAreRefusedByMethodsWithoutVelocities) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::surroundings_test

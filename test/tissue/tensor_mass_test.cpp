@@ -5,7 +5,7 @@
 #include "support/random.h"
 #include "tissue/tensor_mass/tensor_mass_elasticity.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::tensor_mass_test {
 namespace {
 
 class TensorMass : public ::testing::Test {
@@ -66,4 +66,4 @@ TEST_F(TensorMass, TakesATurnForAStrain) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::tensor_mass_test

@@ -8,7 +8,7 @@
 
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::tied_point_test {
 namespace {
 
 constexpr int kNodes = 6;
@@ -130,4 +130,4 @@ TEST(TiedPoint, HoldsNothingUnlessItIsOne) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::tied_point_test

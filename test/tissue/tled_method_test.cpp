@@ -11,11 +11,11 @@
 #include "support/contains.h"
 #include "support/random.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::tled_method_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 
 double energy(const TissueStep& step) { return step.kinetic_energy + step.elastic_energy; }
@@ -23,7 +23,7 @@ double energy(const TissueStep& step) { return step.kinetic_energy + step.elasti
 // A bar of square section along z, held at z = 0, that gets velocities at rest.
 struct Bar {
   static constexpr double kLength = 0.2;
-  Slab slab{"tled"};
+  LiverSlab slab{"tled"};
 
   explicit Bar(double poisson_ratio) {
     slab.mesh = mesh::boxMesh(Vec3(0.02, 0.02, kLength), Eigen::Vector3i(2, 2, 20));
@@ -32,7 +32,7 @@ struct Bar {
       if (slab.mesh.points(2, i) == 0.0) slab.free.col(i).setZero();
     }
     slab.settings.element = "tet4";
-    slab.law = Slab::liver("stable_neo_hookean", poisson_ratio);
+    slab.law = LiverSlab::liver("stable_neo_hookean", poisson_ratio);
   }
   std::unique_ptr<TissueModel> push(const std::function<Vec3(const Vec3&)>& velocity) const {
     auto tissue = slab.make();
@@ -109,10 +109,10 @@ struct Pressed {
   double force;
   Points x;
 };
-Pressed pressAndHold(const Slab& slab, double seconds, double step, double depth = 0.006) {
+Pressed pressAndHold(const LiverSlab& slab, double seconds, double step, double depth = 0.006) {
   const auto tissue = slab.make();
   double force = 0.0;
-  for (Press press(depth, 0.05, step); press.time() < seconds;) {
+  for (LiverPress press(depth, 0.05, step); press.time() < seconds;) {
     force = test::onTool(tissue->step({press.next()}, step)).z();
   }
   return {force, tissue->positions()};
@@ -120,9 +120,9 @@ Pressed pressAndHold(const Slab& slab, double seconds, double step, double depth
 
 TEST(Tled, AgreesWithImplicitMethodsOnAPressedSlab) {
   for (const double poisson_ratio : {0.45, 0.49}) {
-    Slab explicit_slab("tled"), implicit_slab("implicit_pcg");
-    for (Slab* slab : {&explicit_slab, &implicit_slab}) {
-      slab->law = Slab::liver("stable_neo_hookean", poisson_ratio);
+    LiverSlab explicit_slab("tled"), implicit_slab("implicit_pcg");
+    for (LiverSlab* slab : {&explicit_slab, &implicit_slab}) {
+      slab->law = LiverSlab::liver("stable_neo_hookean", poisson_ratio);
       slab->settings.mass_damping = 30.0;
       slab->settings.tolerance = 1e-6;
     }
@@ -136,15 +136,15 @@ TEST(Tled, AgreesWithImplicitMethodsOnAPressedSlab) {
 }
 
 TEST(Tled, AgreesWithSmallImplicitStepsOnTheWay) {
-  Slab explicit_slab("tled"), implicit_slab("implicit_pcg");
+  LiverSlab explicit_slab("tled"), implicit_slab("implicit_pcg");
   implicit_slab.settings.integrator = "bdf2";
   implicit_slab.settings.tolerance = 1e-6;
-  for (Slab* slab : {&explicit_slab, &implicit_slab}) {
+  for (LiverSlab* slab : {&explicit_slab, &implicit_slab}) {
     slab->settings.mass_damping = 5.0;
     slab->settings.contact.model = "penalty";  // a multiplier learns from step to step
   }
   const auto a = explicit_slab.make(), b = implicit_slab.make();
-  Press press(0.006, 0.05, kStep), slow(0.006, 0.05, 5e-4);
+  LiverPress press(0.006, 0.05, kStep), slow(0.006, 0.05, 5e-4);
   double square = 0.0, peak = 0.0;
   for (int k = 0; k < 30; ++k) {
     const double force = test::onTool(a->step({press.next()}, kStep)).z();
@@ -159,12 +159,12 @@ TEST(Tled, AgreesWithSmallImplicitStepsOnTheWay) {
 }
 
 TEST(Tled, BalancesForcesInEveryCycle) {
-  Slab slab("tled");
+  LiverSlab slab("tled");
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   slab.settings.mass_damping = 5.0;
   const auto tissue = slab.make();
   double peak = 0.0;
-  for (Press press(0.01, 0.1); press.time() < 0.4;) {
+  for (LiverPress press(0.01, 0.1); press.time() < 0.4;) {
     const TissueStep& step = tissue->step({press.next()}, kStep);
     ASSERT_TRUE(step.ok());
     EXPECT_LE(step.residual, step.tolerance);
@@ -180,12 +180,12 @@ INSTANTIATE_TEST_SUITE_P(Elements, TledFast, ::testing::ValuesIn(fem::elementNam
                          [](const auto& kind) { return kind.param; });
 TEST_P(TledFast, AToolAtOneMetreASecondDoesNotBlowItUp) {
   for (const double poisson_ratio : {0.45, 0.49}) {
-    Slab slab("tled", Eigen::Vector3i(6, 6, 3), GetParam());
-    slab.law = Slab::liver("stable_neo_hookean", poisson_ratio);
+    LiverSlab slab("tled", Eigen::Vector3i(6, 6, 3), GetParam());
+    slab.law = LiverSlab::liver("stable_neo_hookean", poisson_ratio);
     slab.settings.mass_damping = 20.0;
     const auto tissue = slab.make();
     double peak = 0.0, last = 0.0;
-    for (Press press(0.015, 1.0); press.time() < 0.5;) {
+    for (LiverPress press(0.015, 1.0); press.time() < 0.5;) {
       const TissueStep& step = tissue->step({press.next()}, kStep);
       EXPECT_TRUE(step.ok()) << solver::toString(step.status) << " at " << press.time();
       ASSERT_TRUE(std::isfinite(energy(step)));
@@ -200,11 +200,11 @@ TEST_P(TledFast, AToolAtOneMetreASecondDoesNotBlowItUp) {
 
 TEST(Tled, SameInputsSameBitsWhateverTheThreads) {
   ThreadPool pool(3);
-  const Slab slab("tled");
+  const LiverSlab slab("tled");
   const auto one = slab.make(), two = slab.make(&pool);
   Points end;
   for (int run = 0; run < 2; ++run) {
-    for (Press a(0.01, 0.2), b(0.01, 0.2); a.time() < 0.2;) {
+    for (LiverPress a(0.01, 0.2), b(0.01, 0.2); a.time() < 0.2;) {
       const Vec3 force = test::onTool(one->step({a.next()}, kStep));
       ASSERT_EQ(force, test::onTool(two->step({b.next()}, kStep)));
       ASSERT_EQ(one->positions(), two->positions());
@@ -217,14 +217,14 @@ TEST(Tled, SameInputsSameBitsWhateverTheThreads) {
 }
 
 TEST(Tled, ComesToRestSleepsAndWakes) {
-  Slab slab("tled", Eigen::Vector3i(6, 6, 3));
+  LiverSlab slab("tled", Eigen::Vector3i(6, 6, 3));
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   slab.settings.mass_damping = 60.0;
   const auto tissue = slab.make();
   const Points begin = tissue->positions();
   for (int k = 0; k < 3; ++k) tissue->step({}, kStep);
   EXPECT_TRUE(tissue->step({}, kStep).slept);
-  for (Press press(0.008, 0.1); press.time() < 0.3;) {
+  for (LiverPress press(0.008, 0.1); press.time() < 0.3;) {
     EXPECT_FALSE(tissue->step({press.next()}, kStep).slept);
   }
   EXPECT_GT((tissue->positions() - begin).cwiseAbs().maxCoeff(), 1e-3);
@@ -235,7 +235,7 @@ TEST(Tled, ComesToRestSleepsAndWakes) {
 }
 
 TEST(Tled, TakesCyclesOfAnyLength) {
-  Slab even("tled"), odd("tled");
+  LiverSlab even("tled"), odd("tled");
   even.settings.mass_damping = odd.settings.mass_damping = 30.0;
   const Pressed a = pressAndHold(even, 1.0, kStep);
   const auto tissue = odd.make();
@@ -257,9 +257,9 @@ TEST(Tled, TakesCyclesOfAnyLength) {
 }
 
 TEST(Tled, GoesOnFromARestoredState) {
-  const Slab slab("tled");
+  const LiverSlab slab("tled");
   const auto whole = slab.make(), halves = slab.make();
-  Press a(0.008, 0.1), b(0.008, 0.1);
+  LiverPress a(0.008, 0.1), b(0.008, 0.1);
   for (int k = 0; k < 8; ++k) {
     whole->step({a.next()}, kStep);
     halves->step({b.next()}, kStep);
@@ -275,7 +275,7 @@ TEST(Tled, GoesOnFromARestoredState) {
 }
 
 TEST(Tled, TakesSeveralTools) {
-  Slab slab("tled");
+  LiverSlab slab("tled");
   slab.settings.mass_damping = 30.0;
   const auto tissue = slab.make();
   const instrument::Geometry left = instrument::Sphere{0.008};
@@ -298,7 +298,7 @@ TEST(Tled, TakesSeveralTools) {
 
 // A scene that was reset while the tool was in the tissue.
 TEST(Tled, PushesTissueOutOfAToolThatIsInItFromTheBegin) {
-  Slab slab("tled");
+  LiverSlab slab("tled");
   slab.settings.mass_damping = 30.0;
   const auto tissue = slab.make();
   const instrument::Geometry ball = instrument::Sphere{0.01};
@@ -315,7 +315,7 @@ TEST(Tled, PushesTissueOutOfAToolThatIsInItFromTheBegin) {
 }
 
 TEST(Tled, AThinFastToolDoesNotPassThrough) {
-  Slab slab("tled");
+  LiverSlab slab("tled");
   slab.settings.sample_spacing = 0.0005;
   const auto tissue = slab.make();
   const instrument::Geometry needle = instrument::Capsule{0.001, 0.03};
@@ -339,8 +339,8 @@ TEST(Tled, AThinFastToolDoesNotPassThrough) {
 }
 
 TEST(Tled, RelaxesLikeTheImplicitMethod) {
-  Slab a("tled", Eigen::Vector3i(5, 5, 3)), b("implicit_pcg", Eigen::Vector3i(5, 5, 3));
-  for (Slab* slab : {&a, &b}) {
+  LiverSlab a("tled", Eigen::Vector3i(5, 5, 3)), b("implicit_pcg", Eigen::Vector3i(5, 5, 3));
+  for (LiverSlab* slab : {&a, &b}) {
     slab->prony = {{0.5, 0.2}};
     slab->settings.mass_damping = 30.0;
   }
@@ -351,7 +351,7 @@ TEST(Tled, RelaxesLikeTheImplicitMethod) {
 }
 
 TEST(Tled, KeepsItsLastGoodStateWhenACycleFails) {
-  const Slab slab("tled");
+  const LiverSlab slab("tled");
   const auto tissue = slab.make();
   const Points good = tissue->positions();
   Points bad = tissue->velocities();
@@ -364,7 +364,7 @@ TEST(Tled, KeepsItsLastGoodStateWhenACycleFails) {
 }
 
 TEST(Tled, RefusesWhatItCannotDo) {
-  const auto refusal = [](const Slab& slab) -> std::string {
+  const auto refusal = [](const LiverSlab& slab) -> std::string {
     try {
       slab.make();
     } catch (const std::invalid_argument& error) {
@@ -373,14 +373,14 @@ TEST(Tled, RefusesWhatItCannotDo) {
     return "";
   };
   for (const char* integrator : {"static", "bdf2"}) {
-    Slab slab("tled");
+    LiverSlab slab("tled");
     slab.settings.integrator = integrator;
     EXPECT_TRUE(test::contains(refusal(slab), std::string("integrator = ") + integrator));
   }
-  Slab damped("tled");
+  LiverSlab damped("tled");
   damped.settings.stiffness_damping = 0.01;
   EXPECT_TRUE(test::contains(refusal(damped), "damping.stiffness = 0.01"));
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::tled_method_test

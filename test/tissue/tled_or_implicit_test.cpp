@@ -7,24 +7,24 @@
 
 #include "liver_slab.h"
 
-namespace palpate::tissue {
+namespace palpate::tissue::tled_or_implicit_test {
 namespace {
 
-using test::Press;
-using test::Slab;
+using test::LiverPress;
+using test::LiverSlab;
 constexpr double kStep = 0.01;
 constexpr double kTooLong = 1e4;  // for sub-steps [s]
 
 double energy(const TissueStep& step) { return step.kinetic_energy + step.elastic_energy; }
 
-Slab dampedSlab() {
-  Slab slab("tled", Eigen::Vector3i(6, 6, 3));
+LiverSlab dampedSlab() {
+  LiverSlab slab("tled", Eigen::Vector3i(6, 6, 3));
   slab.settings.mass_damping = 60.0;
   return slab;
 }
 
 // Every free node somewhere in the box of the slab.
-Points thrown(const Slab& slab) {
+Points thrown(const LiverSlab& slab) {
   Points x = slab.mesh.points;
   unsigned state = 1;
   for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -36,7 +36,7 @@ Points thrown(const Slab& slab) {
 }
 
 TEST(TledOrImplicit, TakesNoMoreThanSoManySubSteps) {
-  const Slab slab = dampedSlab();
+  const LiverSlab slab = dampedSlab();
   const auto tissue = slab.make();
   const int at_rest = tissue->step({}, kStep).sweep_stages;
   tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
@@ -49,7 +49,7 @@ TEST(TledOrImplicit, TakesNoMoreThanSoManySubSteps) {
 }
 
 TEST(TledOrImplicit, TakesImplicitStepsWhereItWouldTakeThousands) {
-  const Slab slab = dampedSlab();
+  const LiverSlab slab = dampedSlab();
   const auto tissue = slab.make();
   const int at_rest = tissue->step({}, kStep).sweep_stages;
   const auto stepsIn = [&](double many) {
@@ -66,7 +66,7 @@ TEST(TledOrImplicit, TakesImplicitStepsWhereItWouldTakeThousands) {
 }
 
 TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
-  const Slab slab = dampedSlab();
+  const LiverSlab slab = dampedSlab();
   const auto tissue = slab.make(), fresh = slab.make();
   tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
   EXPECT_GT(tissue->step({}, kTooLong).newton_iterations, 0);  // implicit
@@ -83,7 +83,7 @@ TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
   }
   ASSERT_TRUE(slept);
   EXPECT_LT((tissue->positions() - slab.mesh.points).cwiseAbs().maxCoeff(), 1e-4 * 0.1);
-  for (Press a(0.006, 0.1), b(0.006, 0.1); a.time() < 0.2;) {
+  for (LiverPress a(0.006, 0.1), b(0.006, 0.1); a.time() < 0.2;) {
     const TissueStep& now = tissue->step({a.next()}, kStep);
     const TissueStep& never = fresh->step({b.next()}, kStep);
     EXPECT_EQ(now.newton_iterations, never.newton_iterations);
@@ -94,13 +94,13 @@ TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
 
 // As the default method would have it.
 TEST(TledOrImplicit, IsTheImplicitMethodFromThereOn) {
-  Slab given_up = dampedSlab(), implicit = dampedSlab();
+  LiverSlab given_up = dampedSlab(), implicit = dampedSlab();
   implicit.settings.method = "implicit_pcg";
   const auto a = given_up.make(), b = implicit.make();
   for (const auto* tissue : {&a, &b}) {
     (*tissue)->place(0, thrown(given_up), Points::Zero(3, given_up.mesh.numPoints()));
   }
-  Press press(0.006, 0.1), same(0.006, 0.1);
+  LiverPress press(0.006, 0.1), same(0.006, 0.1);
   for (int k = 0; k < 15; ++k) {
     const double dt = k == 0 ? kTooLong : kStep;
     a->step({press.next()}, dt);
@@ -110,7 +110,7 @@ TEST(TledOrImplicit, IsTheImplicitMethodFromThereOn) {
 }
 
 TEST(TledOrImplicit, GoesOnFromASavedStateWithTheSameBits) {
-  const Slab slab = dampedSlab();
+  const LiverSlab slab = dampedSlab();
   const auto one = slab.make(), other = slab.make();
   one->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
   for (int k = 0; k < 3; ++k) one->step({}, k == 0 ? kTooLong : kStep);
@@ -126,7 +126,7 @@ TEST(TledOrImplicit, GoesOnFromASavedStateWithTheSameBits) {
 // to go. They left tissue on a tool that had leapt away, or threw it. (Searches on the way there
 // give implicit steps other candidates than those that they begin with alone.)
 TEST(TledOrImplicit, TakesImplicitStepsWhereACycleEndsWithAToolDeepInTissue) {
-  Slab leapt("tled"), implicit("implicit_pcg");
+  LiverSlab leapt("tled"), implicit("implicit_pcg");
   leapt.settings.mass_damping = implicit.settings.mass_damping = 60.0;
   const auto a = leapt.make(), b = implicit.make();
   const instrument::Geometry ball = instrument::Sphere{0.01};
@@ -146,7 +146,7 @@ TEST(TledOrImplicit, TakesImplicitStepsWhereACycleEndsWithAToolDeepInTissue) {
 
 // All the energy of what is inside out would be motion: in cut cycles it threw a point by 1.2 m.
 TEST(TledOrImplicit, TakesImplicitStepsFromWhereItIsPlacedInverted) {
-  Slab slab = dampedSlab();
+  LiverSlab slab = dampedSlab();
   const auto tissue = slab.make();
   Points x = slab.mesh.points;
   x.row(2) *= -0.5;
@@ -168,7 +168,7 @@ TEST(TledOrImplicit, MakesNoEnergyInCyclesThatAreCut) {
     int sub_steps;
   } cases[] = {{"anp", 3.0, 1}, {"tet4", 0.1, 2}};
   for (const auto& of : cases) {
-    Slab slab("tled", Eigen::Vector3i(5, 5, 3), of.element);
+    LiverSlab slab("tled", Eigen::Vector3i(5, 5, 3), of.element);
     slab.settings.mass_damping = 5.0;
     slab.settings.gravity.setZero();
     const auto tissue = slab.make();
@@ -198,7 +198,7 @@ TEST(TledOrImplicit, GivesUpACycleThatGainsEnergy) {
     int newton_at_least, newton_at_most;
   } cases[] = {{600.0, 0, 0}, {1200.0, 1, 1000}};
   for (const auto& of : cases) {
-    Slab slab("tled", Eigen::Vector3i(5, 5, 3), "tet4");
+    LiverSlab slab("tled", Eigen::Vector3i(5, 5, 3), "tet4");
     slab.settings.gravity.setZero();
     const auto tissue = slab.make();
     Points v = slab.free.cwiseProduct(Points(slab.mesh.points));
@@ -218,4 +218,4 @@ TEST(TledOrImplicit, GivesUpACycleThatGainsEnergy) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::tled_or_implicit_test

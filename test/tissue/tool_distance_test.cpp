@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace palpate::tissue {
+namespace palpate::tissue::tool_distance_test {
 namespace {
 
 const instrument::Geometry kBall = instrument::Sphere{0.01};
@@ -66,4 +66,4 @@ TEST(ToolDistance, OnlyOfToolsThatComeNear) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue
+}  // namespace palpate::tissue::tool_distance_test

@@ -18,7 +18,7 @@
 #include "torture/organ_cells.h"
 #include "torture/recomputed_residual.h"
 
-namespace palpate::torture {
+namespace palpate::torture::criteria_test {
 namespace {
 
 // A block of tet4 that a ball presses, leaves, and that comes to rest.
@@ -316,4 +316,4 @@ TEST_F(Criteria, SeeACycleThatStalls) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::criteria_test

@@ -20,7 +20,7 @@
 #include "torture/draw_body.h"
 #include "torture/draw_mesh.h"
 
-namespace palpate::torture {
+namespace palpate::torture::draw_test {
 namespace {
 
 constexpr int kMany = 520;  // forty of each category
@@ -138,4 +138,4 @@ TEST(DrawnScenes, AreScenesOfAUser) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::draw_test

@@ -11,7 +11,7 @@
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 
-namespace palpate::torture {
+namespace palpate::torture::result_table_test {
 namespace {
 
 Outcome failed() {
@@ -102,4 +102,4 @@ TEST(StabilityPage, CountsAndNamesWhatFails) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::result_table_test

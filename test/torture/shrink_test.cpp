@@ -5,7 +5,7 @@
 
 #include "support/temp_folder.h"
 
-namespace palpate::torture {
+namespace palpate::torture::shrink_test {
 namespace {
 
 // Small and soft. Ended in the row in which the tools have left, it is not back at rest.
@@ -69,4 +69,4 @@ TEST(Shrunk, IsTheSceneItselfWhereNothingPlainerFails) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::shrink_test

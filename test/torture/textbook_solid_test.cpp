@@ -9,7 +9,7 @@
 
 #include "palpate/fem/elasticity.h"
 
-namespace palpate::torture {
+namespace palpate::torture::textbook_solid_test {
 namespace {
 
 struct Body {
@@ -82,4 +82,4 @@ INSTANTIATE_TEST_SUITE_P(Of, TextbookSolids, ::testing::ValuesIn(bodies()),
                          [](const auto& i) { return i.param.element + "_" + i.param.law; });
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::textbook_solid_test

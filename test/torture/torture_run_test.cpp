@@ -6,7 +6,7 @@
 #include "palpate/torture/draw.h"
 #include "support/temp_folder.h"
 
-namespace palpate::torture {
+namespace palpate::torture::torture_run_test {
 namespace {
 
 // Its organ hangs, and would collapse standing, which is how it is to begin.
@@ -20,4 +20,4 @@ TEST(Run, RefusesAStartThatIsNone) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::torture_run_test

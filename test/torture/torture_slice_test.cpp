@@ -9,7 +9,7 @@
 #include "palpate/torture/torture_run.h"
 #include "support/temp_folder.h"
 
-namespace palpate::torture {
+namespace palpate::torture::torture_slice_test {
 namespace {
 
 constexpr int kEach = 8, kMostTets = 600;
@@ -95,4 +95,4 @@ TEST(TortureScenes, AreRefusedByTheNamesOfTheirFilesAlone) {
 }
 
 }  // namespace
-}  // namespace palpate::torture
+}  // namespace palpate::torture::torture_slice_test
