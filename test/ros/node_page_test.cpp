@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The README's tables of topics, services and parameters say what the node has.
+// The tables of topics, services and parameters in docs/node.md say what the node has.
 #include <gtest/gtest.h>
 #include <ros/message_traits.h>
 #include <ros/service_traits.h>
@@ -39,7 +39,7 @@ std::string trimmed(const std::string& text) {
 
 /// The rows of all tables below a heading, without their heads, by the first cell.
 std::map<std::string, Row> tablesBelow(const std::string& heading) {
-  std::istringstream page(test::fileBytes(test::sourceFolder() + "/README.md"));
+  std::istringstream page(test::fileBytes(test::sourceFolder() + "/docs/node.md"));
   std::map<std::string, Row> rows;
   bool here = false, head = true;
   for (std::string line; std::getline(page, line);) {
@@ -70,7 +70,7 @@ std::string typeIn(const std::string& cell) {
   return cell.rfind('[', 0) == 0 ? cell.substr(1, cell.find(']') - 1) : cell;
 }
 
-TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
+TEST(NodePage, HasTheTopicsAndServicesOfTheNode) {
   const std::string wrench = typeOf<geometry_msgs::WrenchStamped>();
   const std::string trigger = ros::service_traits::DataType<std_srvs::Trigger>::value();
   const std::map<std::string, std::string> expected = {
@@ -95,7 +95,7 @@ TEST(Readme, HasTheTopicsAndServicesOfTheNode) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(Readme, HasTheRatesAndFramesOfTheTopics) {
+TEST(NodePage, HasTheRatesAndFramesOfTheTopics) {
   std::map<std::string, Row> rows = tablesBelow("Topics and services");
   const scene::RatesConfig rates;
   const std::string haptic = "`rates.haptic`, " + formatNumber(1e-3 * rates.haptic) + " kHz";
@@ -111,7 +111,7 @@ TEST(Readme, HasTheRatesAndFramesOfTheTopics) {
   }
 }
 
-TEST(Readme, HasTheParametersOfTheNode) {
+TEST(NodePage, HasTheParametersOfTheNode) {
   const std::map<std::string, Row> rows = tablesBelow("Parameters of `palpate_node`");
   std::vector<std::string> expected, found;
   for (const char* name : kNodeParams) expected.push_back(code(std::string("~") + name));
