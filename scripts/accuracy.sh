@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Computes problems whose answers are known, with palpate and with other programs, and writes
-# docs/accuracy.md and docs/images/accuracy/. Fails if an error is larger than its bound.
+# docs/results/accuracy.md and docs/results/images/accuracy/. Fails if an error is larger than its bound.
 #
 #   scripts/accuracy.sh [--quick] [--list] [CASE ...]
 #

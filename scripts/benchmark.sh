@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures palpate's methods on fixed scenes, time beside error, and writes docs/benchmarks.md,
-# docs/benchmarks.csv and docs/images/benchmarks/. Wants a machine on which nothing else runs.
+# Measures palpate's methods on fixed scenes, time beside error, and writes docs/results/benchmarks.md,
+# docs/results/benchmarks.csv and docs/results/images/benchmarks/. Wants a machine on which nothing else runs.
 #
 #   scripts/benchmark.sh [--quick] [--resume] [--list] [SUITE ...]
 #

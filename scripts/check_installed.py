@@ -28,7 +28,7 @@ def check(share, more):
     for path in wanted:
         if not (share / path.relative_to(ROOT)).is_file():
             problems.append("%s is not installed" % path.relative_to(ROOT))
-    for page in [share / "README.md", *share.glob("docs/*.md")]:
+    for page in [share / "README.md", *share.glob("docs/**/*.md")]:
         for link in LINK.findall(page.read_text(encoding="utf-8")):
             if not (page.parent / link).exists():
                 problems.append("%s: leads to %s" % (page.relative_to(share), link))

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says how old the measured pages are: docs/accuracy.md, docs/benchmarks.md, docs/coverage.md, docs/hands.md,
-docs/models.md and docs/stability.md name the commits that made them. Fails if one names none, or a commit that
-HEAD does not come from. That a page is of a tree with changes that are in no commit, and how many commits have since changed what decides its figures, is
-information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
-each commit. With --release a page of a tree with changes, or older than what decides its figures, fails.
-Without git, in an export and in a clone that is too shallow it says that it cannot tell.
+"""Says how old the measured pages of docs/results/ are: each names the commits that made it. Fails if one names
+none, or a commit that HEAD does not come from, and if a relative link between pages leads nowhere.
+
+That a page is of a tree with changes that are in no commit, and how many commits have since changed what decides its
+figures, is information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
+each commit. With --release a page of a tree with changes, or older than what decides its figures, fails. Without git,
+in an export and in a clone that is too shallow it says that it cannot tell.
 
     scripts/check_pages.py [--release] [ROOT]
 """
@@ -20,17 +21,20 @@ OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "advice",
          "torture", "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
 PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)
-    "docs/accuracy.md": ("scripts/accuracy.sh", ["include/palpate/analysis", "src/analysis", "benchmarks/accuracy",
-                                                 "test/accuracy"]),
-    "docs/benchmarks.md": ("scripts/benchmark.sh", ["include/palpate/organs", "src/organs", "src/cli", "config",
-                                                    "benchmarks"]),
-    "docs/coverage.md": ("scripts/coverage.sh", ["include", "src", "test"]),
-    "docs/hands.md": ("scripts/hands.sh", ["include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
-    "docs/models.md": ("scripts/reproduce.sh", ["include/palpate/analysis", "src/analysis", "include/palpate/skin",
-                                                "src/skin", "include/palpate/enrichment", "src/enrichment",
-                                                "benchmarks/models"]),
-    "docs/stability.md": ("scripts/torture.sh --kept --again", ["include/palpate/torture", "src/torture"])}
+    "docs/results/accuracy.md": ("scripts/accuracy.sh", [
+        "include/palpate/analysis", "src/analysis", "benchmarks/accuracy", "test/accuracy"]),
+    "docs/results/benchmarks.md": ("scripts/benchmark.sh", [
+        "include/palpate/organs", "src/organs", "src/cli", "config", "benchmarks"]),
+    "docs/results/coverage.md": ("scripts/coverage.sh", ["include", "src", "test"]),
+    "docs/results/hands.md": ("scripts/hands.sh", [
+        "include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
+    "docs/results/models.md": ("scripts/reproduce.sh", [
+        "include/palpate/analysis", "src/analysis", "include/palpate/skin", "src/skin", "include/palpate/enrichment",
+        "src/enrichment", "benchmarks/models"]),
+    "docs/results/stability.md": ("scripts/torture.sh --kept --again", ["include/palpate/torture", "src/torture"])}
 MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)\s]+)\)")  # of Markdown
+HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
 
 
 class CannotTell(Exception):
@@ -114,11 +118,39 @@ def check_lists(root):
             + [f"scripts/check_pages.py knows a room {r}; scripts/rooms.txt does not" for r in sorted(listed - rooms)])
 
 
+def anchors(text):
+    """What a link may name of a page: its headings as GitHub and GitLab spell them."""
+    names = set()
+    for heading in HEADING.findall(text):
+        plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower()
+        name = re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
+        names.add(next(n for n in (name, *(f"{name}-{k}" for k in range(1, 100))) if n not in names))
+    return names
+
+
+def check_links(root):
+    """Relative links of pages that lead to no file, or to no heading of a page."""
+    pages = [*root.glob("*.md"), *root.glob("docs/**/*.md")]
+    texts = {page.resolve(): page.read_text(encoding="utf-8") for page in pages}
+    problems = []
+    for page in sorted(texts):
+        for link in LINK.findall(texts[page]):
+            if re.match(r"[a-z]+:", link):
+                continue  # elsewhere
+            name, _, anchor = link.partition("#")
+            target = (page.parent / name).resolve() if name else page
+            if not target.exists():
+                problems.append(f"{page.relative_to(root)}: {link} leads nowhere")
+            elif anchor and target in texts and anchor not in anchors(texts[target]):
+                problems.append(f"{page.relative_to(root)}: {link} leads to no heading")
+    return problems
+
+
 def main():
     release = "--release" in sys.argv[1:]
     places = [a for a in sys.argv[1:] if a != "--release"]
     root = pathlib.Path(places[0] if places else pathlib.Path(__file__).parents[1]).resolve()
-    problems = check_lists(root)
+    problems = check_lists(root) + check_links(root)
     for page in PAGES:
         try:
             problem, said = check(root, page)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the tests of the core and of the command line with counters in every line of the core, and says how much of
-# each room they reach, and which errors none of them raises: build/coverage/coverage.md, which is copied to docs/
+# each room they reach, and which errors none of them raises: build/coverage/coverage.md, which is copied to docs/results/
 # for a release, and lines.json.
 #
 #   scripts/coverage.sh [--report] [CTEST_REGEX]

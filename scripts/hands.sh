@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Has simulated hands hold the shipped scenes, and writes docs/hands.md and docs/images/hands/: which come to
+# Has simulated hands hold the shipped scenes, and writes docs/results/hands.md and docs/results/images/hands/: which come to
 # rest, what each part of the loop is for, the force between two solves, energy.
 #
 #   scripts/hands.sh [--quick] [--list] [PART ...]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Computes tables and curves of the literature anew, and writes docs/models.md and docs/images/models/.
+# Computes tables and curves of the literature anew, and writes docs/results/models.md and docs/results/images/models/.
 #
 #   scripts/reproduce.sh [--quick] [--list] [CHAPTER ...] [PART ...]
 #

@@ -5,11 +5,11 @@
 #
 # By default 10000 scenes of seed 1 in build/torture; further options are those of `palpate torture`. Scenes
 # that FOLDER has a line of are not run again, so that it goes on where it was stopped; a scene in which the
-# program ends is noted as a crash, and the others go on. --kept goes on from docs/stability.csv, the scenes that
-# were run before, in a FOLDER that has none yet, and with --again runs also those of it that failed or were left
-# off by another commit. It ends with FOLDER/stability.md and FOLDER/stability.csv; copied to docs/ they are what
-# this release does. Several machines: PART=i/n on each, on a FOLDER of its own, and the tables results_*.csv
-# copied together.
+# program ends is noted as a crash, and the others go on. --kept goes on from docs/results/stability.csv.xz, the
+# scenes that were run before, in a FOLDER that has none yet, and with --again runs also those of it that failed or
+# were left off by another commit. It ends with FOLDER/stability.md and FOLDER/stability.csv.xz; copied to
+# docs/results/ they are what this release does. Several machines: PART=i/n on each, on a FOLDER of its own, and the
+# tables results_*.csv copied together.
 #
 # From the environment: JOBS (cores), PALPATE_NO_BUILD=1 takes the program that is built,
 # PALPATE_NO_INSTALL=1 installs nothing.
@@ -41,7 +41,7 @@ jobs=${JOBS:-$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)}
 first=0 of=1
 if [ -n "${PART:-}" ]; then first=$((${PART%/*} - 1)) of=${PART#*/}; fi
 mkdir -p "$out"
-if $kept && ! compgen -G "$out/results*.csv" >/dev/null; then cp docs/stability.csv "$out/results.csv"; fi
+if $kept && ! compgen -G "$out/results*.csv" >/dev/null; then xz -dc docs/results/stability.csv.xz >"$out/results.csv"; fi
 commit=$(git rev-parse --short=12 HEAD 2>/dev/null || echo -)
 if [ -n "$(git status --porcelain -- . ':!docs' 2>/dev/null)" ]; then commit+=-dirty; fi
 
@@ -70,7 +70,7 @@ else
 fi
 
 "$program" torture --report "$out" >"$out/stability.md"
-"$program" torture --table "$out" >"$out/stability.csv"
+"$program" torture --table "$out" | xz -9e >"$out/stability.csv.xz"
 grep -m1 ' scenes: ' "$out/stability.md"
-echo "$out/stability.md"
+echo "$out/stability.md  $out/stability.csv.xz"
 exit $failed

@@ -66,7 +66,7 @@ def main():
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_folder() / "accuracy"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     if whole:
         shutil.rmtree(work, ignore_errors=True)
     names = arguments.names or [n for n in known if not arguments.quick

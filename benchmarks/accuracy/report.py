@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page docs/accuracy.md and the table on the terminal."""
+"""The page docs/results/accuracy.md and the table on the terminal."""
 
 import os
 import platform

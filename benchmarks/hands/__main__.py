@@ -16,7 +16,7 @@ with command_line.needs("accuracy", ours=["accuracy", "hands"]):
 PARTS = {"hands": sweep, "parts": zwidth, "between": between, "energy": energy}
 HEAD = """# Hands
 
-Loops through simulated hands, with the parts that [haptics.md](haptics.md) describes: `scripts/hands.sh` runs
+Loops through simulated hands, with the parts that [haptics.md](../haptics.md) describes: `scripts/hands.sh` runs
 `palpate hand` and writes this page. Nothing on it was typed in by hand.
 
 """
@@ -41,7 +41,7 @@ def main():
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_folder() / "hands"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     context = Context(work, docs / "images" / "hands", arguments.quick)
     text, failures = [HEAD], 0
     for name in arguments.names or PARTS:

@@ -50,7 +50,7 @@ def main():
     chosen = {part for name in arguments.names or CHAPTERS
               for part in (CHAPTERS[name].parts if name in CHAPTERS else [name])}
     work = build_folder() / "models"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     context = Context(work, docs / "images" / "models", arguments.quick)
     page, failures = Page(docs / "models.md", keep=whole), 0
     for name, chapter in CHAPTERS.items():

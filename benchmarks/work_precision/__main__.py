@@ -55,7 +55,7 @@ def main():
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_work() / ("quick" if arguments.quick else "full")
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     names = arguments.names or [n for n, s in SUITES.items() if s.QUICK or not arguments.quick]
     _forget(work / "runs", arguments.resume)
     _forget(work / "references", True)

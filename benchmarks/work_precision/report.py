@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page docs/benchmarks.md."""
+"""The page docs/results/benchmarks.md."""
 
 INTRODUCTION = """# Benchmarks
 
