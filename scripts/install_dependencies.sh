@@ -48,18 +48,18 @@ rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 # The checks of scripts/test.sh.
 dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 
-# scripts/memory.sh.
+# scripts/checks/memory.sh.
 memory=(valgrind python3-roslaunch python3-rosservice rosout)
 
-# scripts/coverage.sh.
+# scripts/checks/coverage.sh.
 coverage=(gcovr)
 
-# scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
+# scripts/page.sh accuracy: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
 accuracy=(
   calculix-ccx python3-dolfinx-real build-essential
   python3-numpy python3-scipy python3-meshio python3-matplotlib)
 
-# scripts/benchmark.sh: single kernels, other programs on the same meshes, plots.
+# scripts/page.sh benchmark: single kernels, other programs on the same meshes, plots.
 benchmark=(
   libbenchmark-dev libbullet-dev calculix-ccx
   python3-numpy python3-scipy python3-meshio python3-matplotlib python3-yaml)

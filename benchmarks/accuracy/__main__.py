@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/accuracy.sh."""
+"""python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/page.sh accuracy."""
 
 import concurrent.futures
 import os
@@ -62,7 +62,7 @@ def _run(names, context):
 
 def main():
     known = [*CASES, *recorded.names()]
-    arguments = command_line.parse("scripts/accuracy.sh", __doc__, "case", known, {})
+    arguments = command_line.parse("scripts/page.sh accuracy", __doc__, "case", known, {})
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_folder() / "accuracy"

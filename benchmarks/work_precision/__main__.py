@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m work_precision [--quick] [--resume] [--list] [SUITE ...]: see scripts/benchmark.sh."""
+"""python3 -m work_precision [--quick] [--resume] [--list] [SUITE ...]: see scripts/page.sh benchmark."""
 
 import hashlib
 import pathlib
@@ -50,7 +50,7 @@ def _run(names, context):
 
 
 def main():
-    arguments = command_line.parse("scripts/benchmark.sh", __doc__, "suite", list(SUITES),
+    arguments = command_line.parse("scripts/page.sh benchmark", __doc__, "suite", list(SUITES),
                                    {"resume": "keep what the same program measured before"})
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()

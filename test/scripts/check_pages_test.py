@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scripts/check_pages.py says of pages of every origin, in a small repository; and that what
+"""What scripts/checks/check_pages.py says of pages of every origin, in a small repository; and that what
 benchmarks/provenance.py writes is what it reads."""
 import os
 import pathlib
@@ -12,7 +12,7 @@ import unittest
 from unittest import mock
 
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = SOURCES / "scripts" / "check_pages.py"
+PROGRAM = SOURCES / "scripts" / "checks" / "check_pages.py"
 sys.path.insert(0, str(SOURCES / "benchmarks"))
 import provenance  # noqa: E402
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fails if clang-format 14 would change a source file. `scripts/check_format.sh --fix` changes them.
+# Fails if clang-format 14 would change a source file. `scripts/checks/check_format.sh --fix` changes them.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 
 format=$(command -v clang-format-14 || command -v clang-format) || {
   echo "check_format.sh: no clang-format; run scripts/install_dependencies.sh dev" >&2

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Gives what reads files those that libFuzzer makes, on all cores, and says what became of them.
 #
-#   scripts/fuzz.sh [--quick] [--seconds S | --executions N] [TARGET ...]
+#   scripts/checks/fuzz.sh [--quick] [--seconds S | --executions N] [TARGET ...]
 #
 #   --quick         only what reads files is built for fuzzing, in build-fuzz-quick/; the rest of the
 #                   core is that of build/ (scripts/test.sh runs so, 2000 files of each, always the same)
 #   --seconds S     of each target; by default 60
 #   --executions N  of each target
-#   TARGET          a kind of file; by default all. `scripts/fuzz.sh --list` prints them
+#   TARGET          a kind of file; by default all. `scripts/checks/fuzz.sh --list` prints them
 #
 # What a target has found to be new stays in build-fuzz/corpus/TARGET, so that the next run goes on from
 # there. Files with which something was wrong lie in build-fuzz/crashes/TARGET, beside those that took more
@@ -17,7 +17,7 @@
 # From the environment: JOBS (cores), PALPATE_NO_BUILD=1 takes the programs that are built,
 # PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 die() {

@@ -2,7 +2,7 @@
 # Runs a replay, and a node from start to stop, under valgrind, and says whether memory is read, written or
 # left behind as it must not be. Takes some minutes.
 #
-#   scripts/memory.sh [--scene S] [--seconds T]
+#   scripts/checks/memory.sh [--scene S] [--seconds T]
 #
 #   --scene S     the name of a shipped scene that has a trajectory of its own (slab_probe)
 #   --seconds T   how long the node runs between start and stop (20)
@@ -11,7 +11,7 @@
 # processor has besides. From the environment: PALPATE_NO_BUILD=1 takes the programs that are built,
 # PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 scene=slab_probe seconds=20
 while [ $# -gt 0 ]; do
   case $1 in

@@ -8,7 +8,7 @@ figures, is information: a page takes up to an hour of a quiet machine and is ma
 each commit. With --release a page of a tree with changes, or older than what decides its figures, fails. Without git,
 in an export and in a clone that is too shallow it says that it cannot tell.
 
-    scripts/check_pages.py [--release] [ROOT]
+    scripts/checks/check_pages.py [--release] [ROOT]
 """
 import pathlib
 import re
@@ -21,17 +21,17 @@ OTHER = ["keys", "formats", "organs", "skin", "enrichment", "haptics", "advice",
          "torture", "cli", "ros"]
 BUILD = ["CMakeLists.txt", "cmake", "src/CMakeLists.txt"]
 PAGES = {  # page: (what makes it, what decides its figures besides MECHANICS and BUILD)
-    "docs/results/accuracy.md": ("scripts/accuracy.sh", [
+    "docs/results/accuracy.md": ("scripts/page.sh accuracy", [
         "include/palpate/analysis", "src/analysis", "benchmarks/accuracy", "test/accuracy"]),
-    "docs/results/benchmarks.md": ("scripts/benchmark.sh", [
+    "docs/results/benchmarks.md": ("scripts/page.sh benchmark", [
         "include/palpate/organs", "src/organs", "src/cli", "config", "benchmarks"]),
-    "docs/results/coverage.md": ("scripts/coverage.sh", ["include", "src", "test"]),
-    "docs/results/hands.md": ("scripts/hands.sh", [
+    "docs/results/coverage.md": ("scripts/checks/coverage.sh", ["include", "src", "test"]),
+    "docs/results/hands.md": ("scripts/page.sh hands", [
         "include/palpate/haptics", "src/haptics", "config", "benchmarks/hands"]),
-    "docs/results/models.md": ("scripts/reproduce.sh", [
+    "docs/results/models.md": ("scripts/page.sh reproduce", [
         "include/palpate/analysis", "src/analysis", "include/palpate/skin", "src/skin", "include/palpate/enrichment",
         "src/enrichment", "benchmarks/models"]),
-    "docs/results/stability.md": ("scripts/torture.sh --kept --again", ["include/palpate/torture", "src/torture"])}
+    "docs/results/stability.md": ("scripts/page.sh torture --kept --again", ["include/palpate/torture", "src/torture"])}
 MADE_FROM = re.compile(r"^Commit ([0-9a-f]{7,40})(-dirty)?\b", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")  # of Markdown
 HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
@@ -114,8 +114,9 @@ def check_lists(root):
     text = (root / "scripts/rooms.txt").read_text(encoding="utf-8")
     rooms = {line.split("#")[0].split(":")[0].strip() for line in text.splitlines()} - {""}
     listed = set(MECHANICS + OTHER)
-    return ([f"room {r} is in neither MECHANICS nor OTHER of scripts/check_pages.py" for r in sorted(rooms - listed)]
-            + [f"scripts/check_pages.py knows a room {r}; scripts/rooms.txt does not" for r in sorted(listed - rooms)])
+    here = "scripts/checks/check_pages.py"
+    return ([f"room {r} is in neither MECHANICS nor OTHER of {here}" for r in sorted(rooms - listed)]
+            + [f"{here} knows a room {r}; scripts/rooms.txt does not" for r in sorted(listed - rooms)])
 
 
 def anchors(text):
@@ -149,7 +150,7 @@ def check_links(root):
 def main():
     release = "--release" in sys.argv[1:]
     places = [a for a in sys.argv[1:] if a != "--release"]
-    root = pathlib.Path(places[0] if places else pathlib.Path(__file__).parents[1]).resolve()
+    root = pathlib.Path(places[0] if places else pathlib.Path(__file__).parents[2]).resolve()
     problems = check_lists(root) + check_links(root)
     for page in PAGES:
         try:

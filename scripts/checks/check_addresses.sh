@@ -2,7 +2,7 @@
 # Runs the tests of the core and of the command line with AddressSanitizer, UBSan and the assertions of Eigen and of
 # the standard library in the core.
 #
-#   scripts/check_addresses.sh [--quick] [REGEX]
+#   scripts/checks/check_addresses.sh [--quick] [REGEX]
 #
 #   --quick  only the rooms that test/addresses/CMakeLists.txt names, and their tests
 #   REGEX    only the programs of tests whose names match
@@ -14,7 +14,7 @@
 #
 # From the environment: PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 quick=false only=

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Computes tables and curves of the literature anew, and writes docs/results/models.md and docs/results/images/models/.
 #
-#   scripts/reproduce.sh [--quick] [--list] [CHAPTER ...] [PART ...]
+#   scripts/page.sh reproduce [--quick] [--list] [CHAPTER ...] [PART ...]
 #
 # CHAPTER: makes these chapters of the page anew (tool, springs, ...), the others stay. --quick runs small versions;
 # with it, or with names of parts, the page goes to build/models/ instead. --list prints the names. From the
 # environment: PALPATE_NO_BUILD=1 takes the programs that are built, PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # shellcheck disable=SC1091
 . scripts/env.sh
 

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the shipped motions, config/trajectories/*.csv, for `palpate replay`.
 
-    scripts/make_scene_trajectories.py [--out FOLDER]
+    scripts/data/make_scene_trajectories.py [--out FOLDER]
 
 The motions are tables of waypoints; between two rows everything moves on a minimum-jerk profile, as
-in scripts/make_demo_bag.py. The same scenes give the same bytes.
+in scripts/data/make_demo_bag.py. The same scenes give the same bytes.
 """
 import argparse
 import csv
@@ -17,7 +17,7 @@ import yaml
 
 from make_demo_bag import minimum_jerk, pose
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 # t [s], way of the tips along the lift [mm], opening of each jaw [rad].
 LIFT = [

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails if something that users need is not installed, or a link in what is installed leads nowhere.
 
-    scripts/check_installed.py FOLDER [MORE ...]
+    scripts/checks/check_installed.py FOLDER [MORE ...]
 
 FOLDER is where `cmake --install` put it, by DESTDIR or --prefix. MORE: folders of the repository beside config, docs
 and msg that must be there as well.
@@ -13,9 +13,9 @@ import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 FILES = ["README.md", "LICENSE", "CHANGELOG.rst", "CONTRIBUTING.md"]
-SCRIPTS = ["analyse_bag.py", "demo_scene.py", "make_demo_bag.py", "render_replay.py"]
+SCRIPTS = ["analyse_bag.py", "demo_scene.py", "data/make_demo_bag.py", "render_replay.py"]
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")  # of Markdown, to a file
 PATH = re.compile(r":\s*\{?(?:file:\s*)?(\.\./[^\s,}]+)")  # of YAML, to a file
 

@@ -3,7 +3,7 @@
 """Fails if a room uses one that is not above it, another room's private header, or a library that it
 must not see. scripts/rooms.txt says what is right.
 
-    scripts/check_rooms.py [--self-test]
+    scripts/checks/check_rooms.py [--self-test]
 
 --self-test: breaks each rule in a small tree and looks whether that is said.
 """
@@ -219,7 +219,7 @@ def main():
     if sys.argv[1:]:
         print(__doc__.strip(), file=sys.stderr)
         return 1
-    problems, count = check(pathlib.Path(__file__).resolve().parent.parent)
+    problems, count = check(pathlib.Path(__file__).resolve().parents[2])
     for problem in problems:
         print(problem, file=sys.stderr)
     if not problems:

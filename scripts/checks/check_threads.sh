@@ -4,11 +4,11 @@
 # cycles. Only that is compiled anew, in build-threads/; the rest of the core is that of build/. The whole of it:
 # scripts/test.sh --sanitize=thread.
 #
-#   scripts/check_threads.sh
+#   scripts/checks/check_threads.sh
 #
 # From the environment: PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 case ${1:-} in
   '') ;;

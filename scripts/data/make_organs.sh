@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Writes the shipped organs: surfaces, config/organs/*.obj, and the block of skin, with palpate's own generators.
 #
-#   scripts/make_organs.sh [EDGE_LENGTH]     [m], for all; default: what is shipped
+#   scripts/data/make_organs.sh [EDGE_LENGTH]     [m], for all; default: what is shipped
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 scripts/build.sh palpate
 # shellcheck disable=SC1091
 . scripts/env.sh

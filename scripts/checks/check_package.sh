@@ -2,7 +2,7 @@
 # Fails if package.xml is not valid, disagrees with CMakeLists.txt about the version, or if a launch
 # or URDF file is not well-formed XML, or a script of shell or Python does not parse.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 /usr/bin/python3 - <<'PYTHON'
 import glob
 import re
@@ -47,5 +47,5 @@ if command -v catkin_lint >/dev/null; then
   catkin_lint -q -W0 --ignore MISSING_CATKIN_DEPEND --ignore UNCONFIGURED_BUILD_DEPEND \
     --ignore MISSING_DEPEND .
 fi
-for script in scripts/*.sh .ci/run; do bash -n "$script"; done
+for script in scripts/*.sh scripts/*/*.sh .ci/run; do bash -n "$script"; done
 echo "package.xml, launch files and scripts are well-formed."

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the shipped master-arm motion: a probe that palpates the liver.
 
-    scripts/make_demo_bag.py [--scene FILE] [--out STEM] [--tremor METRES]
+    scripts/data/make_demo_bag.py [--scene FILE] [--out STEM] [--tremor METRES]
 
 Writes STEM.bag (sensor_msgs/JointState on /<instrument>/measured_js) and STEM.csv (t and one column a
 joint, for `palpate replay`) with the same numbers: the same scene and surface give the same bytes.
@@ -21,7 +21,7 @@ import xml.etree.ElementTree
 import numpy as np
 import yaml
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 RATE = 100  # [Hz]
 START = 1000  # Stamp of the first message [s]; a bag must not start at zero, which means "no time".
 

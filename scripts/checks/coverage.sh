@@ -3,7 +3,7 @@
 # each room they reach, and which errors none of them raises: build/coverage/coverage.md, which is copied to docs/results/
 # for a release, and lines.json.
 #
-#   scripts/coverage.sh [--report] [CTEST_REGEX]
+#   scripts/checks/coverage.sh [--report] [CTEST_REGEX]
 #
 #   --report     only the report, of what has run already
 #   CTEST_REGEX  only the tests whose names match
@@ -12,7 +12,7 @@
 # left out: what rostests reach of the core is not counted. Two cores compile the core for half an hour, and
 # take hours for the tests. Exit status 1: a test failed. From the environment: PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 report=false only=
@@ -55,7 +55,7 @@ ended=$(grep -oE 'Test +#[0-9]+: .*Passed' "$out/tests.log" | grep -oE '#[0-9]+'
 all=$(grep -oE '/[0-9]+ Test +#' "$out/tests.log" | grep -oE '[0-9]+' | sort -n | tail -n 1 || true)
 commit=$(git rev-parse --short=12 HEAD 2>/dev/null || echo -)
 if [ -n "$(git status --porcelain -- . ':!docs' 2>/dev/null)" ]; then commit+=-dirty; fi
-/usr/bin/python3 -B scripts/coverage.py "$out/lines.json" --commit "$commit" --tests "$ended of $all" >"$out/coverage.md"
+/usr/bin/python3 -B scripts/checks/coverage.py "$out/lines.json" --commit "$commit" --tests "$ended of $all" >"$out/coverage.md"
 head -n 40 "$out/coverage.md"
 echo "$out/coverage.md"
 exit "$status"

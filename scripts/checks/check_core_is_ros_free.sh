@@ -2,7 +2,7 @@
 # Fails if the core (everything but src/ros) or the command line knows ROS, or if the core reads a
 # clock, draws random numbers or prints. With a build in build/ it also looks at what is linked.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 build_dir=${BUILD_DIR:-build}
 failed=0
 

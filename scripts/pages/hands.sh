@@ -2,13 +2,13 @@
 # Has simulated hands hold the shipped scenes, and writes docs/results/hands.md and docs/results/images/hands/: which come to
 # rest, what each part of the loop is for, the force between two solves, energy.
 #
-#   scripts/hands.sh [--quick] [--list] [PART ...]
+#   scripts/page.sh hands [--quick] [--list] [PART ...]
 #
 # --quick runs small versions; with it, or with names of parts, the page goes to build/hands/ instead. --list
 # prints the names. From the environment: PALPATE_NO_BUILD=1 takes the program that is built,
 # PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # shellcheck disable=SC1091
 . scripts/env.sh
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs random scenes on all cores and says in which of them something blows up.
 #
-#   scripts/torture.sh [--count N] [--seed S] [--out FOLDER] [--kept] [OPTION ...]
+#   scripts/page.sh torture [--count N] [--seed S] [--out FOLDER] [--kept] [OPTION ...]
 #
 # By default 10000 scenes of seed 1 in build/torture; further options are those of `palpate torture`. Scenes
 # that FOLDER has a line of are not run again, so that it goes on where it was stopped; a scene in which the
@@ -14,7 +14,7 @@
 # From the environment: JOBS (cores), PALPATE_NO_BUILD=1 takes the program that is built,
 # PALPATE_NO_INSTALL=1 installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # shellcheck disable=SC1091
 . scripts/env.sh
 

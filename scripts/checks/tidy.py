@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scripts/check_tidy.sh runs: clang-tidy over the core and the command line.
+"""What scripts/checks/check_tidy.sh runs: clang-tidy over the core and the command line.
 
 usage: tidy.py CLANG_TIDY BUILD_DIR [--all | FILE ...]
 
@@ -24,7 +24,7 @@ import subprocess
 import sys
 
 RECORD = pathlib.Path(".clang-tidy-passed")
-RULES = [".clang-tidy", "scripts/check_tidy.sh", "scripts/tidy.py"]
+RULES = [".clang-tidy", "scripts/checks/check_tidy.sh", "scripts/checks/tidy.py"]
 SOURCES = ["include", "src"]
 BATCH = 12  # sources a translation unit
 # Sources that see CGAL take minutes each, almost all of it in CGAL's templates: they are left to the

@@ -3,7 +3,7 @@
 # machine does not have that runs scripts/demo.sh, or if tests are then built in silence; or if, with catkin or
 # without, something that users need is not installed.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 folder=$(mktemp -d)
@@ -19,7 +19,7 @@ configure() {
 # check_installed BUILD_FOLDER [MORE]: what lies in share/palpate is all that was meant to, and links in it hold.
 check_installed() {
   DESTDIR="$1/root" cmake --install "$1" --component share >"$1/log"
-  scripts/check_installed.py "$1/root" "${@:2}"
+  scripts/checks/check_installed.py "$1/root" "${@:2}"
 }
 
 without=()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Plays shipped scenes into the running node and saves what rviz shows at the largest force, without a screen.
 #
-#   scripts/scene_pictures.sh [--out FOLDER] [--rate R] [SCENE ...]
+#   scripts/data/scene_pictures.sh [--out FOLDER] [--rate R] [SCENE ...]
 #
 #   --out FOLDER  for NAME.png, NAME.log and sheet.png, all pictures on one (build/scene_pictures)
 #   --rate R      speed of playing (0.3): drawing without a graphics card takes the processor from the simulation
@@ -10,7 +10,7 @@
 # Exit status 1 if a scene gave no picture. From the environment: PALPATE_NO_INSTALL=1 installs nothing,
 # PALPATE_NO_BUILD=1 takes the programs that are built.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 out=build/scene_pictures

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fails if CHANGELOG.rst is not in the form of REP 132, or package.xml and it disagree.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 /usr/bin/python3 - <<'PYTHON'
 import re
 import sys

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Of what gcovr counted: how much of each room the tests reach, and the errors that none of them raises.
 
-    scripts/coverage.py LINES.json [--untested | --commit HASH --tests "N of M"]
+    scripts/checks/coverage.py LINES.json [--untested | --commit HASH --tests "N of M"]
 
 With --untested only the errors, as FILE:LINE: TEXT. Else the page, of this commit and of so many tests.
 """
@@ -76,7 +76,7 @@ What the tests of the core and of the command line reach of the core, and which 
 refusals, and the solvers' own failures. What only rostests reach of it counts as not reached; branches are those of
 optimised code, without what throws in libraries. This page is written by
 
-    scripts/coverage.sh        # copied from build/coverage/coverage.md
+    scripts/checks/coverage.sh        # copied from build/coverage/coverage.md
 
 Commit %s; %s tests passed. The others, if any, failed or were cut off, and count as not run: what is
 said of `tissue` and `sim`, whose tests are the slowest, is then less than what they reach.

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scripts/soak.sh runs, in its environment."""
+"""What scripts/checks/soak.sh runs, in its environment."""
 import argparse
 import json
 import os

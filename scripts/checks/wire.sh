@@ -2,12 +2,12 @@
 # How regularly the wrench comes while a simulated hand holds the liver: with the cores free and busy,
 # with real-time priority and without. Wants a machine on which nothing else runs.
 #
-#   scripts/wire.sh [SECONDS]          20 s each
+#   scripts/checks/wire.sh [SECONDS]          20 s each
 #
 # From the environment: PALPATE_NO_BUILD=1 takes the programs that are built, PALPATE_NO_INSTALL=1
 # installs nothing.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 seconds=${1:-20}
 if [ -z "${PALPATE_NO_INSTALL:-}" ]; then scripts/install_dependencies.sh build; fi
 if [ -z "${PALPATE_NO_BUILD:-}" ]; then scripts/build.sh; fi
