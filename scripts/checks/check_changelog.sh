@@ -38,6 +38,8 @@ if released and released[0] != version:
 for i, line in enumerate(lines[3:], 4):
     if line != line.rstrip():
         problems.append("line %d: space at the end" % i)
+    if len(line) > 120:
+        problems.append("line %d: longer than 120 characters" % i)
     if "\t" in line:
         problems.append("line %d: a tab" % i)
     plain = line.strip() and not re.fullmatch(r"-+", line) and not heading.fullmatch(line)
