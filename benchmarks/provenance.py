@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which state of the sources a page is made from; scripts/check_pages.py reads what is written here."""
+"""Which state of the sources a page is made from; scripts/checks/check_pages.py reads what is written here."""
 
 import dataclasses
 import os

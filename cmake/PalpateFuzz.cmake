@@ -1,5 +1,5 @@
 # PALPATE_FUZZ builds for fuzzing, by clang: everything with AddressSanitizer, UBSan and libFuzzer's
-# counters. scripts/fuzz.sh configures so, in a folder of its own; the targets are palpate_fuzz and,
+# counters. scripts/checks/fuzz.sh configures so, in a folder of its own; the targets are palpate_fuzz and,
 # with ROS, palpate_fuzz_bag.
 #
 # PALPATE_FUZZ_CORE names a palpate_core library that is built already. Then only what reads files is

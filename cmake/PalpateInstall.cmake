@@ -10,6 +10,7 @@ endif()
 install(DIRECTORY config docs msg DESTINATION ${palpate_share} COMPONENT share)
 install(FILES README.md CHANGELOG.rst CONTRIBUTING.md LICENSE DESTINATION ${palpate_share} COMPONENT share)
 # Of the scripts those that need no source tree, and what they import.
-install(PROGRAMS scripts/analyse_bag.py scripts/demo_scene.py scripts/make_demo_bag.py scripts/render_replay.py
+install(PROGRAMS scripts/analyse_bag.py scripts/demo_scene.py scripts/render_replay.py
   DESTINATION ${palpate_share}/scripts COMPONENT share)
+install(PROGRAMS scripts/data/make_demo_bag.py DESTINATION ${palpate_share}/scripts/data COMPONENT share)
 install(FILES scripts/find_palpate.py DESTINATION ${palpate_share}/scripts COMPONENT share)

@@ -39,7 +39,7 @@ from sensor_msgs.msg import JointState
 from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "data"))
 from make_demo_bag import numbers, pose, rotation  # noqa: E402
 from palpate.msg import ContactModel, StepReport  # noqa: E402
 

@@ -48,23 +48,23 @@ rviz=(rviz xvfb xauth libgl1-mesa-dri imagemagick)
 # The checks of scripts/test.sh.
 dev=(clang-format-14 clang-tidy-14 catkin-lint clang-14 libclang-rt-14-dev)
 
-# scripts/memory.sh.
+# scripts/checks/memory.sh.
 memory=(valgrind python3-roslaunch python3-rosservice rosout)
 
-# scripts/coverage.sh.
+# scripts/checks/coverage.sh.
 coverage=(gcovr)
 
-# scripts/accuracy.sh: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
+# scripts/page.sh accuracy: two other finite-element programs (dolfinx compiles its forms), plots, meshes.
 accuracy=(
   calculix-ccx python3-dolfinx-real build-essential
   python3-numpy python3-scipy python3-meshio python3-matplotlib)
 
-# scripts/benchmark.sh: single kernels, other programs on the same meshes, plots.
+# scripts/page.sh benchmark: single kernels, other programs on the same meshes, plots.
 benchmark=(
   libbenchmark-dev libbullet-dev calculix-ccx
   python3-numpy python3-scipy python3-meshio python3-matplotlib python3-yaml)
 
-readme="README.md, section 'Other ways to build'"
+page=docs/install.md
 
 die() {
   echo "install_dependencies.sh: $*" >&2
@@ -95,7 +95,7 @@ if $list_only; then
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-  die "this system has no apt. Install by hand what package.xml names; see $readme."
+  die "this system has no apt. Install by hand what package.xml names; see $page."
 fi
 
 as_root=()
@@ -127,9 +127,9 @@ system=$(. /etc/os-release 2>/dev/null && echo "${ID:-unknown} ${VERSION_ID:-}")
 case $system in
   "debian 12") ;;
   ubuntu*) die "this is $system. ROS 1 for Ubuntu is Noetic on 20.04, from packages.ros.org, and its
-packages have other names: use rosdep, see $readme. Then run the script that you wanted with
+packages have other names: use rosdep, see $page. Then run the script that you wanted with
 PALPATE_NO_INSTALL=1." ;;
-  *) die "this is '$system'; the list here is for Debian 12 (bookworm). See $readme. With the packages
+  *) die "this is '$system'; the list here is for Debian 12 (bookworm). See $page. With the packages
 installed in your own way, run the script that you wanted with PALPATE_NO_INSTALL=1." ;;
 esac
 

@@ -24,7 +24,9 @@ import yaml
 from matplotlib.image import imsave
 
 import find_palpate
-from make_demo_bag import numbers, pose, rotation
+
+sys.path.append(os.path.join(find_palpate.ROOT, "scripts", "data"))
+from make_demo_bag import numbers, pose, rotation  # noqa: E402
 
 ORGANS = [(0.62, 0.25, 0.20), (0.42, 0.56, 0.26), (0.75, 0.50, 0.35)]  # in the scene's order
 ARROW = (0.16, 0.86, 0.45)

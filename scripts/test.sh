@@ -5,7 +5,7 @@
 #
 #   --no-checks         only the tests, not format, tidy and the like
 #   --sanitize=thread   those tests of the core that name threads, with ThreadSanitizer, in
-#                       build-sanitize-thread/; other sanitizers: scripts/check_addresses.sh
+#                       build-sanitize-thread/; other sanitizers: scripts/checks/check_addresses.sh
 #   CTEST_REGEX         only the tests whose names match; implies --no-checks
 #
 # From the environment: PALPATE_NO_INSTALL=1 leaves the system's packages alone, PALPATE_EXTRA_DATA
@@ -114,26 +114,26 @@ fi
 echo "built in $((SECONDS - start)) s"
 
 if $checks; then
-  check "core is free of ROS" scripts/check_core_is_ros_free.sh
-  check "order of the rooms" scripts/check_rooms.py
-  check "check of the rooms finds what is wrong" scripts/check_rooms.py --self-test
-  check "format" scripts/check_format.sh
-  check "origin of the measured pages" scripts/check_pages.py
-  check "changelog" scripts/check_changelog.sh
-  check "package" scripts/check_package.sh
-  check "configuring without gtest" scripts/check_configure.sh
+  check "core is free of ROS" scripts/checks/check_core_is_ros_free.sh
+  check "order of the rooms" scripts/checks/check_rooms.py
+  check "check of the rooms finds what is wrong" scripts/checks/check_rooms.py --self-test
+  check "format" scripts/checks/check_format.sh
+  check "origin of the measured pages" scripts/checks/check_pages.py
+  check "changelog" scripts/checks/check_changelog.sh
+  check "package" scripts/checks/check_package.sh
+  check "configuring without gtest" scripts/checks/check_configure.sh
   start=$SECONDS
-  check "clang-tidy" scripts/check_tidy.sh
+  check "clang-tidy" scripts/checks/check_tidy.sh
   echo "tidy took $((SECONDS - start)) s"
   start=$SECONDS
   check "files made to harm" \
-    env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/fuzz.sh --quick --executions 2000
+    env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/checks/fuzz.sh --quick --executions 2000
   echo "files made to harm took $((SECONDS - start)) s"
   start=$SECONDS
-  check "races" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/check_threads.sh
+  check "races" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/checks/check_threads.sh
   echo "races took $((SECONDS - start)) s"
   start=$SECONDS
-  check "addresses" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/check_addresses.sh --quick
+  check "addresses" env -u CMAKE_ARGS PALPATE_NO_INSTALL=1 scripts/checks/check_addresses.sh --quick
   echo "addresses took $((SECONDS - start)) s"
 fi
 

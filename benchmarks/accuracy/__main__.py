@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/accuracy.sh."""
+"""python3 -m accuracy [--quick] [--list] [CASE ...]: see scripts/page.sh accuracy."""
 
 import concurrent.futures
 import os
@@ -62,11 +62,11 @@ def _run(names, context):
 
 def main():
     known = [*CASES, *recorded.names()]
-    arguments = command_line.parse("scripts/accuracy.sh", __doc__, "case", known, {})
+    arguments = command_line.parse("scripts/page.sh accuracy", __doc__, "case", known, {})
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_folder() / "accuracy"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     if whole:
         shutil.rmtree(work, ignore_errors=True)
     names = arguments.names or [n for n in known if not arguments.quick

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page docs/accuracy.md and the table on the terminal."""
+"""The page docs/results/accuracy.md and the table on the terminal."""
 
 import os
 import platform
@@ -10,7 +10,7 @@ INTRODUCTION = """# Accuracy
 
 How far off are the forces and the shapes that palpate computes? Each section below puts a problem
 whose answer is known from theory, from a published benchmark or from another program beside what
-palpate gives. `scripts/accuracy.sh` runs everything and writes this page; it fails if an error is
+palpate gives. `scripts/page.sh accuracy` runs everything and writes this page; it fails if an error is
 larger than the bound that is written beside it. Nothing on this page was typed in by hand.
 
 **Where the bounds come from.** None comes from the error that it judges. Where meshes are refined it is

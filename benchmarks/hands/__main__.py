@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m hands [--quick] [--list] [PART ...]: see scripts/hands.sh."""
+"""python3 -m hands [--quick] [--list] [PART ...]: see scripts/page.sh hands."""
 
 import sys
 import time
@@ -16,7 +16,7 @@ with command_line.needs("accuracy", ours=["accuracy", "hands"]):
 PARTS = {"hands": sweep, "parts": zwidth, "between": between, "energy": energy}
 HEAD = """# Hands
 
-Loops through simulated hands, with the parts that [haptics.md](haptics.md) describes: `scripts/hands.sh` runs
+Loops through simulated hands, with the parts that [haptics.md](../haptics.md) describes: `scripts/page.sh hands` runs
 `palpate hand` and writes this page. Nothing on it was typed in by hand.
 
 """
@@ -37,11 +37,11 @@ class Context:
 
 
 def main():
-    arguments = command_line.parse("scripts/hands.sh", __doc__, "part", list(PARTS), {})
+    arguments = command_line.parse("scripts/page.sh hands", __doc__, "part", list(PARTS), {})
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_folder() / "hands"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     context = Context(work, docs / "images" / "hands", arguments.quick)
     text, failures = [HEAD], 0
     for name in arguments.names or PARTS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m models [--quick] [--list] [CHAPTER or PART ...]: see scripts/reproduce.sh."""
+"""python3 -m models [--quick] [--list] [CHAPTER or PART ...]: see scripts/page.sh reproduce."""
 
 import importlib
 import sys
@@ -45,12 +45,12 @@ def text_of(chapter, names, context):
 
 
 def main():
-    arguments = command_line.parse("scripts/reproduce.sh", __doc__, "part", [*CHAPTERS, *PARTS], {})
+    arguments = command_line.parse("scripts/page.sh reproduce", __doc__, "part", [*CHAPTERS, *PARTS], {})
     whole = not arguments.quick and all(name in CHAPTERS for name in arguments.names)
     chosen = {part for name in arguments.names or CHAPTERS
               for part in (CHAPTERS[name].parts if name in CHAPTERS else [name])}
     work = build_folder() / "models"
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     context = Context(work, docs / "images" / "models", arguments.quick)
     page, failures = Page(docs / "models.md", keep=whole), 0
     for name, chapter in CHAPTERS.items():

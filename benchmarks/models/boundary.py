@@ -21,7 +21,7 @@ bracket reversed ((5.34); in the program's listing a + for a product too); right
 
 In space this package tests the equations with the elements themselves, and adds the one of tractions (symmetric Galerkin):
 the result is a symmetric stiffness of the surface's points, whose forces balance, of which the inverse where nothing
-holds is what contact needs. [theory.md](theory.md#boundary-elements) has the formulas.
+holds is what contact needs. [theory.md](../theory.md#boundary-elements) has the formulas.
 
 Parameters: `edge_length` of the triangles, at most 1000 points; Young's modulus, Poisson's ratio and density of the
 material at rest. Take it for presses of up to a tenth of the depth, of an organ that is held, where no mesh of the inside

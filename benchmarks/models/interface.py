@@ -34,7 +34,7 @@ TEXT = """The system that this package carries on from computes a cycle like thi
 with the surface; where it meets a vertex, an edge or a face, displacements are prescribed; u_u = K_uu^-1 (f_u - K_uk u_k)
 is solved by BiCGSTAB within Newton-Raphson's iteration; f_k = K_kk u_k + K_ku u_u (printed with a minus, (7.4)), of a
 nonlinear body the internal forces, is the tool's. `contact.model: prescribed` with `method: newton_bicgstab` is that, with
-what the print leaves open or wrong decided in [methods.md](methods.md#with-a-segment-as-tool): the point is held and not its
+what the print leaves open or wrong decided in [methods.md](../methods.md#with-a-segment-as-tool): the point is held and not its
 nodes, a tool does not pull, and laws are stress-free at rest, W = C1 (I1bar - 3) + ... + kappa/2 (J - 1)^2, which
 (4.50) to (4.55) are not. In the second Mooney-Rivlin constant S = 2 (b1 + 2 b2 (1 + tr E)) I - 4 b2 E, before the
 volumetric part.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palpate_models PART [--quick]: the figures of a part of docs/models.md, as JSON.
+// palpate_models PART [--quick]: the figures of a part of docs/results/models.md, as JSON.
 #include <exception>
 #include <iostream>
 #include <map>

@@ -15,8 +15,8 @@ SIZES = ("8,8", "16,16", "32,32")
 LEAVES = [(0, 0, 0.5), (0.5, 0, -3.0), (1.0, 0, -3.0), (2.0, 43, -3.0), (2.5, 43, -3.0), (3.5, 0, -3.0), (4.0, 0, -3.0),
           (4.5, 0, 0.5), (5.0, 0, 0.5)]  # t [s], x, z [mm] of the ball, 3 mm deep
 TEXT = """Model `neural`: an organ that answers a press as it learned from a database of presses, and by finite elements
-what is unlike those; [theory.md](theory.md#surrogates-of-a-bodys-answer) has the formulas,
-[databases.md](databases.md) the commands. The source only proposes it, so there is nothing to compare with but finite elements.
+what is unlike those; [theory.md](../theory.md#surrogates-of-a-bodys-answer) has the formulas,
+[databases.md](../databases.md) the commands. The source only proposes it, so there is nothing to compare with but finite elements.
 
 *Learned*: presses of up to 0.5 N around the middle of the slab's top; of a fifth of the places none is learned, which is
 *held out*. *Far*: presses of up to 1.2 N anywhere, up to 60 degrees askew. Errors are those of the force, over the forces.

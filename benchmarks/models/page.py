@@ -6,7 +6,7 @@ import re
 HEAD = """# Models of the literature
 
 What the literature that this package grew from computed, computed anew, model by model, and every model under the same
-tool: `scripts/reproduce.sh` writes this page, and `scripts/reproduce.sh CHAPTER` one chapter of it. Ours and the
+tool: `scripts/page.sh reproduce` writes this page, and `scripts/page.sh reproduce CHAPTER` one chapter of it. Ours and the
 differences were not typed in by hand; what is published is, with its place in the source. Where a print contradicts
 itself, both versions stand here.
 

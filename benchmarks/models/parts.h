@@ -3,7 +3,7 @@
 
 #include <string>
 
-// Each gives the figures of one part of docs/models.md as a JSON object; `quick`: of small
+// Each gives the figures of one part of docs/results/models.md as a JSON object; `quick`: of small
 // versions. Lengths are in cm, forces in N, as in [Wang 2005],
 // unless a part says otherwise.
 namespace palpate::models {

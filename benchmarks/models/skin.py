@@ -28,7 +28,7 @@ its sides. A needle presses one node in the middle of the top down by a given de
 with two digitised profiles of a primate's fingertip under a line load [Srinivasan 1989], which gives two parameters:
 the upper layer's part of the height, and how much stiffer it is. `palpate skin` computes it, room `skin` has it.
 
-**Equations** (see [theory.md](theory.md#two-layers-of-skin)). Triangles of constant strain, K_e = B^T D B t A, with D =
+**Equations** (see [theory.md](../theory.md#two-layers-of-skin)). Triangles of constant strain, K_e = B^T D B t A, with D =
 E/(1 - nu^2) [[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu)/2]], E of the upper layer, E/ratio in the lower one. The print has 1 +
 nu^2, and its program leaves out t A: shapes under a given depth stay, forces do not. The tables' errors are sqrt(sum
 e^2)/n over n readings, not the mean square that the text gives. The depth that the curve is pinned with, at the reading

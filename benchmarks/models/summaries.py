@@ -75,7 +75,7 @@ MODELS = {
 ELSEWHERE = {"cloth": "the scene `cloth` and the parts on hung and unrolling cloth have its times",
              "neural": "the part on learned presses has its error and its times, on the block that it learned"}
 TEXT = """What each model is, with the formulas as they are right, and the place of its best mesh in real time on the plane above.
-[theory.md](theory.md#springs-and-tensors-for-tissue) has them whole. Boundary elements, the published interface, skin and
+[theory.md](../theory.md#springs-and-tensors-for-tissue) has them whole. Boundary elements, the published interface, skin and
 samples have chapters of their own."""
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python3 -m work_precision [--quick] [--resume] [--list] [SUITE ...]: see scripts/benchmark.sh."""
+"""python3 -m work_precision [--quick] [--resume] [--list] [SUITE ...]: see scripts/page.sh benchmark."""
 
 import hashlib
 import pathlib
@@ -50,12 +50,12 @@ def _run(names, context):
 
 
 def main():
-    arguments = command_line.parse("scripts/benchmark.sh", __doc__, "suite", list(SUITES),
+    arguments = command_line.parse("scripts/page.sh benchmark", __doc__, "suite", list(SUITES),
                                    {"resume": "keep what the same program measured before"})
     whole = not arguments.names and not arguments.quick
     begin = provenance.State.now()
     work = build_work() / ("quick" if arguments.quick else "full")
-    docs = ROOT / "docs" if whole else work
+    docs = ROOT / "docs" / "results" if whole else work
     names = arguments.names or [n for n, s in SUITES.items() if s.QUICK or not arguments.quick]
     _forget(work / "runs", arguments.resume)
     _forget(work / "references", True)

@@ -16,8 +16,8 @@ RATE = 100  # rows a second
 
 
 def _demo():
-    """scripts/make_demo_bag.py: surfaces, where a ball touches them, joints, minimum jerk."""
-    spec = importlib.util.spec_from_file_location("make_demo_bag", ROOT / "scripts" / "make_demo_bag.py")
+    """scripts/data/make_demo_bag.py: surfaces, where a ball touches them, joints, minimum jerk."""
+    spec = importlib.util.spec_from_file_location("make_demo_bag", ROOT / "scripts" / "data" / "make_demo_bag.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module

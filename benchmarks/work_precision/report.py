@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page docs/benchmarks.md."""
+"""The page docs/results/benchmarks.md."""
 
 INTRODUCTION = """# Benchmarks
 
@@ -7,8 +7,8 @@ How long does a cycle take, and how wrong is the force meanwhile? A time without
 every method is fast if it may be wrong. Each section below runs palpate's own cycle (contact, solve,
 wrench; `palpate bench`) on a fixed scene and puts the time beside the error against a reference.
 
-`scripts/benchmark.sh` runs everything, one measurement after the other, and writes this page;
-`scripts/benchmark.sh SUITE` runs one section, `palpate bench --scene S ...` one line. No figure on
+`scripts/page.sh benchmark` runs everything, one measurement after the other, and writes this page;
+`scripts/page.sh benchmark SUITE` runs one section, `palpate bench --scene S ...` one line. No figure on
 this page was typed in by hand. All figures as a table: [benchmarks.csv](benchmarks.csv).
 Other models than finite elements, each under the same tool: [models.md](models.md#under-a-tool).
 
@@ -41,6 +41,6 @@ def page(sections, failures, made):
             parts.append(f"\n![{caption}](images/benchmarks/{file})\n")
         for markdown in section.tables:
             parts.append(f"\n{markdown}\n")
-        parts.append(f"\n`scripts/benchmark.sh {name}`\n")
+        parts.append(f"\n`scripts/page.sh benchmark {name}`\n")
     parts.append(f"\n## Made with\n\n{made}\n")
     return "".join(parts)

@@ -106,7 +106,7 @@ void addTorture(CLI::App& app, Action& action) {
   command.option("--shrink", &options->shrink,
                  "Make a scene that failed plainer for so long [s]; 0: leave it");
   command.option("--report", &options->report,
-                 "Write docs/stability.md of the tables in this folder, and run nothing");
+                 "Write docs/results/stability.md of the tables in this folder, and run nothing");
   command.option("--table", &options->table,
                  "Write one table of those in this folder, and run nothing");
   command.option("--commit", &options->commit, "Noted beside each scene: what it was run by");

@@ -71,7 +71,7 @@ std::string commandOf(const ResultLine& line) {
   return "palpate torture --seed " + line.cell("seed") + " --only " + line.cell("number");
 }
 
-// "Commit abc: 3 scenes.", a line each, as scripts/check_pages.py reads it.
+// "Commit abc: 3 scenes.", a line each, as scripts/checks/check_pages.py reads it.
 std::string commits(const std::vector<ResultLine>& lines) {
   std::map<std::string, int> scenes;
   for (const ResultLine& line : lines) ++scenes[line.cell("commit")];
@@ -134,9 +134,9 @@ std::string stabilityMarkdown(const std::vector<ResultLine>& lines) {
 
 Random scenes, and whether anything blows up in them. This page is written by
 
-    scripts/torture.sh --count N --kept             # goes on from docs/stability.csv
-    palpate torture --report FOLDER > docs/stability.md
-    palpate torture --table FOLDER > docs/stability.csv
+    scripts/page.sh torture --count N --kept        # goes on from docs/results/stability.csv.xz
+    palpate torture --report FOLDER > docs/results/stability.md
+    palpate torture --table FOLDER | xz -9e > docs/results/stability.csv.xz
 
 `palpate torture` draws each scene from a seed and a number, writes it as files of a user's own, replays these as
 `palpate replay` does, and looks at every cycle from outside. A scene passes when none of these is broken:

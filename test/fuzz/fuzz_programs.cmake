@@ -1,4 +1,4 @@
-# The programs that scripts/fuzz.sh runs; see cmake/PalpateFuzz.cmake.
+# The programs that scripts/checks/fuzz.sh runs; see cmake/PalpateFuzz.cmake.
 function(palpate_fuzz_program name)
   add_executable(${name} EXCLUDE_FROM_ALL fuzz_main.cpp ../support/source_folder.cpp ${shared} ${ARGN})
   target_compile_definitions(${name} PRIVATE PALPATE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -12,8 +12,8 @@
 
 namespace palpate::fuzz {
 
-/// A file for readers that want a path. It goes away with the object. scripts/fuzz.sh has temporary
-/// files lie in memory.
+/// A file for readers that want a path. It goes away with the object. scripts/checks/fuzz.sh has
+/// temporary files lie in memory.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& name) : path_(folder_.path(name)) {}

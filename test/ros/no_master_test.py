@@ -52,8 +52,8 @@ def run(program, *arguments, port=None, **variables):
 
 
 def table_below(heading):
-    """The first cells of all tables below a heading of the README, without their heads."""
-    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+    """The first cells of all tables below a heading of docs/node.md, without their heads."""
+    with open(os.path.join(ROOT, "docs", "node.md"), encoding="utf-8") as file:
         page = file.read()
     part = page[page.index("\n## " + heading + "\n") + 4:].split("\n## ")[0]
     return [m.group(1) for m in re.finditer(r"^\| (`[^|]*) \|", part, re.MULTILINE)]
@@ -125,7 +125,7 @@ class NoMaster(unittest.TestCase):
                 self.assertRegex(said, r"Usage: (\S*/)?" + program)
                 self.assertGreater(len(said.splitlines()), 8, said)
 
-    def test_help_of_the_node_has_what_the_readme_has(self):
+    def test_help_of_the_node_has_what_its_page_has(self):
         _, said = run("palpate_node", "--help")
         cells = table_below("Topics and services") + table_below("Parameters of `palpate_node`")
         names = [name for cell in cells for name in re.findall(r"`([^`]*)`", cell)]

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scripts/check_pages.py says of pages of every origin, in a small repository; and that what
+"""What scripts/checks/check_pages.py says of pages of every origin, in a small repository; and that what
 benchmarks/provenance.py writes is what it reads."""
 import os
 import pathlib
@@ -12,7 +12,7 @@ import unittest
 from unittest import mock
 
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = SOURCES / "scripts" / "check_pages.py"
+PROGRAM = SOURCES / "scripts" / "checks" / "check_pages.py"
 sys.path.insert(0, str(SOURCES / "benchmarks"))
 import provenance  # noqa: E402
 
@@ -53,7 +53,7 @@ class Pages(unittest.TestCase):
             with mock.patch.dict(os.environ, {"PALPATE_NO_BUILD": ""}):
                 text = provenance.sentence(state, provenance.State.now(self.root))
         for page in PAGES:
-            self.write(f"docs/{page}.md", f"# Page\n\n## Made with\n\n{text}; a processor; 1 minute.\n")
+            self.write(f"docs/results/{page}.md", f"# Page\n\n## Made with\n\n{text}; a processor; 1 minute.\n")
         self.commit()
 
     def check(self, root=None, options=()):
@@ -76,7 +76,7 @@ class Pages(unittest.TestCase):
         self.commit()
         status, said = self.check()
         self.assertEqual(status, 0, said)
-        self.assertIn("WARNING: docs/accuracy.md", said)
+        self.assertIn("WARNING: docs/results/accuracy.md", said)
         self.assertIn("3 commits have since changed what decides its figures (fem 3)", said)
         self.assertIn("4 commits have since changed what decides its figures (fem 3, benchmarks 1)", said)
         self.assertEqual(self.check(options=["--release"])[0], 1)
@@ -109,7 +109,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(self.check(options=["--release"])[0], 1)
 
     def test_a_page_that_is_written_is_no_change(self):
-        self.write("docs/accuracy.md", "being written\n")
+        self.write("docs/results/accuracy.md", "being written\n")
         self.assertEqual(provenance.State.now(self.root).changed, ())
 
     def test_a_commit_of_another_branch_and_none_fail(self):
@@ -151,6 +151,15 @@ class Pages(unittest.TestCase):
         status, said = self.check()
         self.assertEqual(status, 1)
         self.assertIn("room magnets is in neither MECHANICS nor OTHER", said)
+
+    def test_a_link_that_leads_nowhere_fails(self):
+        self.write("docs/one.md", "# One, `two`\n\n## Same\n\n## Same\n\n[a](#same-1) [b](other.md#a-b) [c](https://x.y/z)\n")
+        self.write("docs/other.md", "# A b\n\n[d](one.md#one-two) ![e](../src/fem/one.cpp)\n")
+        self.assertEqual(self.check()[0], 0)
+        for link in ("gone.md", "one.md#same-2", "#d", "../gone/", "results/gone.md#x"):
+            self.write("docs/other.md", f"# A b\n\n[d]({link})\n")
+            status, said = self.check()
+            self.assertEqual((status, said.count(f"docs/other.md: {link} leads")), (1, 1), said)
 
 
 if __name__ == "__main__":

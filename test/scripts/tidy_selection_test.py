@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which sources scripts/tidy.py looks at, in a small repository, with a stand-in for clang-tidy."""
+"""Which sources scripts/checks/tidy.py looks at, in a small repository, with a stand-in for clang-tidy."""
 import json
 import os
 import pathlib
@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "tidy.py"
+PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "checks" / "tidy.py"
 
 # Notes what it is called with, and finds something where a source, or one that it includes, says BAD.
 STAND_IN = """#!/usr/bin/python3
@@ -39,7 +39,7 @@ class Tidy(unittest.TestCase):
         self.write("src/b/three.cpp", "#include <vector>\n")
         self.write("src/b/cgal.cpp", "#include <CGAL/Surface_mesh.h>\n")
         self.write("src/ros/node.cpp", "#include <vector>\n")
-        for rule in (".clang-tidy", "scripts/check_tidy.sh", "scripts/tidy.py"):
+        for rule in (".clang-tidy", "scripts/checks/check_tidy.sh", "scripts/checks/tidy.py"):
             self.write(rule, "rules\n")
         self.write(".gitignore", "build\ncalls\ntidy\n")
         self.write("tidy", STAND_IN).chmod(0o755)

@@ -156,13 +156,13 @@ std::string firstComment(const std::string& file) {
   return text;
 }
 
-/// The rows of the README's table of scenes by the scenes that their first cells name.
+/// The rows of the table of scenes in docs/scenes.md by the scenes that their first cells name.
 std::map<std::string, std::string> rowsOfScenes() {
-  std::istringstream page(test::fileBytes(test::sourceFolder() + "/README.md"));
+  std::istringstream page(test::fileBytes(test::sourceFolder() + "/docs/scenes.md"));
   std::map<std::string, std::string> rows;
   bool here = false;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind("## ", 0) == 0) here = line == "## Scenes";
+    if (line.rfind("## ", 0) == 0) here = line == "## Shipped scenes";
     if (!here || line.rfind("| `", 0) != 0) continue;
     std::istringstream cell(line.substr(1, line.find('|', 1) - 1));
     for (std::string part; std::getline(cell, part, '`');) {
@@ -179,7 +179,7 @@ TEST_F(Shipped, EachRunsAtRealTimeOrSaysHowFast) {
     const std::string file = sceneFile(name), comment = firstComment(file);
     const scene::Scene scene = scene::readScene(file);
     const double speed = scene.rates.simulation * scene.solver.step;
-    ASSERT_EQ(rows.count(name), 1U) << name << " has no row in the README";
+    ASSERT_EQ(rows.count(name), 1U) << name << " has no row in docs/scenes.md";
     if (std::abs(speed - 1.0) < 1e-9) {
       EXPECT_FALSE(contains(comment, "of real time")) << name;
       EXPECT_FALSE(contains(rows.at(name), "of real time")) << name;

@@ -12,7 +12,7 @@
 
 namespace palpate::test {
 
-/// One figure of docs/accuracy.md: what was computed, what is right, and how far off is allowed.
+/// One figure of accuracy.md: what was computed, what is right, and how far off is allowed.
 /// Numbers in SI; `error` and `bound` are parts of the reference (0.01: one per cent) unless the
 /// quantity says otherwise.
 struct AccuracyRow {
@@ -65,7 +65,7 @@ inline std::string accuracyLine(const AccuracyRow& row) {
 }
 
 /// Expects error <= bound and appends the row to the file that the environment variable
-/// PALPATE_ACCURACY_OUT names, from which scripts/accuracy.sh writes docs/accuracy.md. Without the
+/// PALPATE_ACCURACY_OUT names, from which scripts/page.sh accuracy writes accuracy.md. Without the
 /// variable it only checks.
 inline void recordAccuracy(const AccuracyRow& row) {
   EXPECT_LE(row.error, row.bound) << row.problem << ", " << row.mesh << ", " << row.element << ", "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Up to eight random scenes of each category, judged by all that does not depend on how fast the
-// machine is. The full run is scripts/torture.sh.
+// machine is. The full run is scripts/page.sh torture.
 #include <gtest/gtest.h>
 
 #include <set>

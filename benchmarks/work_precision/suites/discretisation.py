@@ -145,7 +145,7 @@ TEXT = """The pressed and slid cube, four seconds of the recorded palpation of t
 contact's samples together, against the converged force. "Uniform" meshes have the same edges everywhere,
 "graded" ones short edges where the tool goes, as far as 1.6 of its radii, and 0.3 longer for each unit of
 distance beyond; "adapted" ones follow the tool from a coarse mesh on
-([meshes.md](meshes.md#meshes-that-follow-the-tool)), and their times are those of the changes too. Near the
+([meshes.md](../meshes.md#meshes-that-follow-the-tool)), and their times are those of the changes too. Near the
 incompressible the plain `tet4` pays for its locking with any number of tetrahedra, and a flap of one layer of linear tetrahedra is two to three times too stiff. Contact's samples are
 half a tool's radius apart by default, here 7.5 mm on the cube: between them the tool cuts into the tissue, which
 takes some per cent off the force and hides as much of a mesh's stiffness."""

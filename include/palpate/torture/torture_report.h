@@ -8,7 +8,7 @@
 
 namespace palpate::torture {
 
-/// docs/stability.md: what was run, what of it passed by category and by what a scene is made of,
+/// stability.md: what was run, what of it passed by category and by what a scene is made of,
 /// the worst cases, and what fails, each with the command that replays it.
 std::string stabilityMarkdown(const std::vector<ResultLine>& lines);
 

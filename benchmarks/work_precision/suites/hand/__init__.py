@@ -68,7 +68,7 @@ TEXT = """Shipped scenes, as they are and with other meshes, driven by `palpate 
 length, and what the hand feels beside the converged force: the error is the true one, of mesh, step, tolerance and
 contact's samples together. The RMS error is a part of the RMS force over the whole motion, that of the peak a part
 of the peak. What is bold misses what is asked for, though that is asked of the shipped meshes alone. Edges at the
-tool are those of `organs[].adapt` ([meshes.md](meshes.md#meshes-that-follow-the-tool))."""
+tool are those of `organs[].adapt` ([meshes.md](../meshes.md#meshes-that-follow-the-tool))."""
 
 CONVERGED = """**The converged forces** are those of three meshes, by `bdf2` with steps of half the length and a tolerance
 of 1e-5, the two finest extrapolated at each time. What this adds to the finest stands beside it: no error below that
