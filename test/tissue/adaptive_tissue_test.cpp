@@ -199,7 +199,7 @@ TEST_P(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
 }
 
 // The only helper is busy, so that nobody makes it; then it is made, and taken.
-TEST_P(AdaptiveTissue, DoesNotWaitForTheNextMeshWhenItIsAskedToEnd) {
+TEST_P(AdaptiveTissue, DoesNotWaitForTheMeshAdaptationWhenItIsAskedToEnd) {
   ThreadPool pool(2);
   const auto tissue = slabFor(0.007).make(&pool);
   const Eigen::Index coarse = tissue->positions().cols();

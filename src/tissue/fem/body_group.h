@@ -40,7 +40,7 @@ class BodyGroup {
 
   std::vector<FemOrgan*> members_;
   std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // for members that have none
-  MovingBodies bodies_;
+  StepGroup bodies_;
   ImplicitSteps steps_;
   TissueStep out_;
 };

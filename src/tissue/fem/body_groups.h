@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "body_group.h"
-#include "meetings.h"
+#include "neighbour_search.h"
 
 namespace palpate::tissue {
 
@@ -16,7 +16,7 @@ namespace palpate::tissue {
 class BodyGroups {
  public:
   /// Solves a cycle of `dt` [s] of all bodies, which have begun it.
-  void step(const std::vector<GroupBody>& bodies, const Meetings& meetings, double dt);
+  void step(const std::vector<GroupBody>& bodies, const NeighbourSearch& neighbours, double dt);
 
   /// All bodies are alone.
   void forget() {
@@ -36,16 +36,16 @@ class BodyGroups {
     std::vector<std::size_t> bodies;
     std::vector<std::uint64_t> revisions;  // of each
     std::unique_ptr<BodyGroup> solved;
-    bool lasts, meets;  // since the last cycle; in this one
+    bool lasts, in_use;  // since the last cycle; in this one
   };
-  void findLeaders(std::size_t count, const Meetings& meetings);
+  void findLeaders(std::size_t count, const NeighbourSearch& neighbours);
   Group& groupOf(const std::vector<GroupBody>& bodies);
-  void takeInteractions(const Meetings& meetings, Group* group);
+  void takeInteractions(const NeighbourSearch& neighbours, Group* group);
   void dropOld();
 
   std::vector<Group> groups_;  // the latest last
   std::vector<std::size_t> leader_, members_;
-  std::vector<char> meets_;  // each body, in this cycle
+  std::vector<char> interacts_;  // each body, in this cycle
   std::vector<MemberInteraction> interactions_;
 };
 

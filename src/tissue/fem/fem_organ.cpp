@@ -60,7 +60,7 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   body_.goOnFrom(old.body_, change);
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
-  freeze_ = Freeze();
+  backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
   was_folded_ = old.was_folded_;
   out_.clear();
@@ -102,7 +102,7 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.min_jacobian.reset();
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
-  freeze_ = Freeze();
+  backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
   was_folded_ = false;
   rest_.wake();
@@ -114,7 +114,7 @@ State FemOrgan::state() const {
   body_.save(&out);
   method_->save(&out);
   rest_.save(&out);
-  freeze_.save(&out);
+  backoff_.save(&out);
   out.put(stuck_at_);
   out.put(was_folded_);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
@@ -126,7 +126,7 @@ void FemOrgan::restore(const State& state) {
   body_.restore(&in);
   method_->restore(&in);
   rest_.restore(&in);
-  freeze_.restore(&in);
+  backoff_.restore(&in);
   in.get(&stuck_at_);
   in.get(&was_folded_);
   if (!std::isfinite(stuck_at_)) StateReader::fail();
@@ -218,7 +218,7 @@ void FemOrgan::addWork(const TissueStep& together) {
 
 void FemOrgan::reportSolved() {
   if (!stuck_) {
-    freeze_.solved();
+    backoff_.solved();
     stuck_at_ = kNotStuck;
   }
   out_.gravity_force = body_.weight;
@@ -263,7 +263,7 @@ bool FemOrgan::isStuck(const TissueStep& cycle) {
     stuck_at_ = now;
   } else if (now > stuck_at_ + kHeadway * std::max(1.0, -stuck_at_)) {
     stuck_at_ = now;
-    freeze_.solved();
+    backoff_.solved();
   }
   return true;
 }
@@ -276,8 +276,8 @@ bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
   }
   stuck_ = isStuck(cycle);
   if (!stuck_) return false;
-  freeze_.failed(solver::SolveStatus::kInverted);
-  was_folded_ |= freeze_.fails();
+  backoff_.failed(solver::SolveStatus::kInverted);
+  was_folded_ |= backoff_.fails();
   return was_folded_ && !before;
 }
 
@@ -326,7 +326,7 @@ void FemOrgan::fallAsleep() {
 // The tools went on; where they are now may be inside. A cycle that only was late is no failure.
 void FemOrgan::fail() {
   out_.recover(Recovery::kRolledBack);
-  if (out_.status != solver::SolveStatus::kDeadline) freeze_.failed(out_.status);
+  if (out_.status != solver::SolveStatus::kDeadline) backoff_.failed(out_.status);
   stop();
   body_.touch.sides.doubt();
 }

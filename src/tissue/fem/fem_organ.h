@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "failure_backoff.h"
 #include "fem_body.h"
-#include "freeze.h"
 #include "organ_bodies.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/fem_tissue.h"
@@ -93,10 +93,10 @@ class FemOrgan final : public OrganBodies {
   /// It does.
   void sleepOn() { rest_.report(&out_); }
   /// Whether it failed so often that the cycle is left out; asked once a cycle.
-  bool isFrozen() { return freeze_.holds(isTouched()); }
+  bool isFrozen() { return backoff_.holds(isTouched()); }
   /// Whether it failed that often at all, and of what.
-  bool isFailing() const { return freeze_.fails(); }
-  solver::SolveStatus failure() const { return freeze_.status(); }
+  bool isFailing() const { return backoff_.fails(); }
+  solver::SolveStatus failure() const { return backoff_.status(); }
   /// The cycle is left out for it; `why`: its own failure, or another member's.
   void stayFrozen(solver::SolveStatus why);
   /// It is solved.
@@ -125,7 +125,7 @@ class FemOrgan final : public OrganBodies {
                    const InteractionForce& others);
   /// Whether a cycle that failed with `status` is a trial after which no other one would do better.
   bool failsForGood(solver::SolveStatus status) const {
-    return status != solver::SolveStatus::kDeadline && freeze_.isForGood();
+    return status != solver::SolveStatus::kDeadline && backoff_.isForGood();
   }
   /// It failed, and all of its group `for_good`.
   void failTogether(const TissueStep& together, bool for_good);
@@ -154,7 +154,7 @@ class FemOrgan final : public OrganBodies {
   FemBody body_;
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
-  Freeze freeze_;
+  FailureBackoff backoff_;
   bool stuck_ = false;           // in this cycle
   double stuck_at_ = kNotStuck;  // least det F as it began to be
   bool was_folded_ = false;      // and put back, since it was at rest otherwise or a tool was near

@@ -23,7 +23,7 @@ class FemOrgans final : public TissueModel {
   FemOrgans(std::vector<NamedOrgan> organs, const ModelSettings& settings)
       : touching_(settings.touching),
         organs_(std::move(organs)),
-        meetings_(
+        neighbours_(
             makeInteractions(settings),
             [this](const GroupBody& a, const GroupBody& b) { return mayMeet(a, b); },
             !settings.skip.apart_organs),
@@ -45,7 +45,7 @@ class FemOrgans final : public TissueModel {
     for (const NamedOrgan& organ : organs_) {
       for (const std::string& note : organ.tissue->notes()) all.push_back(noteOn(organ.name, note));
     }
-    if (!meetings_.any()) return all;
+    if (!neighbours_.any()) return all;
     for (const GroupBody& b : bodies_) {
       if (b.body->motion()) continue;
       all.push_back(noteOn(*b.organ, "method " + b.body->body().method +
@@ -63,8 +63,8 @@ class FemOrgans final : public TissueModel {
     for (const NamedOrgan& organ : organs_) organ.tissue->beginCycle(obstacles, dt);
     takeBodies();
     for (const GroupBody& b : bodies_) b.body->begin(obstacles, dt);
-    meetings_.find(bodies_, dt, &apart_);
-    groups_.step(bodies_, meetings_, dt);
+    neighbours_.find(bodies_, dt, &apart_);
+    groups_.step(bodies_, neighbours_, dt);
     startAnewWhatIsPutBack();
     report(obstacles, dt);
     return out_;
@@ -72,7 +72,7 @@ class FemOrgans final : public TissueModel {
 
   void reset() override {
     for (const NamedOrgan& organ : organs_) organ.tissue->reset();
-    meetings_.forget();
+    neighbours_.forget();
     groups_.forget();
   }
 
@@ -83,7 +83,7 @@ class FemOrgans final : public TissueModel {
       b.body->wake();
       b.body->reached();
     }
-    meetings_.forget();
+    neighbours_.forget();
     groups_.forget();
   }
 
@@ -94,7 +94,7 @@ class FemOrgans final : public TissueModel {
       out.put(state.kind);
       out.put(state.bytes);
     }
-    meetings_.save(&out);
+    neighbours_.save(&out);
     groups_.save(&out);
     return {kind(), out.bytes()};
   }
@@ -113,7 +113,7 @@ class FemOrgans final : public TissueModel {
       }
     }
     takeBodies();
-    meetings_.restore(bodies_, &in);
+    neighbours_.restore(bodies_, &in);
     groups_.restore(bodies_, &in);
     in.finish();
   }
@@ -136,12 +136,12 @@ class FemOrgans final : public TissueModel {
       put_back_.push_back(b.body->report().recovery == static_cast<int>(Recovery::kPutBack));
     }
     if (std::find(put_back_.begin(), put_back_.end(), 1) == put_back_.end()) return;
-    for (const std::unique_ptr<Meeting>& m : meetings_.all()) {
+    for (const std::unique_ptr<InteractingPair>& m : neighbours_.all()) {
       if (!m->acts || (!put_back_[m->a] && !put_back_[m->b])) continue;
       bodies_[m->a].body->wake();
       bodies_[m->b].body->wake();
     }
-    meetings_.forgetOf(put_back_);
+    neighbours_.forgetOf(put_back_);
     groups_.forgetOf(put_back_);
   }
 
@@ -183,7 +183,7 @@ class FemOrgans final : public TissueModel {
   std::vector<std::size_t> by_name_;
   std::vector<GroupBody> bodies_;
   std::vector<FemOrgan*> found_;
-  Meetings meetings_;
+  NeighbourSearch neighbours_;
   BodyGroups groups_;
   std::vector<int> apart_;      // of each body
   std::vector<char> put_back_;  // likewise, in this cycle

@@ -28,7 +28,7 @@ class ImplicitMethod final : public StepMethod {
 
  private:
   BodyMotion motion_;
-  MovingBodies bodies_;
+  StepGroup bodies_;
   ImplicitSteps steps_;
 };
 

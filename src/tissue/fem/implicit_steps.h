@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "cycle_budget.h"
-#include "moving_bodies.h"
 #include "palpate/solver/minimizer.h"
+#include "step_group.h"
 
 namespace palpate::tissue {
 
@@ -16,7 +16,7 @@ namespace palpate::tissue {
 class ImplicitSteps {
  public:
   /// `bodies` must outlive this.
-  ImplicitSteps(MovingBodies* bodies, std::unique_ptr<solver::Minimizer> minimizer)
+  ImplicitSteps(StepGroup* bodies, std::unique_ptr<solver::Minimizer> minimizer)
       : bodies_(*bodies),
         minimizer_(std::move(minimizer)),
         budget_(bodies->settings(), minimizer_->iterationsForOne()) {}
@@ -58,7 +58,7 @@ class ImplicitSteps {
   solver::NewtonReport solveStage(bool on_the_way, bool followed = false);
   bool acceptable();
 
-  MovingBodies& bodies_;
+  StepGroup& bodies_;
   std::unique_ptr<solver::Minimizer> minimizer_;
   bool prepared_ = false;  // since the last restart
   bool stalled_ = false;   // the last cycle was late, and led nowhere

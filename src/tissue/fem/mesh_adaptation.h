@@ -18,11 +18,11 @@ namespace palpate::tissue {
 /// Makes the next mesh of an organ that adapts, and the body on it, beside the cycles, and prepares
 /// it for where begin() was told that the tissue is: what factorises has its first factor by then.
 /// All that depends on the present mesh and on what begin() got alone.
-class NextMesh {
+class MeshAdaptation {
  public:
-  NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
-           const Surroundings& surroundings, const FemSettings& settings,
-           const AdaptSettings& adapt, ThreadPool* pool);
+  MeshAdaptation(const mesh::TetMesh& coarse, const fem::Composition& composition,
+                 const Surroundings& surroundings, const FemSettings& settings,
+                 const AdaptSettings& adapt, ThreadPool* pool);
 
   void useMethod(const std::string& method) { settings_.method = method; }
   /// Farther from a tool than this the coarse mesh is as fine as is asked for [m].

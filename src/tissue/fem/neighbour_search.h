@@ -21,7 +21,7 @@ struct GroupBody {
 };
 
 /// An interaction between two bodies, or within one, while it may act.
-struct Meeting {
+struct InteractingPair {
   std::size_t interaction, a, b;  ///< a <= b: in the order of bodies.
   std::unique_ptr<InteractionTerm> term;
   std::uint64_t revision_a = 0, revision_b = 0;  ///< For which the term was made.
@@ -31,38 +31,40 @@ struct Meeting {
 
 /// Which bodies may act on each other in a cycle, and what acts between them. A term lives on from
 /// cycle to cycle, and forgets where it cannot act.
-class Meetings {
+class NeighbourSearch {
  public:
-  /// `may_meet(a, b)`: whether two bodies are let to act on each other at all. `always`: two are
-  /// treated as if they could in every cycle.
-  Meetings(std::vector<std::shared_ptr<const Interaction>> interactions,
-           std::function<bool(const GroupBody&, const GroupBody&)> may_meet, bool always)
-      : interactions_(std::move(interactions)), may_meet_(std::move(may_meet)), always_(always) {}
+  /// `may_interact(a, b)`: whether two bodies are let to act on each other at all. `always`: two
+  /// are treated as if they could in every cycle.
+  NeighbourSearch(std::vector<std::shared_ptr<const Interaction>> interactions,
+                  std::function<bool(const GroupBody&, const GroupBody&)> may_interact, bool always)
+      : interactions_(std::move(interactions)),
+        may_interact_(std::move(may_interact)),
+        always_(always) {}
 
   bool any() const { return !interactions_.empty(); }
   /// A cycle of `dt` [s] begins; the bodies' touches have been begun. Counts into `apart`, one a
   /// body, the pairs in which it is the first and that cannot act.
   void find(const std::vector<GroupBody>& bodies, double dt, std::vector<int>* apart);
   /// Of the last find(), with those that cannot act.
-  const std::vector<std::unique_ptr<Meeting>>& all() const { return meetings_; }
+  const std::vector<std::unique_ptr<InteractingPair>>& all() const { return pairs_; }
 
   /// As new.
-  void forget() { meetings_.clear(); }
+  void forget() { pairs_.clear(); }
   /// As new where one of the two bodies is marked; a mark for each body.
   void forgetOf(const std::vector<char>& bodies);
   void save(StateWriter* out) const;
   void restore(const std::vector<GroupBody>& bodies, StateReader* in);
 
  private:
-  Meeting& meeting(std::size_t interaction, std::size_t a, std::size_t b);
-  void takeBodies(const std::vector<GroupBody>& bodies, Meeting* meeting);
-  void look(const std::vector<GroupBody>& bodies, double dt);
+  InteractingPair& pairOf(std::size_t interaction, std::size_t a, std::size_t b);
+  void takeBodies(const std::vector<GroupBody>& bodies, InteractingPair* pairOf);
+  void updateBodies(const std::vector<GroupBody>& bodies, double dt);
 
   std::vector<std::shared_ptr<const Interaction>> interactions_;
-  std::function<bool(const GroupBody&, const GroupBody&)> may_meet_;
+  std::function<bool(const GroupBody&, const GroupBody&)> may_interact_;
   bool always_;
   std::vector<InteractingBody> seen_;
-  std::vector<std::unique_ptr<Meeting>> meetings_;  // ascending
+  std::vector<std::unique_ptr<InteractingPair>> pairs_;  // ascending
 };
 
 }  // namespace palpate::tissue

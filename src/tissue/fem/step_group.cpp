@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "moving_bodies.h"
+#include "step_group.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr double kFlat = 1.5;
 
 }  // namespace
 
-MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
+StepGroup::StepGroup(const std::vector<BodyMotion*>& members)
     : members_(members), parts_(members.size()) {
   std::vector<const solver::Potential*> potentials;
   potentials.reserve(members.size());
@@ -22,7 +22,7 @@ MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
   x_.resize(3, joint_->numNodes());
 }
 
-void MovingBodies::setInteractions(const std::vector<MemberInteraction>& interactions) {
+void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactions) {
   const bool same = std::equal(
       interactions.begin(), interactions.end(), interactions_.begin(), interactions_.end(),
       [](const MemberInteraction& a, const std::unique_ptr<Placed>& b) { return a == b->what; });
@@ -46,30 +46,30 @@ void MovingBodies::setInteractions(const std::vector<MemberInteraction>& interac
 
 // visit(interaction, the points of its pair).
 template <class Visit>
-void MovingBodies::forInteractions(const Visit& visit) const {
+void StepGroup::forInteractions(const Visit& visit) const {
   for (const std::unique_ptr<Placed>& placed : interactions_) {
     placed->of_all->gather(x_, &placed->x);
     visit(*placed, placed->x);
   }
 }
 
-fem::Stiffness MovingBodies::makeMatrix() const {
+fem::Stiffness StepGroup::makeMatrix() const {
   return joint_ ? joint_->makeMatrix() : potential().elasticity->makeMatrix();
 }
 
-const Points& MovingBodies::part(std::size_t member, const Points& all) const {
+const Points& StepGroup::part(std::size_t member, const Points& all) const {
   if (!joint_) return all;
   parts_[member] = all.middleCols(joint_->firstNode(member), members_[member]->body().x.cols());
   return parts_[member];
 }
 
-double MovingBodies::tolerance() const {
+double StepGroup::tolerance() const {
   double least = std::numeric_limits<double>::infinity();
   for (const BodyMotion* member : members_) least = std::min(least, member->body().tolerance());
   return least;
 }
 
-double MovingBodies::leastTolerance() const {
+double StepGroup::leastTolerance() const {
   double least = std::numeric_limits<double>::infinity();
   for (const BodyMotion* member : members_) {
     least = std::min(least, member->body().leastTolerance());
@@ -77,7 +77,7 @@ double MovingBodies::leastTolerance() const {
   return least;
 }
 
-double MovingBodies::toleranceHere(const Points& gradient) {
+double StepGroup::toleranceHere(const Points& gradient) {
   sumInteractionForces();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -89,7 +89,7 @@ double MovingBodies::toleranceHere(const Points& gradient) {
   return least;
 }
 
-void MovingBodies::beginCycle() {
+void StepGroup::beginCycle() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->beginCycle();
     const Points& x = members_[k]->body().x;
@@ -103,7 +103,7 @@ void MovingBodies::beginCycle() {
   endGuarding();
 }
 
-bool MovingBodies::startGuarding() {
+bool StepGroup::startGuarding() {
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
@@ -117,7 +117,7 @@ bool MovingBodies::startGuarding() {
   return true;
 }
 
-void MovingBodies::endGuarding() {
+void StepGroup::endGuarding() {
   for (BodyMotion* member : members_) {
     FemBody& body = member->body();
     if (!body.guard.active()) continue;
@@ -125,7 +125,7 @@ void MovingBodies::endGuarding() {
   }
 }
 
-bool MovingBodies::inverted() const {
+bool StepGroup::inverted() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();
     if (!body.guard.active()) continue;
@@ -134,7 +134,7 @@ bool MovingBodies::inverted() const {
   return false;
 }
 
-void MovingBodies::goBack() {
+void StepGroup::goBack() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->goBack();
     const Points& x = members_[k]->body().x;
@@ -146,16 +146,16 @@ void MovingBodies::goBack() {
   }
 }
 
-void MovingBodies::endCycle() {
+void StepGroup::endCycle() {
   for (BodyMotion* member : members_) member->endCycle();
 }
 
-bool MovingBodies::beginStep(double begin, double h) {
+bool StepGroup::beginStep(double begin, double h) {
   for (BodyMotion* member : members_) member->beginStep(begin, h);
   return joint_ && joint_->takeScales(&scales_);
 }
 
-void MovingBodies::endStep(double unbalanced) {
+void StepGroup::endStep(double unbalanced) {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (joint_) members_[k]->body().x = part(k, x_);
     members_[k]->endStep(unbalanced);
@@ -164,7 +164,7 @@ void MovingBodies::endStep(double unbalanced) {
   forInteractions([](Placed& placed, const Points& x) { placed.what.term->endStep(x); });
 }
 
-void MovingBodies::extrapolate(double h, Points* way) const {
+void StepGroup::extrapolate(double h, Points* way) const {
   if (!joint_) return members_.front()->extrapolate(h, way);
   way->resize(3, x_.cols());
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -173,17 +173,17 @@ void MovingBodies::extrapolate(double h, Points* way) const {
   }
 }
 
-bool MovingBodies::carries() const {
+bool StepGroup::carries() const {
   return std::any_of(members_.begin(), members_.end(), [](const BodyMotion* member) {
     return member->body().surroundings.carries();
   });
 }
 
-void MovingBodies::placeSurroundings(double s) {
+void StepGroup::placeSurroundings(double s) {
   for (BodyMotion* member : members_) member->body().surroundings.place(s);
 }
 
-void MovingBodies::carryTo(double s, Points* all) const {
+void StepGroup::carryTo(double s, Points* all) const {
   if (!joint_) return members_.front()->body().surroundings.carryTo(s, all);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const BodySurroundings& surroundings = members_[k]->body().surroundings;
@@ -194,7 +194,7 @@ void MovingBodies::carryTo(double s, Points* all) const {
   }
 }
 
-void MovingBodies::carryHere(double s) {
+void StepGroup::carryHere(double s) {
   if (joint_) carryTo(s, &x_);
   for (BodyMotion* member : members_) {
     FemBody& body = member->body();
@@ -204,14 +204,14 @@ void MovingBodies::carryHere(double s) {
   }
 }
 
-double MovingBodies::valueHere() {
+double StepGroup::valueHere() {
   double sum = 0.0;
   for (BodyMotion* member : members_) sum += member->valueHere();
   for (const std::unique_ptr<Placed>& placed : interactions_) sum += placed->of_all->value(x_);
   return sum;
 }
 
-bool MovingBodies::heldWay(double s, Points* way) const {
+bool StepGroup::heldWay(double s, Points* way) const {
   if (!joint_) return members_.front()->body().heldWay(s, way);
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -226,7 +226,7 @@ bool MovingBodies::heldWay(double s, Points* way) const {
   return any;
 }
 
-double MovingBodies::unbalancedForce(const Points& gradient) {
+double StepGroup::unbalancedForce(const Points& gradient) {
   double sum = 0.0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     sum += members_[k]->squaredUnbalancedForce(part(k, gradient));
@@ -234,18 +234,18 @@ double MovingBodies::unbalancedForce(const Points& gradient) {
   return std::sqrt(sum);
 }
 
-void MovingBodies::placeTools(double s) {
+void StepGroup::placeTools(double s) {
   for (BodyMotion* member : members_) member->body().touch.place(s);
 }
 
-void MovingBodies::beginTouches() {
+void StepGroup::beginTouches() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->body().sweep.beginStep(part(k, x()));
   }
   forInteractions([](Placed& placed, const Points& x) { placed.what.term->beginStep(x); });
 }
 
-double MovingBodies::nextStage(double s, double end) const {
+double StepGroup::nextStage(double s, double end) const {
   double next = end;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
@@ -254,7 +254,7 @@ double MovingBodies::nextStage(double s, double end) const {
   return next;
 }
 
-bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
+bool StepGroup::pushTo(double s, const Points& all, Points* push) const {
   if (!joint_) return members_.front()->body().sweep.pushTo(s, all, push);
   push->setZero(3, all.cols());
   bool any = false;
@@ -266,16 +266,16 @@ bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
   return any;
 }
 
-void MovingBodies::doubtSides() {
+void StepGroup::doubtSides() {
   for (BodyMotion* member : members_) member->body().touch.sides.doubt();
 }
 
-bool MovingBodies::hasFriction() const {
+bool StepGroup::hasFriction() const {
   return std::any_of(members_.begin(), members_.end(),
                      [](const BodyMotion* member) { return member->body().contact.hasFriction(); });
 }
 
-bool MovingBodies::settled() {
+bool StepGroup::settled() {
   bool all = true;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
@@ -284,21 +284,21 @@ bool MovingBodies::settled() {
   return all;
 }
 
-void MovingBodies::settle() {
+void StepGroup::settle() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
     body.contact.settle(joint_ ? part(m, x_) : body.x);
   }
 }
 
-void MovingBodies::learn(double h) {
+void StepGroup::learn(double h) {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
     body.contact.learn(joint_ ? part(m, x_) : body.x, h);
   }
 }
 
-bool MovingBodies::candidatesHold() const {
+bool StepGroup::candidatesHold() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();
     if (!body.sweep.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
@@ -309,7 +309,7 @@ bool MovingBodies::candidatesHold() const {
   return hold;
 }
 
-void MovingBodies::search() {
+void StepGroup::search() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
     body.sweep.search(joint_ ? part(k, x_) : body.x);
@@ -317,13 +317,13 @@ void MovingBodies::search() {
   searchInteractions();
 }
 
-void MovingBodies::searchInteractions() {
+void StepGroup::searchInteractions() {
   forInteractions(
       [](Placed& placed, const Points& x) { placed.what.term->search(x, placed.what.way); });
 }
 
 // Before that becomes memory.
-void MovingBodies::sumInteractionForces() {
+void StepGroup::sumInteractionForces() {
   interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;
   gradient_.setZero(3, x_.cols());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is made beside the cycles for a mesh that is taken into use later.
-#include "tissue/fem/next_mesh.h"
+#include "tissue/fem/mesh_adaptation.h"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +14,21 @@ using test::Ball;
 constexpr double kStep = test::kStep;
 
 // Methods that keep a factor save its matrix, of nine numbers a block.
-class NextMeshOf : public ::testing::TestWithParam<const char*> {
+class MeshAdaptationOf : public ::testing::TestWithParam<const char*> {
  protected:
   static std::size_t sizeOf(const FemOrgan& organ) { return organ.state().bytes.size(); }
   static std::size_t factorOf(const FemOrgan& organ) {
     return 9 * sizeof(double) * static_cast<std::size_t>(organ.body().x.cols());
   }
 };
-INSTANTIATE_TEST_SUITE_P(Methods, NextMeshOf, ::testing::Values("lbfgs", "implicit_async"),
+INSTANTIATE_TEST_SUITE_P(Methods, MeshAdaptationOf, ::testing::Values("lbfgs", "implicit_async"),
                          [](const auto& method) { return std::string(method.param); });
 
-TEST_P(NextMeshOf, IsPreparedByTheTimeThatItIsTaken) {
+TEST_P(MeshAdaptationOf, IsPreparedByTheTimeThatItIsTaken) {
   AdaptiveSlab slab("tet4");
   slab.settings.method = GetParam();
   slab.settings.step = kStep;
-  NextMesh next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
+  MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> coarse = next.make();
   next.setCoarse(coarse.get());
   coarse->settle();
@@ -38,7 +38,7 @@ TEST_P(NextMeshOf, IsPreparedByTheTimeThatItIsTaken) {
     Ball ball(tool);
     tools.look({ball.to(tool)}, 0.0, old.body().x, 0.0);
     next.begin(old.body().x, tools, kStep);
-    NextMesh::Result made = next.take();
+    MeshAdaptation::Result made = next.take();
     EXPECT_NE(made.change, nullptr);
     FemOrgan& organ = made.organ ? *made.organ : *on_coarse;
     const std::unique_ptr<FemOrgan> unprepared = next.make();
@@ -54,10 +54,10 @@ TEST_P(NextMeshOf, IsPreparedByTheTimeThatItIsTaken) {
 }
 
 // A process that goes on from a state has a coarse body that never touched anything.
-TEST_P(NextMeshOf, IsPreparedTheSameWhateverTheBodyTouched) {
+TEST_P(MeshAdaptationOf, IsPreparedTheSameWhateverTheBodyTouched) {
   AdaptiveSlab slab("tet4");
   slab.settings.method = GetParam();
-  NextMesh next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
+  MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> touched = next.make(), other = next.make();
   touched->settle();
   other->settle();
@@ -96,7 +96,7 @@ TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
       material::makeMaterial("st_venant_kirchhoff",
                              {{"young_modulus", {6.0e3}}, {"poisson_ratio", {0.3}}}),
       1060.0);
-  NextMesh next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
+  MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> coarse = next.make();
   next.setCoarse(coarse.get());
   coarse->settle();
@@ -136,7 +136,7 @@ TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
 }
 
 // While a helper makes the next mesh, or prepares the coarse one.
-TEST_P(NextMeshOf, EndsWithItsTissue) {
+TEST_P(MeshAdaptationOf, EndsWithItsTissue) {
   AdaptiveSlab slab("tet4");
   slab.settings.method = GetParam();
   ThreadPool pool(2);

@@ -10,16 +10,16 @@ namespace palpate::tissue {
 /// the scene take as long as all its attempts do. It is tried again when the tools have left it,
 /// when it was placed anew, and now and then. One that fails then, with no tool near, would do so
 /// for good.
-class Freeze {
+class FailureBackoff {
  public:
-  static constexpr int kFailures = 10;  ///< One after the other.
-  static constexpr int kTryAgain = 50;  ///< Cycles.
+  static constexpr int kFailures = 10;     ///< One after the other.
+  static constexpr int kRetryCycles = 50;  ///< Cycles.
 
   /// Whether the cycle that begins is left out; `touched`: a tool may touch the organ.
   bool holds(bool touched) {
     const bool left = touched_ && !touched;
     touched_ = touched;
-    if (failures_ < kFailures || left || waited_ >= kTryAgain) {
+    if (failures_ < kFailures || left || waited_ >= kRetryCycles) {
       waited_ = 0;
       return false;
     }

@@ -23,10 +23,10 @@ namespace palpate::tissue {
 /// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts. One in which
 /// nothing is held, and the energy grows, fails; so does one that is cut at a deadline and turns
 /// held tissue inside out. The last step of a cut cycle leads down in energy, where no tool moves.
-class StickingNewton final : public StepMethod {
+class PrescribedNewton final : public StepMethod {
  public:
   /// @throws std::invalid_argument for element p1p1.
-  explicit StickingNewton(FemBody* body);
+  explicit PrescribedNewton(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;

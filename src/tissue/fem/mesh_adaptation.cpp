@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "next_mesh.h"
+#include "mesh_adaptation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace palpate::tissue {
 
-NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
-                   const Surroundings& surroundings, const FemSettings& settings,
-                   const AdaptSettings& adapt, ThreadPool* pool)
+MeshAdaptation::MeshAdaptation(const mesh::TetMesh& coarse, const fem::Composition& composition,
+                               const Surroundings& surroundings, const FemSettings& settings,
+                               const AdaptSettings& adapt, ThreadPool* pool)
     : composition_(composition),
       surroundings_(surroundings),
       settings_(settings),
@@ -30,11 +30,11 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
   }
 }
 
-double NextMesh::reach() const {
+double MeshAdaptation::reach() const {
   return kFineWithin * adapt_.finest + std::max(0.0, coarsest_ - adapt_.finest) / adapt_.growth;
 }
 
-std::unique_ptr<FemOrgan> NextMesh::make() const {
+std::unique_ptr<FemOrgan> MeshAdaptation::make() const {
   fem::Composition composition{composition_.solids, {}, {}};
   for (int t : nested_.coarseTets()) {
     if (!composition_.solid_of.empty()) composition.solid_of.push_back(composition_.solid_of[t]);
@@ -49,7 +49,7 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
 }
 
 // On the present mesh: a point between two others has what they have in common.
-Surroundings NextMesh::surroundings() const {
+Surroundings MeshAdaptation::surroundings() const {
   const Eigen::Index n = nested_.mesh().numPoints();
   const auto forMiddles = [&](const auto& take) {
     for (const mesh::MeshChange::Middle& m : nested_.middles()) {
@@ -85,7 +85,7 @@ Surroundings NextMesh::surroundings() const {
   return fine;
 }
 
-void NextMesh::restore(const std::string& bisected) {
+void MeshAdaptation::restore(const std::string& bisected) {
   beside_.giveUp();
   result_ = {};
   to_resume_ = false;
@@ -98,14 +98,14 @@ void NextMesh::restore(const std::string& bisected) {
   bisected_ = nested_.bisected();
 }
 
-void NextMesh::begin(const Points& x, const ToolDistance& tools, double dt) {
+void MeshAdaptation::begin(const Points& x, const ToolDistance& tools, double dt) {
   x_ = x;
   dt_ = dt;
   tools_ = tools;
   beginWork();
 }
 
-void NextMesh::beginWork() {
+void MeshAdaptation::beginWork() {
   is_made_ = false;
   beside_.begin([this] {
     work();
@@ -113,7 +113,7 @@ void NextMesh::beginWork() {
   });
 }
 
-void NextMesh::work() {
+void MeshAdaptation::work() {
   const auto size = [&](const Vec3& p) {
     const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
@@ -128,7 +128,7 @@ void NextMesh::work() {
   organ.prepareAt(result_.change->interpolate(x_), dt_);
 }
 
-bool NextMesh::await(const solver::Interrupt& interrupt) const {
+bool MeshAdaptation::await(const solver::Interrupt& interrupt) const {
   if (pool_ == nullptr || pool_->size() == 1) return true;  // nobody else makes it
   while (!is_made_) {
     if (interrupt()) return false;
@@ -137,7 +137,7 @@ bool NextMesh::await(const solver::Interrupt& interrupt) const {
   return true;
 }
 
-NextMesh::Result NextMesh::take() {
+MeshAdaptation::Result MeshAdaptation::take() {
   beside_.wait();
   if (result_.change) {
     coarse_ = nested_.isCoarse();
@@ -146,13 +146,13 @@ NextMesh::Result NextMesh::take() {
   return std::exchange(result_, {});
 }
 
-void NextMesh::saveTask(StateWriter* out) const {
+void MeshAdaptation::saveTask(StateWriter* out) const {
   out->put(x_);
   out->put(dt_);
   tools_.saveTools(out);
 }
 
-void NextMesh::restoreTask(StateReader* in) {
+void MeshAdaptation::restoreTask(StateReader* in) {
   in->get(&x_);
   in->get(&dt_);
   tools_.restoreTools(in);
@@ -161,7 +161,7 @@ void NextMesh::restoreTask(StateReader* in) {
   to_resume_ = true;
 }
 
-void NextMesh::resume(const std::vector<contact::Obstacle>& obstacles) {
+void MeshAdaptation::resume(const std::vector<contact::Obstacle>& obstacles) {
   if (!std::exchange(to_resume_, false)) return;
   tools_.takeShapes(obstacles);
   beginWork();

@@ -23,11 +23,11 @@ struct MemberInteraction {
 
 /// What implicit steps move as one: a body, or the members of a group with what acts between them.
 /// Points are those of one member after another; of a single body they are its own.
-class MovingBodies {
+class StepGroup {
  public:
-  explicit MovingBodies(BodyMotion* body) : members_{body} {}
+  explicit StepGroup(BodyMotion* body) : members_{body} {}
   /// A group. All members have the same settings of the scene, and outlive this.
-  explicit MovingBodies(const std::vector<BodyMotion*>& members);
+  explicit StepGroup(const std::vector<BodyMotion*>& members);
 
   /// What acts between the members of a group from here on.
   void setInteractions(const std::vector<MemberInteraction>& interactions);
