@@ -252,9 +252,9 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
   const fem::Composition liver{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
   const LargeBall ball;
   const auto begin = [&](FemBody* body) {
-    body->sweep.begin({ball.move(0.0, 0.003)}, body->x, 0.0);
-    body->sweep.place(1.0);
-    body->sweep.search(body->x);
+    body->tool_path.begin({ball.move(0.0, 0.003)}, body->x, 0.0);
+    body->tool_path.place(1.0);
+    body->tool_path.search(body->x);
   };
   FemBody one(slab.mesh, liver, slab.free, slab.settings, nullptr),
       two(slab.mesh, liver, slab.free, slab.settings, nullptr);

@@ -138,7 +138,7 @@ void BemOrgan::fail() {
   force_ = force_begin_;
   v_.setZero();
   touch_.contact.forget();
-  touch_.sides.doubt();
+  touch_.inside_tools.invalidate();
   if (out_.status == solver::SolveStatus::kDeadline) return;
   if (solver::usable(out_.status)) out_.status = solver::SolveStatus::kNonFinite;
 }
@@ -146,10 +146,10 @@ void BemOrgan::fail() {
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
 void BemOrgan::solveStages() {
   touch_.place(0.0);
-  touch_.sweep.beginStep(x_);
+  touch_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   for (double s = 0.0; s < 1.0;) {
-    s = touch_.sweep.next(x_, s, 1.0);
+    s = touch_.tool_path.next(x_, s, 1.0);
     ++out_.sweep_stages;
     touch_.place(s);
     out_.status = solveStage((s < 1.0 ? kStageTolerance : 1.0) * 0.5 * out_.tolerance).status;
@@ -170,8 +170,8 @@ solver::NewtonReport BemOrgan::solveStage(double tolerance) {
                             interrupt_);
     out_.newton_iterations += solved.iterations;
     displace();
-    if (touch_.sweep.candidatesHold(x_)) break;
-    touch_.sweep.search(x_);
+    if (touch_.tool_path.candidatesHold(x_)) break;
+    touch_.tool_path.search(x_);
   }
   return solved;
 }

@@ -21,7 +21,7 @@ ExplicitTouch::ExplicitTouch(FemBody* body)
       update_(body) {}
 
 double ExplicitTouch::steps() const {
-  return std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
+  return std::min(std::ceil(body_.tool_path.leap(element_size_) / kToolWay), kMaxLeapSteps);
 }
 
 void ExplicitTouch::begin() {
@@ -29,27 +29,27 @@ void ExplicitTouch::begin() {
   limited_ = false;
   settled_ = true;
   part_ = 0.0;
-  body_.sweep.place(0.0);
+  body_.tool_path.place(0.0);
 }
 
 // Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
 // tool that itself has just gone on.
 bool ExplicitTouch::mayJump(const Points& way) const {
   if (!body_.contact.hasCandidates()) return false;
-  const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
+  const double margin = (1.0 - kToolWay) * body_.tool_path.thinnest() - update_.deepest();
   return !(2.0 * std::sqrt(way.colwise().squaredNorm().maxCoeff()) < margin);
 }
 
 bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
-  body_.sweep.beginStep(body_.x);
-  body_.sweep.place(s);
-  tool_way_ = (s - part_) * body_.sweep.longestWay();
+  body_.tool_path.beginStep(body_.x);
+  body_.tool_path.place(s);
+  tool_way_ = (s - part_) * body_.tool_path.longestWay();
   part_ = s;
   limited_ = false;
   settled_ = true;
   if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
   *next += body_.x;
-  if (!body_.sweep.candidatesHold(*next)) body_.sweep.search(*next);
+  if (!body_.tool_path.candidatesHold(*next)) body_.tool_path.search(*next);
   if (!body_.contact.hasCandidates()) {
     update_.clear();
     iterations_ = 0;

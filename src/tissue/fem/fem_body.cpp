@@ -100,7 +100,7 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       touch(mesh.points, triangles, touchSettings(settings, size), 0, excessOf(settings.element),
             mesh.tets, settings.thickness, samples),
       contact(touch.contact),
-      sweep(touch.sweep),
+      tool_path(touch.tool_path),
       largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),

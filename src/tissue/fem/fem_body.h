@@ -85,7 +85,7 @@ struct FemBody {
   BodySurroundings surroundings;
   Touch touch;
   contact::ContactPotential& contact;  ///< Of `touch`,
-  ToolSweep& sweep;                    ///< likewise.
+  ToolPath& tool_path;                 ///< likewise.
   double largest_poisson_ratio;        ///< Of any solid at rest.
   std::string method;                  ///< By which it is stepped; never "auto".
   std::string method_note;  ///< Why its method was chosen, or what is wrong with it; or empty.

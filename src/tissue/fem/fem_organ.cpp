@@ -328,7 +328,7 @@ void FemOrgan::fail() {
   out_.recover(Recovery::kRolledBack);
   if (out_.status != solver::SolveStatus::kDeadline) backoff_.failed(out_.status);
   stop();
-  body_.touch.sides.doubt();
+  body_.touch.inside_tools.invalidate();
 }
 
 void FemOrgan::stayFrozen(solver::SolveStatus why) {

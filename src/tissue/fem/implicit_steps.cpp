@@ -140,7 +140,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
       s = late ? end : bodies_.nextStage(s, end);
-      if (late) bodies_.doubtSides();
+      if (late) bodies_.invalidateInsideTools();
       ++out_->sweep_stages;
       budget_.beginStage();
     }

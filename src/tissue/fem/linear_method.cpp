@@ -55,19 +55,19 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   solver::NewtonReport solved;
   StateWriter touched;
   body_.contact.save(&touched);
-  body_.sweep.place(0.0);
-  body_.sweep.beginStep(body_.x);
+  body_.tool_path.place(0.0);
+  body_.tool_path.beginStep(body_.x);
   for (double s = 0.0; s < 1.0;) {
     {
       const PhaseTimer timer(&out->phases, Phase::kContact);
-      s = body_.sweep.next(body_.x, s, 1.0);
+      s = body_.tool_path.next(body_.x, s, 1.0);
       ++out->sweep_stages;
-      body_.sweep.place(s);
+      body_.tool_path.place(s);
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
     if (solved.status == solver::SolveStatus::kDeadline) {
-      body_.touch.sides.doubt();
+      body_.touch.inside_tools.invalidate();
       break;
     }
     const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
@@ -145,8 +145,8 @@ solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) 
       compliance_.solve(force_, &u_);
       body_.x = body_.mesh.points + u0_ + u_;
     }
-    if (body_.sweep.candidatesHold(body_.x)) break;
-    body_.sweep.search(body_.x);
+    if (body_.tool_path.candidatesHold(body_.x)) break;
+    body_.tool_path.search(body_.x);
   }
   return solved;
 }

@@ -7,7 +7,7 @@
 namespace palpate::tissue {
 namespace {
 
-// What a body goes beyond what it does by itself, of its size: as ToolSweep has it.
+// What a body goes beyond what it does by itself, of its size: as ToolPath has it.
 constexpr double kMargin = 0.02;
 
 auto key(const InteractingPair& m) { return std::make_tuple(m.interaction, m.a, m.b); }
@@ -22,7 +22,7 @@ void NeighbourSearch::updateBodies(const std::vector<GroupBody>& bodies, double 
     const double own = 2.0 * dt * body.v.colwise().norm().maxCoeff();
     // Outside of a cycle the tools of the one before are known, which may be gone.
     const bool pushes = dt > 0.0 && body.touch.possible();
-    const double pushed = pushes ? body.sweep.longestWay() : 0.0;
+    const double pushed = pushes ? body.tool_path.longestWay() : 0.0;
     seen_.push_back({*b.organ, body.mesh.points, body.x, body.triangles,
                      body.x.rowwise().minCoeff(), body.x.rowwise().maxCoeff(),
                      kMargin * body.size + own + pushed});

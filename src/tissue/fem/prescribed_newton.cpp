@@ -125,13 +125,13 @@ bool PrescribedNewton::restsInMinimum() {
 bool PrescribedNewton::sweep(int parts, TissueStep* out) {
   value_begin_.reset();
   out->sweep_stages = 0;
-  body_.sweep.place(0.0);
+  body_.tool_path.place(0.0);
   for (double s = 0.0; s < 1.0;) {
     const double begin = s;
     s = contact_->nextStage(body_.x, begin, std::min(1.0, begin + 1.0 / parts));
     if (s > 1.0 - 1e-9) s = 1.0;
     ++out->sweep_stages;
-    body_.sweep.place(s);
+    body_.tool_path.place(s);
     part_ = s;
     body_.surroundings.place(s);
     solveStage(begin, out);
@@ -157,7 +157,7 @@ void PrescribedNewton::solveStage(double begin, TissueStep* out) {
       if (gave_up && contact_->release(body_.x, g_)) residual_ = gradient();
       return;
     }
-    if (!body_.sweep.candidatesHold(body_.x)) body_.sweep.search(body_.x);
+    if (!body_.tool_path.candidatesHold(body_.x)) body_.tool_path.search(body_.x);
     const bool released = contact_->release(body_.x, g_);
     const bool held = !released && contact_->holdWhatPenetrates(body_.x);
     if (!released && !held) return;

@@ -240,7 +240,7 @@ void StepGroup::placeTools(double s) {
 
 void StepGroup::beginTouches() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->body().sweep.beginStep(part(k, x()));
+    members_[k]->body().tool_path.beginStep(part(k, x()));
   }
   forInteractions([](Placed& placed, const Points& x) { placed.what.term->beginStep(x); });
 }
@@ -249,25 +249,25 @@ double StepGroup::nextStage(double s, double end) const {
   double next = end;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    next = std::min(next, body.sweep.next(joint_ ? part(k, x_) : body.x, s, end));
+    next = std::min(next, body.tool_path.next(joint_ ? part(k, x_) : body.x, s, end));
   }
   return next;
 }
 
 bool StepGroup::pushTo(double s, const Points& all, Points* push) const {
-  if (!joint_) return members_.front()->body().sweep.pushTo(s, all, push);
+  if (!joint_) return members_.front()->body().tool_path.pushTo(s, all, push);
   push->setZero(3, all.cols());
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    if (!members_[k]->body().sweep.pushTo(s, part(k, all), &part_way_)) continue;
+    if (!members_[k]->body().tool_path.pushTo(s, part(k, all), &part_way_)) continue;
     push->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
     any = true;
   }
   return any;
 }
 
-void StepGroup::doubtSides() {
-  for (BodyMotion* member : members_) member->body().touch.sides.doubt();
+void StepGroup::invalidateInsideTools() {
+  for (BodyMotion* member : members_) member->body().touch.inside_tools.invalidate();
 }
 
 bool StepGroup::hasFriction() const {
@@ -301,7 +301,7 @@ void StepGroup::learn(double h) {
 bool StepGroup::candidatesHold() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();
-    if (!body.sweep.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
+    if (!body.tool_path.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
   }
   bool hold = true;
   forInteractions(
@@ -312,7 +312,7 @@ bool StepGroup::candidatesHold() const {
 void StepGroup::search() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    body.sweep.search(joint_ ? part(k, x_) : body.x);
+    body.tool_path.search(joint_ ? part(k, x_) : body.x);
   }
   searchInteractions();
 }

@@ -79,14 +79,14 @@ class StepGroup {
   /// See BodyMotion::squaredUnbalancedForce().
   double unbalancedForce(const Points& gradient);
 
-  // The tools' way, see ToolSweep.
+  // The tools' way, see ToolPath.
   void placeTools(double s);
   /// A step begins with the tools, and what acts between members, where they are.
   void beginTouches();
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
   /// The tools went on as the tissue could not follow; where they are now may be inside.
-  void doubtSides();
+  void invalidateInsideTools();
   bool candidatesHold() const;
   bool hasFriction() const;
   /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().

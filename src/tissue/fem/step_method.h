@@ -19,9 +19,9 @@ class StepMethod {
  public:
   virtual ~StepMethod() = default;
 
-  /// Goes on by `dt` [s] while the tools go their way (body.sweep, which has begun and searched).
-  /// Writes body.x, body.v and what it did into `out`: status, iterations, residual, tolerance.
-  /// False: it failed, and x and v are where they were.
+  /// Goes on by `dt` [s] while the tools go their way (body.tool_path, which has begun and
+  /// searched). Writes body.x, body.v and what it did into `out`: status, iterations, residual,
+  /// tolerance. False: it failed, and x and v are where they were.
   virtual bool advance(double dt, TissueStep* out) = 0;
   /// After advance(): the contacts at its end and the forces of support and inertia, into `out`.
   virtual void reportForces(TissueStep* out) = 0;

@@ -182,7 +182,7 @@ bool TledMethod::go(Course* course, TissueStep* out) {
     course->late = k < course->steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.
-  if (course->late) body_.touch.sides.doubt();
+  if (course->late) body_.touch.inside_tools.invalidate();
   out->status = jumped_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
   return !jumped_ && std::isfinite(potential_) && body_.x.allFinite();
 }

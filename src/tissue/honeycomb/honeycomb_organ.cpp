@@ -119,7 +119,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
     x_ = x_begin_;
     v_.setZero();
     touch_.contact.forget();
-    touch_.sides.doubt();
+    touch_.inside_tools.invalidate();
     out_.status = std::max(out_.status, solver::SolveStatus::kLineSearchFailed);
     return out_;
   }
@@ -154,21 +154,21 @@ void HoneycombOrgan::add(const CellSolve& solve) {
 // they keep turned inside out do not come back: such a cycle will be rolled back.
 void HoneycombOrgan::solveStages() {
   touch_.place(0.0);
-  touch_.sweep.beginStep(x_);
+  touch_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   const auto solve = [this](int waves) {
     const PhaseTimer timer(&out_.phases, Phase::kLinearSolve);
     for (int search = 0; search < kMaxLatticeSearches; ++search) {
       add(solver_.solve(waves, interrupt_, &state_));
-      if (touch_.sweep.candidatesHold(x_)) break;
-      touch_.sweep.search(x_);
+      if (touch_.tool_path.candidatesHold(x_)) break;
+      touch_.tool_path.search(x_);
     }
   };
   int inside_out = 0;
   for (double s = 0.0; s < 1.0;) {
     const bool late = s > 0.0 && solver::isInterrupted(interrupt_);
-    s = late ? 1.0 : touch_.sweep.next(x_, s, 1.0);
-    if (late) touch_.sides.doubt();
+    s = late ? 1.0 : touch_.tool_path.next(x_, s, 1.0);
+    if (late) touch_.inside_tools.invalidate();
     touch_.place(s);
     ++out_.sweep_stages;
     solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);

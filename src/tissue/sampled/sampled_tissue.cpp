@@ -45,9 +45,9 @@ bool SampledTissue::adapt(double dt) {
 
 // Whether contact did not throw anything.
 bool SampledTissue::subStep(double h, double s) {
-  touch_.sweep.beginStep(x_);
-  touch_.sweep.place(s);
-  if (!touch_.sweep.candidatesHold(x_)) touch_.sweep.search(x_);
+  touch_.tool_path.beginStep(x_);
+  touch_.tool_path.place(s);
+  if (!touch_.tool_path.candidatesHold(x_)) touch_.tool_path.search(x_);
   forces_ = gravity_ * body_.masses.transpose();
   if (touch_.contact.hasCandidates()) {
     on_surface_.setZero();
@@ -87,7 +87,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   rest_.begin(x_);
   before_.clear();
   body_.save(&before_);
-  touch_.sweep.place(0.0);
+  touch_.tool_path.place(0.0);
   out_.tolerance = tolerance_;
   bool coarse = false;
   const int steps = planSteps(dt, &coarse);
@@ -102,7 +102,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     StateReader back(before_.bytes());
     body_.restore(&back);
     body_.v.setZero();
-    touch_.sides.doubt();
+    touch_.inside_tools.invalidate();
     touch_.contact.forget();
     follow();
     out_.recover(Recovery::kRolledBack);
@@ -113,7 +113,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   }
   body_.surface().interpolate(body_.v, &surface_v_);
   if (late) {  // where the tools are now the tissue has not followed them
-    touch_.sides.doubt();
+    touch_.inside_tools.invalidate();
     out_.status = solver::SolveStatus::kDeadline;
   } else {
     touch_.contact.learn(x_, dt);

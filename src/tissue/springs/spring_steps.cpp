@@ -206,7 +206,7 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
     late = k < steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the springs have not followed them.
-  if (late) body_.touch.sides.doubt();
+  if (late) body_.touch.inside_tools.invalidate();
   if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
   gained_ = !plausible();
   if (gained_) {

@@ -4,12 +4,12 @@
 #include <functional>
 #include <vector>
 
+#include "inside_tools.h"
 #include "needles.h"
 #include "palpate/contact/contact_potential.h"
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
-#include "sides.h"
-#include "tool_sweep.h"
+#include "tool_path.h"
 
 namespace palpate::tissue {
 
@@ -29,7 +29,7 @@ class Touch {
         int organ = 0, std::function<double(double r)> excess = {},
         const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0,
         const std::vector<contact::SurfaceSample>& samples = {});
-  Touch(const Touch&) = delete;  // the sweep refers to the contact
+  Touch(const Touch&) = delete;  // the tool path refers to the contact
   Touch& operator=(const Touch&) = delete;
 
   /// Begins a cycle of `dt` [s] with the points at x going with v, 3 x n: which tools can touch,
@@ -58,8 +58,8 @@ class Touch {
   void countInactive(TissueStep* out) const;
 
   contact::ContactPotential contact;
-  ToolSweep sweep;
-  Sides sides;
+  ToolPath tool_path;
+  InsideTools inside_tools;
   Needles needles;
 
  private:

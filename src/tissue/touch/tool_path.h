@@ -9,10 +9,10 @@ namespace palpate::tissue {
 
 /// The obstacles' way through one cycle: which of them can touch, where they are at part s in [0,
 /// 1] of it, and the tissue samples that may meet them.
-class ToolSweep {
+class ToolPath {
  public:
   /// `size`: of the tissue at rest [m]. `skip_far`: leave out obstacles that cannot touch.
-  ToolSweep(contact::ContactPotential* contact, double size, bool skip_far = true)
+  ToolPath(contact::ContactPotential* contact, double size, bool skip_far = true)
       : contact_(*contact), size_(size), skip_far_(skip_far) {}
 
   /// Begins a cycle with the tissue at x, 3 x n [m], of which no node goes farther than about
