@@ -12,7 +12,7 @@ namespace palpate::contact {
 /// A touch is anchored where it began. Its spring, of a stiffness k and along the obstacle's
 /// surface only, has the stretch d, the obstacle's motion included, and the energy
 ///
-///   k d^2 / 2  up to the force L,  then  L (d - L / (2 k)):  the anchor slides along,
+///   k d^2 / 2  up to the force L,  then  L (d - L / (2 k)):  the point slides along,
 ///
 /// which is the return mapping of Coulomb's law [Wriggers 2006, Computational contact
 /// mechanics], once continuously differentiable and convex. L = mu N with the normal force

@@ -13,7 +13,7 @@ namespace palpate::contact {
 enum class Bite : int { kNone, kHeld, kTorn };
 
 /// Where a touch clings to its obstacle: a spring's stretch from there to the sample.
-struct Anchor {
+struct StickPoint {
   int number = 0, sample = 0;  ///< Obstacle::number, Touch::sample.
   double pressing = 0.0;       ///< The normal force where the step ended [N],
   double rise = 0.0;           ///< and how it rose in the step [N].
@@ -21,31 +21,31 @@ struct Anchor {
   Bite bite = Bite::kNone;
   Vec3 stretch_G = Vec3::Zero();  ///< In the obstacle's frame [m].
 
-  bool before(const Anchor& other) const {
+  bool before(const StickPoint& other) const {
     return number != other.number ? number < other.number : sample < other.sample;
   }
 };
 
-/// The anchors of all touches where a step ended, sorted.
-class Anchors {
+/// The points of all touches where a step ended, sorted.
+class StickPoints {
  public:
   /// Null: it did not touch.
-  const Anchor* find(const Touch& touch) const;
+  const StickPoint* find(const Touch& touch) const;
   /// Whether teeth hold one of the samples [first, last] of an obstacle.
   bool hold(int number, int first, int last) const;
-  bool empty() const { return anchors_.empty(); }
+  bool empty() const { return points_.empty(); }
 
   /// Takes the place of those before.
-  void take(const std::vector<Anchor>& anchors);
-  void clear() { anchors_.clear(); }
+  void take(const std::vector<StickPoint>& points);
+  void clear() { points_.clear(); }
   /// Takes over those of another surface, `now(i)` being sample i in this one, or -1.
-  void goOnFrom(const Anchors& old, const std::function<int(int)>& now);
+  void goOnFrom(const StickPoints& old, const std::function<int(int)>& now);
   void save(StateWriter* to) const;
-  /// @throws std::invalid_argument as StateReader does; the anchors are then as they were.
+  /// @throws std::invalid_argument as StateReader does; the points are then as they were.
   void restore(StateReader* from);
 
  private:
-  std::vector<Anchor> anchors_;
+  std::vector<StickPoint> points_;
 };
 
 }  // namespace palpate::contact
