@@ -20,17 +20,17 @@ class Multipliers {
   double largest() const { return largest_; }
 
   /// What a touch asks for.
-  struct Wish {
-    double pressure;   ///< That there be [Pa];
-    double weight;     ///< its stiffness [N/m], as much as which it counts.
-    double inertia;    ///< Half of (weight / (weight + inertia))^2 of a change is taken over [N/m],
-    double growing;    ///< and if it is a growth that part of this;
-    double forgotten;  ///< and that part of the sum is lost.
+  struct MultiplierTarget {
+    double pressure;  ///< That there be [Pa];
+    double weight;    ///< its stiffness [N/m], as much as which it counts.
+    double inertia;   ///< Half of (weight / (weight + inertia))^2 of a change is taken over [N/m],
+    double growth_fraction;  ///< and if it is a growth that part of this;
+    double decay_fraction;   ///< and that part of the sum is lost.
   };
-  using WishOf = std::function<Wish(const Touch&)>;
+  using TargetOf = std::function<MultiplierTarget(const Touch&)>;
   /// Changes each node by the mean of what the touches around it ask for, not below zero; nodes
   /// that no touch is near to are zero again.
-  void change(const std::vector<Touch>& touches, const WishOf& wish);
+  void change(const std::vector<Touch>& touches, const TargetOf& target);
 
   void clear();
   /// Takes over those of another surface, `now` saying where its nodes are on this one.
@@ -51,7 +51,7 @@ class Multipliers {
     Node at;
     std::size_t order;
     double weight;  // of which the others are multiples
-    double change, inertia, growing, forgotten;
+    double change, inertia, growth_fraction, decay_fraction;
     void operator+=(const Share& other);
   };
   struct Triangle {
@@ -61,7 +61,7 @@ class Multipliers {
     Vec3 pressures;  // of its nodes [Pa]
   };
   double atNode(int number, int node) const;
-  void gather(const std::vector<Touch>& touches, const WishOf& wish);
+  void gather(const std::vector<Touch>& touches, const TargetOf& target);
   void put(std::vector<Node>* nodes);
 
   std::vector<Node> nodes_, next_;
