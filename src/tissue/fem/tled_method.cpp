@@ -8,16 +8,16 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr int kMaxCaution = 2;
+constexpr int kMaxRefinement = 2;
 // In a cycle: more would cost more than implicit steps do.
 constexpr double kMaxSubSteps = 2000.0;
 // Contact labours where its updates take more iterations than this in a cycle, and so many in each
 // of its sub-steps.
-constexpr int kFewTouchIterations = 200, kTouchIterations = 10;
+constexpr int kMinContactIterations = 200, kContactIterationsPerSubStep = 10;
 // Times the sub-steps that stability asks for at rest.
-constexpr double kMostSqueezed = 20.0;
+constexpr double kMaxSubStepRatio = 20.0;
 // Times the energy that is known to have come in: beyond it, the scheme made it.
-constexpr double kEnergyGain = 4.0;
+constexpr double kMaxEnergyRatio = 4.0;
 
 }  // namespace
 
@@ -33,9 +33,9 @@ TledMethod::TledMethod(FemBody* body)
 }
 
 void TledMethod::restart() {
-  caution_ = 1;
+  refinement_ = 1;
   overran_ = !(body_.elasticity->minJacobian(body_.x) > 0.0);
-  account_ = Account();
+  budget_ = EnergyBudget();
   touch_.clear();
   contact_g_.setZero();
   inertia_.setZero();
@@ -44,7 +44,7 @@ void TledMethod::restart() {
 }
 
 void TledMethod::stop() {
-  account_ = Account();
+  budget_ = EnergyBudget();
   held_velocity_.setZero();
   contact_g_.setZero();
   inertia_.setZero();
@@ -53,10 +53,10 @@ void TledMethod::stop() {
 void TledMethod::save(StateWriter* out) const {
   for (const Points* p : {&g_, &contact_g_, &inertia_}) out->put(*p);
   out->put(potential_);
-  out->put(caution_);
+  out->put(refinement_);
   out->put(overran_);
-  for (double d : {account_.kinetic, account_.potential, account_.least_potential, account_.work,
-                   account_.cycles}) {
+  for (double d : {budget_.kinetic, budget_.potential, budget_.least_potential, budget_.work,
+                   budget_.cycles}) {
     out->put(d);
   }
   critical_.save(out);
@@ -67,10 +67,10 @@ void TledMethod::restore(StateReader* in) {
   touch_.clear();
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
-  in->get(&caution_);
+  in->get(&refinement_);
   in->get(&overran_);
-  for (double* d : {&account_.kinetic, &account_.potential, &account_.least_potential,
-                    &account_.work, &account_.cycles}) {
+  for (double* d : {&budget_.kinetic, &budget_.potential, &budget_.least_potential, &budget_.work,
+                    &budget_.cycles}) {
     in->get(d);
   }
   critical_.restore(in);
@@ -93,7 +93,7 @@ int TledMethod::subSteps(double dt, TissueStep* out) {
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
   const double steps = std::max({1.0, stable, touch_.steps()});
-  if (critical_.squeezed() > kMostSqueezed) return 0;
+  if (critical_.squeezed() > kMaxSubStepRatio) return 0;
   return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
 }
 
@@ -114,8 +114,9 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   StateWriter touched;
   body_.contact.save(&touched);
-  for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
-    if (run(dt, caution_ * steps, out)) return true;
+  for (refinement_ = std::max(1, refinement_ / 2); refinement_ <= kMaxRefinement;
+       refinement_ *= 2) {
+    if (run(dt, refinement_ * steps, out)) return true;
     const bool late = solver::isInterrupted(body_.interrupt);
     body_.x = x_begin_;
     body_.v = v_begin_;
@@ -125,78 +126,80 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.elasticity->restoreViscousState(viscous.get());
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
-    if (late || labours_ || overran_) return false;
-    if (gained_ && account_.isOpen()) return false;  // over more cycles than are taken back
+    if (late || contact_slow_ || overran_) return false;
+    if (energy_grew_ && budget_.isOpen()) return false;  // over more cycles than are taken back
   }
-  caution_ = kMaxCaution;
+  refinement_ = kMaxRefinement;
   return false;
 }
 
-// All sub-steps of a cycle, and its account of energy.
+// All sub-steps of a cycle, and its budget of energy.
 bool TledMethod::run(double dt, int steps, TissueStep* out) {
-  Course course{dt / steps, steps};
-  Account account = account_;
-  if (!account.isOpen()) account = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
-  work_ = account.work;
-  out->time_steps = caution_;
+  SubSteps sub_steps{dt / steps, steps};
+  EnergyBudget budget = budget_;
+  if (!budget.isOpen()) budget = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
+  work_ = budget.work;
+  out->time_steps = refinement_;
   out->sweep_stages = steps;
-  if (!go(&course, out) || !end(&course, out)) return false;
-  account.least_potential = std::min(account.least_potential, potential_);
-  gained_ = !plausible(account);
-  if (gained_) return false;
-  if (course.touched) body_.min_jacobian = course.least_jacobian;
-  account_ = account;
-  account_.work = work_;
-  account_.cycles = course.late ? account.cycles + course.taken / static_cast<double>(steps) : 1.0;
-  const double h = course.h;
+  if (!runSubSteps(&sub_steps, out) || !finishCycle(&sub_steps, out)) return false;
+  budget.least_potential = std::min(budget.least_potential, potential_);
+  energy_grew_ = !plausible(budget);
+  if (energy_grew_) return false;
+  if (sub_steps.touched) body_.min_jacobian = sub_steps.least_jacobian;
+  budget_ = budget;
+  budget_.work = work_;
+  budget_.cycles =
+      sub_steps.late ? budget.cycles + sub_steps.taken / static_cast<double>(steps) : 1.0;
+  const double h = sub_steps.h;
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
   out->residual = touch_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.status(out->tolerance, course.late);
+  out->status = touch_.status(out->tolerance, sub_steps.late);
   return true;
 }
 
 // Sub-steps, up to where the cycle is cut, or false where they fail.
-bool TledMethod::go(Course* course, TissueStep* out) {
-  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
+bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
+  const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
-  jumped_ = labours_ = gained_ = overran_ = false;
+  tunnelled_ = contact_slow_ = energy_grew_ = overran_ = false;
   int touch_iterations = 0;
   touch_.begin();
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  for (int k = 1; k <= course->steps && !course->late; ++k) {
+  for (int k = 1; k <= sub_steps->steps && !sub_steps->late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
-    subStep(h, k / static_cast<double>(course->steps), out);
-    if (jumped_ || !std::isfinite(potential_)) break;
-    course->taken = k;
-    course->touched = course->touched || !touch_.nodes().empty();
+    subStep(h, k / static_cast<double>(sub_steps->steps), out);
+    if (tunnelled_ || !std::isfinite(potential_)) break;
+    sub_steps->taken = k;
+    sub_steps->touched = sub_steps->touched || !touch_.nodes().empty();
     touch_iterations += touch_.iterations();
-    labours_ = touch_iterations > kFewTouchIterations + kTouchIterations * k;
-    if (labours_) {
+    contact_slow_ = touch_iterations > kMinContactIterations + kContactIterationsPerSubStep * k;
+    if (contact_slow_) {
       out->status = solver::SolveStatus::kIterationLimit;
       return false;
     }
-    course->late = k < course->steps && solver::isInterrupted(body_.interrupt);
+    sub_steps->late = k < sub_steps->steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.
-  if (course->late) body_.touch.inside_tools.invalidate();
-  out->status = jumped_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
-  return !jumped_ && std::isfinite(potential_) && body_.x.allFinite();
+  if (sub_steps->late) body_.touch.inside_tools.invalidate();
+  out->status =
+      tunnelled_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
+  return !tunnelled_ && std::isfinite(potential_) && body_.x.allFinite();
 }
 
 // Velocities at the end of a cycle. False where it leaves a tool deep in tissue, or tissue
 // inverted, and was not cut: then the next one begins with implicit steps.
-bool TledMethod::end(Course* course, TissueStep* out) {
-  if (course->touched) course->least_jacobian = body_.elasticity->minJacobian(body_.x);
-  overran_ = (course->touched && touch_.limited()) || !(course->least_jacobian > 0.0);
-  if (overran_ && !course->late) {
+bool TledMethod::finishCycle(SubSteps* sub_steps, TissueStep* out) {
+  if (sub_steps->touched) sub_steps->least_jacobian = body_.elasticity->minJacobian(body_.x);
+  overran_ = (sub_steps->touched && touch_.limited()) || !(sub_steps->least_jacobian > 0.0);
+  if (overran_ && !sub_steps->late) {
     out->status = solver::SolveStatus::kLineSearchFailed;
     return false;
   }
-  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
+  const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
   contact_g_ = touch_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   return body_.v.allFinite();
@@ -246,8 +249,8 @@ void TledMethod::addHeldInertia(double h) {
 
 // From the way `next` to the next positions, with what the tools change of it.
 bool TledMethod::touch(double h, double s) {
-  jumped_ = !touch_.go(s, coefficients_, &next_);
-  if (jumped_) return false;
+  tunnelled_ = !touch_.go(s, coefficients_, &next_);
+  if (tunnelled_) return false;
   for (int i : touch_.nodes()) {
     const Vec3 way = next_.col(i) - body_.x.col(i);
     u_.col(i) = way / h;
@@ -259,15 +262,15 @@ bool TledMethod::touch(double h, double s) {
 // Motion has come from motion, from what potential energy was let go, or from the tools. In a cut
 // cycle potential energy that came from nowhere has no time to become motion; over several of them
 // it counts as well.
-bool TledMethod::plausible(const Account& since) const {
+bool TledMethod::plausible(const EnergyBudget& since) const {
   const double released = std::max(0.0, since.potential - potential_);
   const double noise = 1e-3 * body_.force_floor * touch_.elementSize();
   const double kinetic = kineticEnergy();
-  if (kinetic > kEnergyGain * (since.kinetic + released + work_ + noise)) return false;
+  if (kinetic > kMaxEnergyRatio * (since.kinetic + released + work_ + noise)) return false;
   if (since.cycles == 0.0) return true;
   const double given = since.kinetic + (since.potential - since.least_potential) + work_ + noise;
   const double gained = kinetic + potential_ - since.kinetic - since.potential;
-  return gained <= kEnergyGain * given;
+  return gained <= kMaxEnergyRatio * given;
 }
 
 double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(body_.free).norm(); }

@@ -45,7 +45,7 @@ class TledMethod final : public StepMethod {
  private:
   // Of energy [J], since a cycle began; of cycles that are cut, over as many as make up a whole
   // one.
-  struct Account {
+  struct EnergyBudget {
     double kinetic = 0.0, potential = 0.0;  // as it began
     double least_potential = 0.0;           // at the ends of its cycles
     double work = 0.0;                      // sum of the moduli of the contact's
@@ -53,7 +53,7 @@ class TledMethod final : public StepMethod {
     bool isOpen() const { return cycles < 1.0; }
   };
   // The sub-steps of a cycle.
-  struct Course {
+  struct SubSteps {
     double h;  // [s]
     int steps;
     int taken = 0;
@@ -63,14 +63,14 @@ class TledMethod final : public StepMethod {
 
   int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
-  bool go(Course* course, TissueStep* out);
-  bool end(Course* course, TissueStep* out);
+  bool runSubSteps(SubSteps* sub_steps, TissueStep* out);
+  bool finishCycle(SubSteps* sub_steps, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
   void moveHeld(double h, double s);
   void addHeldInertia(double h);
   bool touch(double h, double s);
   void forces(double h);
-  bool plausible(const Account& since) const;
+  bool plausible(const EnergyBudget& since) const;
   double kineticEnergy() const;
 
   FemBody& body_;
@@ -87,13 +87,13 @@ class TledMethod final : public StepMethod {
   Points held_way_, held_velocity_, held_before_;  // of a sub-step and the one before
   Points x_begin_, v_begin_, g_begin_;
   Eigen::VectorXd coefficients_;
-  Account account_;       // to which the next cycle is added while it is open
-  double work_ = 0.0;     // of the account, up to now [J]
-  bool gained_ = false;   // energy that nothing brought
-  bool jumped_ = false;   // tissue would have gone through a tool
-  bool labours_ = false;  // contact takes many iterations in most sub-steps
-  bool overran_ = false;  // a tool left tissue deep in it, or inverted
-  int caution_ = 1;       // times as many sub-steps as the critical one needs
+  EnergyBudget budget_;        // to which the next cycle is added while it is open
+  double work_ = 0.0;          // of the budget, up to now [J]
+  bool energy_grew_ = false;   // energy that nothing brought
+  bool tunnelled_ = false;     // tissue would have gone through a tool
+  bool contact_slow_ = false;  // contact takes many iterations in most sub-steps
+  bool overran_ = false;       // a tool left tissue deep in it, or inverted
+  int refinement_ = 1;         // times as many sub-steps as the critical one needs
 };
 
 }  // namespace palpate::tissue
