@@ -9,13 +9,13 @@ namespace palpate::tissue {
 namespace {
 
 // Of the least det F: what a change of the mesh must leave.
-constexpr double kKeptVolume = 0.5;
+constexpr double kMinKeptJacobianRatio = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
-constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
+constexpr double kMinRestJacobian = 0.1, kMinRestJacobianRatio = 0.5;
 // Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
-constexpr double kLittle = 1e-4;
+constexpr double kMinProgressRatio = 1e-4;
 // Of det F, or of one: what is more, over some cycles, leads on.
-constexpr double kHeadway = 0.01;
+constexpr double kMinJacobianGain = 0.01;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -52,7 +52,7 @@ bool FemOrgan::canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) 
   const Points x = change.interpolate(old.body_.x);
   const double before = old.body_.elasticity->minJacobian(old.body_.x);
   const double now = body_.elasticity->minJacobian(x);
-  return now >= (before > 0.0 ? kKeptVolume * before : before) &&
+  return now >= (before > 0.0 ? kMinKeptJacobianRatio * before : before) &&
          std::isfinite(body_.elasticity->energy(x));
 }
 
@@ -245,7 +245,8 @@ bool FemOrgan::cameToRest() {
 // points see nothing.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
-  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+  return now < kMinRestJacobian &&
+         now < kMinRestJacobianRatio * body_.elasticity->minJacobianWithin(settled_);
 }
 
 // In this cycle, but for what its supports have moved all of it.
@@ -256,12 +257,12 @@ double FemOrgan::wayOfShape() const {
 // Inside out it hardly moves, and yet does not come to rest, nor nearer to being turned back.
 bool FemOrgan::isStuck(const TissueStep& cycle) {
   if (cycle.status == solver::SolveStatus::kDeadline || cycle.newton_iterations == 0) return false;
-  if (wayOfShape() > kLittle * body_.size) return false;
+  if (wayOfShape() > kMinProgressRatio * body_.size) return false;
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   if (now > 0.0) return false;
   if (stuck_at_ == kNotStuck) {
     stuck_at_ = now;
-  } else if (now > stuck_at_ + kHeadway * std::max(1.0, -stuck_at_)) {
+  } else if (now > stuck_at_ + kMinJacobianGain * std::max(1.0, -stuck_at_)) {
     stuck_at_ = now;
     backoff_.solved();
   }

@@ -11,11 +11,11 @@ namespace palpate::tissue {
 namespace {
 
 // So many times beyond the tolerance of the forces that there are, a solution is none.
-constexpr double kGone = 10.0;
+constexpr double kStaleToleranceFactor = 10.0;
 // Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
 // step or two.
-constexpr double kWorthFollowing = 100.0;
-constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
+constexpr double kMinFollowRatio = 100.0;
+constexpr double kFollowLinearTolerance = 0.01;  // of the linear solve: better does not pay
 
 }  // namespace
 
@@ -153,7 +153,7 @@ void ImplicitSteps::solveStages(double begin, double end) {
     const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
       const bool content = settled();
-      if (content && !outlivesForces(solved.residual)) break;
+      if (content && !toleranceIsStale(solved.residual)) break;
       if (budget_.left() <= 0) {  // it keeps the contact that x was solved for
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
@@ -183,11 +183,12 @@ bool ImplicitSteps::followTools(double from, double to, const Points& x, bool in
     if (!touching || !in_time) return false;
     value = potential.gradient(bodies_.x(), &gradient_there_);
     const double residual = solver::freeNorm(gradient_there_, potential.free);
-    if (residual <= kWorthFollowing * out_->tolerance) return false;
+    if (residual <= kMinFollowRatio * out_->tolerance) return false;
     bodies_.placeTools(from);
   }
   solver::NewtonReport step;
-  const bool found = minimizer_->tangentStep(potential, x, push_, kFollowTolerance, &way_, &step);
+  const bool found =
+      minimizer_->tangentStep(potential, x, push_, kFollowLinearTolerance, &way_, &step);
   add(step);
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   bodies_.placeTools(to);
@@ -222,11 +223,12 @@ bool ImplicitSteps::settled() {
 
 // Whether this much out of balance is within the tolerance only because that is a part of forces
 // that are gone, with a tool that leapt away: it is of those that there are from now on.
-bool ImplicitSteps::outlivesForces(double residual) {
-  if (residual <= kGone * bodies_.leastTolerance()) return false;  // no forces need be summed
+bool ImplicitSteps::toleranceIsStale(double residual) {
+  if (residual <= kStaleToleranceFactor * bodies_.leastTolerance())
+    return false;  // no forces need be summed
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   const double here = bodies_.toleranceHere(minimizer_->gradient());
-  if (residual <= kGone * here || here >= out_->tolerance) return false;
+  if (residual <= kStaleToleranceFactor * here || here >= out_->tolerance) return false;
   out_->tolerance = here;
   return true;
 }

@@ -50,7 +50,7 @@ class ImplicitSteps {
   void solveStages(double begin, double end);
   bool settled();
   void settle();
-  bool outlivesForces(double residual);
+  bool toleranceIsStale(double residual);
   bool startGuarding();
   bool followTools(double from, double to, const Points& x, bool in_time);
   void add(const solver::NewtonReport& report);
