@@ -26,16 +26,16 @@ void ContactPotential::beginStep(const Points& x) {
   response_->beginStep(touches_);
 }
 
-bool ContactPotential::settled(const Points& x) {
+bool ContactPotential::augmentationConverged(const Points& x) {
   if (!response_->remembers()) return true;
   gather(x);  // what is held as well: it does not yield, and rubs
-  return response_->settled(touches_);
+  return response_->augmentationConverged(touches_);
 }
 
-void ContactPotential::settle(const Points& x) {
+void ContactPotential::augment(const Points& x) {
   if (!response_->remembers()) return;
   gather(x);
-  response_->settle(touches_);
+  response_->augment(touches_);
 }
 
 void ContactPotential::learn(const Points& x, double h) {

@@ -64,8 +64,10 @@ class FrictionResponse final : public Response {
     if (normal_->remembers()) normal_->endStep(touches);
     states_.end(touches);
   }
-  bool settled(const std::vector<Touch>& touches) override { return states_.settled(touches); }
-  void settle(const std::vector<Touch>& touches) override { states_.settle(touches); }
+  bool augmentationConverged(const std::vector<Touch>& touches) override {
+    return states_.augmentationConverged(touches);
+  }
+  void augment(const std::vector<Touch>& touches) override { states_.augment(touches); }
   void learn(const std::vector<Touch>& touches) override {
     if (normal_->remembers()) normal_->learn(touches);
   }

@@ -43,8 +43,8 @@ class FrictionStates {
   // As those of Response.
   void begin(const std::vector<Touch>& touches);
   void end(const std::vector<Touch>& touches);
-  bool settled(const std::vector<Touch>& touches) { return !review(touches, false); }
-  void settle(const std::vector<Touch>& touches) { review(touches, true); }
+  bool augmentationConverged(const std::vector<Touch>& touches) { return !review(touches, false); }
+  void augment(const std::vector<Touch>& touches) { review(touches, true); }
   void confine(const std::vector<Touch>& touches);
   void goOnFrom(const FrictionStates& old, const std::function<int(int)>& now);
   void forget();

@@ -14,8 +14,8 @@ bool reachesAll(const fem::BlockMatrix& K, int i, const int* begin, const int* e
 
 // Of the nodes that are free and reach far enough, the one with the shortest row: in a body of one
 // solid, rows of B are as long as that of their node, and all find one.
-void PressurePlaces::settle(const fem::BlockMatrix& K,
-                            const fem::VolumeStiffness::Pattern& pattern) {
+void PressurePlaces::assignPositions(const fem::BlockMatrix& K,
+                                     const fem::VolumeStiffness::Pattern& pattern) {
   const auto length = [&](int i) { return K.rowEnd(i) - K.rowBegin(i); };
   for (int p = 0; p < count(); ++p) {
     const int* begin = pattern.node.data() + pattern.start[p];
@@ -41,7 +41,7 @@ PressurePlaces::PressurePlaces(const fem::BlockMatrix& K,
     : node_slices_(nodes.numSlices()),
       position_(pattern.start.size() - 1),
       at_home_(static_cast<std::size_t>(nodes.count()), -1) {
-  settle(K, pattern);
+  assignPositions(K, pattern);
   for (int i = 0; i < nodes.count(); ++i) {
     if (at_home_[i] >= 0) position_[at_home_[i]] = nodes.position(i);
   }

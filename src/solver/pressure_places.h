@@ -29,7 +29,7 @@ class PressurePlaces {
   int othersBegin() const { return node_slices_; }
 
  private:
-  void settle(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
+  void assignPositions(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
 
   int node_slices_ = 0;
   std::vector<int> position_, at_home_, numbers_;

@@ -229,16 +229,16 @@ TEST_P(AdaptiveTissue, GoesBackToItsEquilibriumUnderGravity) {
   AdaptiveSlab slab = slabFor();
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   const auto first = slab.make(), other = slab.make();
-  const Points settled = first->positions();
-  ASSERT_GT((settled - first->cells(0).points).cwiseAbs().maxCoeff(), 1e-5);
+  const Points equilibrium = first->positions();
+  ASSERT_GT((equilibrium - first->cells(0).points).cwiseAbs().maxCoeff(), 1e-5);
   Ball ball(Vec3(0.05, 0.05, 0.052));
   for (int k = 0; k < 10; ++k) first->step(ball.to(Vec3(0.05, 0.05, 0.05)), kStep);
-  ASSERT_GT(first->positions().cols(), settled.cols());
+  ASSERT_GT(first->positions().cols(), equilibrium.cols());
   other->restore(first->state());
   for (int k = 0; k < 20; ++k) other->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);
-  ASSERT_EQ(other->positions().cols(), settled.cols());
+  ASSERT_EQ(other->positions().cols(), equilibrium.cols());
   other->reset();
-  EXPECT_EQ(other->positions(), settled);
+  EXPECT_EQ(other->positions(), equilibrium);
 }
 
 // Refined and joined hundreds of times by a hand that does what it likes, and let go: nothing is

@@ -31,7 +31,7 @@ TEST_P(MeshAdaptationOf, IsPreparedByTheTimeThatItIsTaken) {
   MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> coarse = next.make();
   next.setCoarse(coarse.get());
-  coarse->settle();
+  coarse->findEquilibrium();
 
   const auto goOn = [&](const FemOrgan& old, const Vec3& tool, FemOrgan* on_coarse) {
     ToolDistance tools(1e-4, 0.01);
@@ -59,8 +59,8 @@ TEST_P(MeshAdaptationOf, IsPreparedTheSameWhateverTheBodyTouched) {
   slab.settings.method = GetParam();
   MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> touched = next.make(), other = next.make();
-  touched->settle();
-  other->settle();
+  touched->findEquilibrium();
+  other->findEquilibrium();
   const Vec3 above(0.05, 0.05, 0.0505);
   Ball ball(above), later(above);
   for (int k = 1; k < 4; ++k) {
@@ -86,7 +86,7 @@ class RefinedOrgan : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Elements, RefinedOrgan, ::testing::Values("tet4", "tet10"),
                          [](const auto& element) { return std::string(element.param); });
 
-TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
+TEST_P(RefinedOrgan, ResetsToTheEquilibriumOfTheCoarseOne) {
   const bool quadratic = std::string(GetParam()) == "tet10";
   AdaptiveSlab slab(GetParam(), quadratic ? Eigen::Vector3i(2, 2, 1) : Eigen::Vector3i(4, 4, 2));
   slab.adapt.finest = quadratic ? 0.025 : 0.015;
@@ -99,7 +99,7 @@ TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
   MeshAdaptation next(slab.mesh, slab.composition, slab.free, slab.settings, slab.adapt, nullptr);
   const std::unique_ptr<FemOrgan> coarse = next.make();
   next.setCoarse(coarse.get());
-  coarse->settle();
+  coarse->findEquilibrium();
   ToolDistance tools(1e-4, 0.01);
   Ball ball(Vec3(0.05, 0.05, 0.05));
   tools.look({ball.to(Vec3(0.05, 0.05, 0.05))}, 0.0, coarse->body().x, 0.0);
@@ -107,14 +107,14 @@ TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
   const std::unique_ptr<FemOrgan> fine = std::move(next.take().organ);
   ASSERT_NE(fine, nullptr);
   const Points& X = fine->body().mesh.points;
-  const double sag = (coarse->settledAt() - coarse->body().mesh.points).cwiseAbs().maxCoeff();
+  const double sag = (coarse->equilibrium() - coarse->body().mesh.points).cwiseAbs().maxCoeff();
   EXPECT_GT(sag, 5e-4);
-  EXPECT_NEAR((fine->settledAt() - X).cwiseAbs().maxCoeff(), sag, 1e-12);
+  EXPECT_NEAR((fine->equilibrium() - X).cwiseAbs().maxCoeff(), sag, 1e-12);
   // As the coarse one has it there, by the shape functions of its elements.
   const FemBody &of_coarse = coarse->body(), &of_fine = fine->body();
-  EXPECT_NEAR(of_fine.elasticity->energy(fine->settledAt()),
-              of_coarse.elasticity->energy(coarse->settledAt()),
-              1e-2 * of_coarse.elasticity->energy(coarse->settledAt()));
+  EXPECT_NEAR(of_fine.elasticity->energy(fine->equilibrium()),
+              of_coarse.elasticity->energy(coarse->equilibrium()),
+              1e-2 * of_coarse.elasticity->energy(coarse->equilibrium()));
 
   Points x = X;
   x.row(2) *= -1.0;  // through the plane that holds it
@@ -125,14 +125,14 @@ TEST_P(RefinedOrgan, IsPutBackToWhereTheCoarseOneWasSettled) {
     fine->goAlone(kStep);
   } while (fine->report().recovery != static_cast<int>(Recovery::kPutBack) && ++k < 2000);
   EXPECT_LT(k, 2000);
-  EXPECT_EQ(fine->body().x, fine->settledAt());
+  EXPECT_EQ(fine->body().x, fine->equilibrium());
   for (k = 0; !fine->report().slept && k < 2000; ++k) {
     fine->begin({}, kStep);
     fine->goAlone(kStep);
   }
   EXPECT_TRUE(fine->report().slept);
   const Points& rest = fine->body().x;
-  EXPECT_LT((rest - fine->settledAt()).norm(), 0.25 * (rest - X).norm());
+  EXPECT_LT((rest - fine->equilibrium()).norm(), 0.25 * (rest - X).norm());
 }
 
 // While a helper makes the next mesh, or prepares the coarse one.

@@ -120,10 +120,10 @@ class ContactPotential final : public fem::EnergyTerm {
 
   /// A step begins at x, where the placed obstacles' ways begin.
   void beginStep(const Points& x);
-  /// Whether the response is content with x, a solution within the step; if not, settle() and solve
-  /// again.
-  bool settled(const Points& x);
-  void settle(const Points& x);
+  /// Whether the response is content with x, a solution within the step; if not, augment() and
+  /// solve again.
+  bool augmentationConverged(const Points& x);
+  void augment(const Points& x);
   /// The step, of `h` [s], has ended with a solution at x, from which the response learns for the
   /// next one.
   void learn(const Points& x, double h);

@@ -60,9 +60,9 @@ class Response {
   virtual void beginStep(const std::vector<Touch>& /*touches*/) {}
   virtual void endStep(const std::vector<Touch>& /*touches*/) {}
   /// Whether these touches, at a solution within the step, are what they are to be in the end.
-  virtual bool settled(const std::vector<Touch>& /*touches*/) { return true; }
+  virtual bool augmentationConverged(const std::vector<Touch>& /*touches*/) { return true; }
   /// Changes what is not; the solution is then another one, nearer to that.
-  virtual void settle(const std::vector<Touch>& /*touches*/) {}
+  virtual void augment(const std::vector<Touch>& /*touches*/) {}
   /// Learns from the touches with which a step has ended, for the next one.
   virtual void learn(const std::vector<Touch>& /*touches*/) {}
   /// How another surface's places are found on this one.

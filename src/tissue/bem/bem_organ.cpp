@@ -155,9 +155,9 @@ void BemOrgan::solveStages() {
     out_.status = solveStage((s < 1.0 ? kStageTolerance : 1.0) * 0.5 * out_.tolerance).status;
     if (!solver::usable(out_.status) || out_.status == solver::SolveStatus::kDeadline) return;
   }
-  const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
-  for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
-    touch_.contact.settle(x_);
+  const int most = touch_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
+  for (int k = 0; k < most && out_.ok() && !touch_.contact.augmentationConverged(x_); ++k) {
+    touch_.contact.augment(x_);
     out_.status = solveStage(0.5 * out_.tolerance).status;
   }
 }

@@ -42,7 +42,7 @@ class EnrichedOrgan final : public OrganBodies {
   FineSurface fine_;
   LearnedDetail learned_;
   double time_, still_;  // [s]; a change of detail that is none [m]
-  Points settled_;       // of the body's nodes
+  Points equilibrium_;   // of the body's nodes
   Eigen::Matrix3Xi triangles_;
   Points detail_, rate_;              // of the fine points [m], [m/s]
   Points target_, u_, offsets_, on_;  // room to work in

@@ -22,7 +22,7 @@ class AdaptiveTissue final : public OrganBodies {
         tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
         adaptation_(mesh, composition, surroundings, settings, adapt, pool) {
     coarse_ = adaptation_.make();
-    coarse_->settle();
+    coarse_->findEquilibrium();
     adaptation_.setCoarse(coarse_.get());
     notes_ = coarse_->notes();
     adaptation_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept

@@ -11,7 +11,7 @@ constexpr double kMaxLeapSteps = 256.0;
 // Contact moves no node farther in a step than this part of an element.
 constexpr double kContactWay = 0.5;
 // Answers in a step that friction asks for after the first.
-constexpr int kMaxExplicitSettlings = 6;
+constexpr int kMaxExplicitAugmentations = 6;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ double ExplicitTouch::steps() const {
 void ExplicitTouch::begin() {
   update_.clear();
   limited_ = false;
-  settled_ = true;
+  friction_converged_ = true;
   part_ = 0.0;
   body_.tool_path.place(0.0);
 }
@@ -46,7 +46,7 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
   tool_way_ = (s - part_) * body_.tool_path.longestWay();
   part_ = s;
   limited_ = false;
-  settled_ = true;
+  friction_converged_ = true;
   if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
   *next += body_.x;
   if (!body_.tool_path.candidatesHold(*next)) body_.tool_path.search(*next);
@@ -70,9 +70,11 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
   update_.apply(coefficients, tolerance, next);
   iterations_ = update_.iterations();
   for (int k = 0; rubs && update_.residual() <= tolerance; ++k) {
-    settled_ = body_.contact.settled(*next);
-    if (settled_ || k == kMaxExplicitSettlings || solver::isInterrupted(body_.interrupt)) return;
-    body_.contact.settle(*next);
+    friction_converged_ = body_.contact.augmentationConverged(*next);
+    if (friction_converged_ || k == kMaxExplicitAugmentations ||
+        solver::isInterrupted(body_.interrupt))
+      return;
+    body_.contact.augment(*next);
     *next = untouched_;
     update_.apply(coefficients, tolerance, next);
     iterations_ = std::max(iterations_, update_.iterations());
@@ -81,12 +83,12 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
 
 // Asked to end amid its last answer, it has all sub-steps behind it.
 solver::SolveStatus ExplicitTouch::status(double tolerance, bool late) const {
-  if (late || (!settled_ && solver::isInterrupted(body_.interrupt))) {
+  if (late || (!friction_converged_ && solver::isInterrupted(body_.interrupt))) {
     return solver::SolveStatus::kDeadline;
   }
   if (limited_) return solver::SolveStatus::kLineSearchFailed;
-  return settled_ && residual() <= tolerance ? solver::SolveStatus::kConverged
-                                             : solver::SolveStatus::kIterationLimit;
+  return friction_converged_ && residual() <= tolerance ? solver::SolveStatus::kConverged
+                                                        : solver::SolveStatus::kIterationLimit;
 }
 
 }  // namespace palpate::tissue

@@ -55,7 +55,7 @@ class ExplicitTouch {
   Points untouched_;  // where friction may ask for another answer
   int iterations_ = 0;
   bool limited_ = false;                // it held nodes back that would have gone too far at once
-  bool settled_ = true;                 // it found friction within Coulomb's law
+  bool friction_converged_ = true;      // it found friction within Coulomb's law
   double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
 };
 

@@ -228,9 +228,9 @@ void FemBody::restore(StateReader* in) {
   guard.setActive(guarded);
 }
 
-Points settleUnderLoads(FemBody* body) {
-  Points settled = body->mesh.points;
-  if (body->settings.gravity.isZero() && !body->surroundings.actsAtRest()) return settled;
+Points equilibriumUnderLoads(FemBody* body) {
+  Points equilibrium = body->mesh.points;
+  if (body->settings.gravity.isZero() && !body->surroundings.actsAtRest()) return equilibrium;
   const std::string motions =
       fem::freeRigidMotions(body->mesh.points, body->free, body->surroundings.heldDirections());
   if (!motions.empty()) {
@@ -249,10 +249,10 @@ Points settleUnderLoads(FemBody* body) {
         body->surroundings.setFactor(s);
         return body->mesh.points;
       },
-      static_settings, &settled);
+      static_settings, &equilibrium);
   body->gravity.setFactor(1.0);
   body->surroundings.setFactor(1.0);
-  const bool turned_over = body->elasticity->minJacobian(settled) <= 0.0;
+  const bool turned_over = body->elasticity->minJacobian(equilibrium) <= 0.0;
   if (report.status != solver::SolveStatus::kConverged || turned_over) {
     const bool presses = body->surroundings.actsAtRest();
     throw std::runtime_error(
@@ -262,7 +262,7 @@ Points settleUnderLoads(FemBody* body) {
         (presses ? " of both; is it too soft, or the pressure too high?"
                  : " of its weight; is it too soft or too heavy?"));
   }
-  return settled;
+  return equilibrium;
 }
 
 }  // namespace palpate::tissue

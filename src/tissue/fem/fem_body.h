@@ -116,6 +116,6 @@ struct FemBody {
 /// The equilibrium under the body's gravity and surroundings, 3 x n [m].
 /// @throws std::invalid_argument if the supports do not hold the body, std::runtime_error if there
 /// is no equilibrium.
-Points settleUnderLoads(FemBody* body);
+Points equilibriumUnderLoads(FemBody* body);
 
 }  // namespace palpate::tissue

@@ -34,16 +34,16 @@ FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& compositio
       method_(own.method ? own.method(&body_) : makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),
-      settled_(own.start.cols() > 0 ? own.start : body_.mesh.points),
+      equilibrium_(own.start.cols() > 0 ? own.start : body_.mesh.points),
       own_method_(own.method != nullptr),
       own_start_(own.start.cols() > 0),
       own_notes_(own.notes) {}
 
-void FemOrgan::settle() {
+void FemOrgan::findEquilibrium() {
   if (!own_start_) {
-    settled_ = settleUnderLoads(&body_);
-    body_.surroundings.seal(settled_);
-    method_->settle(&settled_);
+    equilibrium_ = equilibriumUnderLoads(&body_);
+    body_.surroundings.seal(equilibrium_);
+    method_->moveToEquilibrium(&equilibrium_);
   }
   reset();
 }
@@ -79,7 +79,7 @@ std::vector<std::string> FemOrgan::notes() const {
 
 void FemOrgan::reset() {
   body_.surroundings.reset();
-  place(0, settled_, Points::Zero(3, settled_.cols()));
+  place(0, equilibrium_, Points::Zero(3, equilibrium_.cols()));
 }
 
 void FemOrgan::place(int, const Points& positions, const Points& velocities) {
@@ -246,7 +246,7 @@ bool FemOrgan::cameToRest() {
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   return now < kMinRestJacobian &&
-         now < kMinRestJacobianRatio * body_.elasticity->minJacobianWithin(settled_);
+         now < kMinRestJacobianRatio * body_.elasticity->minJacobianWithin(equilibrium_);
 }
 
 // In this cycle, but for what its supports have moved all of it.
@@ -304,7 +304,8 @@ void FemOrgan::beginAnew(solver::SolveStatus why) {
   const StepFigures figures = out_;
   const bool was_folded = was_folded_;
   body_.surroundings.rest();
-  put(settled_.colwise() + body_.surroundings.commonWay(1.0), Points::Zero(3, settled_.cols()));
+  put(equilibrium_.colwise() + body_.surroundings.commonWay(1.0),
+      Points::Zero(3, equilibrium_.cols()));
   was_folded_ = was_folded;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
@@ -371,7 +372,7 @@ std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const OwnParts& own) {
   auto organ = std::make_unique<FemOrgan>(mesh, composition, surroundings, settings, pool,
                                           Eigen::Matrix3Xi(), own);
-  organ->settle();
+  organ->findEquilibrium();
   return organ;
 }
 

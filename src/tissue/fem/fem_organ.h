@@ -43,7 +43,7 @@ class FemOrgan final : public OrganBodies {
   /// Begins at the equilibrium under gravity, or where its own parts say, which reset() goes back
   /// to from now on.
   /// @throws as makeFemTissue()
-  void settle();
+  void findEquilibrium();
   /// Goes on where `old` is, which is the same body on another mesh, of which this one's came by
   /// `change`: positions, velocities, and all memory that has a place. What reset() goes back to
   /// stays, and so does what prepareAt() made.
@@ -69,9 +69,10 @@ class FemOrgan final : public OrganBodies {
   }
 
   const FemBody& body() const { return body_; }
-  /// Where it is at rest untouched at first, 3 x n [m]: where settle() found it, or as it was told.
-  const Points& settledAt() const { return settled_; }
-  void setSettledAt(Points x) { settled_ = std::move(x); }
+  /// Where it is at rest untouched at first, 3 x n [m]: where findEquilibrium() found it, or as it
+  /// was told.
+  const Points& equilibrium() const { return equilibrium_; }
+  void setEquilibrium(Points x) { equilibrium_ = std::move(x); }
   /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
   void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
   void goAlone(double dt);
@@ -158,7 +159,7 @@ class FemOrgan final : public OrganBodies {
   bool stuck_ = false;           // in this cycle
   double stuck_at_ = kNotStuck;  // least det F as it began to be
   bool was_folded_ = false;      // and put back, since it was at rest otherwise or a tool was near
-  Points settled_;
+  Points equilibrium_;
   double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;
   std::vector<std::string> own_notes_;

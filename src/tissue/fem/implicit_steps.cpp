@@ -150,15 +150,15 @@ void ImplicitSteps::solveStages(double begin, double end) {
     solved = solveStage(s < end, followed);
     if (startGuarding()) solved = solveStage(s < end);
     if (s < end) continue;
-    const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    const int most = bodies_.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
-      const bool content = settled();
-      if (content && !toleranceIsStale(solved.residual)) break;
+      const bool converged = augmentationConverged();
+      if (converged && !toleranceIsStale(solved.residual)) break;
       if (budget_.left() <= 0) {  // it keeps the contact that x was solved for
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
       }
-      if (!content) settle();
+      if (!converged) augment();
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -215,10 +215,10 @@ solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
   return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
 }
 
-// Whether contact is content with the solution; else it is another one from now on.
-bool ImplicitSteps::settled() {
+// Whether contact is converged with the solution; else it is another one from now on.
+bool ImplicitSteps::augmentationConverged() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
-  return bodies_.settled();
+  return bodies_.augmentationConverged();
 }
 
 // Whether this much out of balance is within the tolerance only because that is a part of forces
@@ -233,9 +233,9 @@ bool ImplicitSteps::toleranceIsStale(double residual) {
   return true;
 }
 
-void ImplicitSteps::settle() {
+void ImplicitSteps::augment() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
-  bodies_.settle();
+  bodies_.augment();
 }
 
 bool ImplicitSteps::startGuarding() {

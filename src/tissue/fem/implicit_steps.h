@@ -48,8 +48,8 @@ class ImplicitSteps {
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end);
-  bool settled();
-  void settle();
+  bool augmentationConverged();
+  void augment();
   bool toleranceIsStale(double residual);
   bool startGuarding();
   bool followTools(double from, double to, const Points& x, bool in_time);

@@ -21,7 +21,7 @@ LinearMethod::LinearMethod(FemBody* body)
   u0_ = u_loads_;
 }
 
-void LinearMethod::settle(Points* x) { *x = body_.mesh.points + u0_; }
+void LinearMethod::moveToEquilibrium(Points* x) { *x = body_.mesh.points + u0_; }
 
 // The contact forces that held the body where it was put, as far as contact can.
 void LinearMethod::restart() {
@@ -70,10 +70,12 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
       body_.touch.inside_tools.invalidate();
       break;
     }
-    const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    const int most = body_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
     for (int k = 0; s == 1.0 && k < most; ++k) {
-      if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
-      body_.contact.settle(body_.x);
+      if (solved.status != solver::SolveStatus::kConverged ||
+          body_.contact.augmentationConverged(body_.x))
+        break;
+      body_.contact.augment(body_.x);
       solved = solveStage(false, out);
     }
   }

@@ -25,7 +25,7 @@ class LinearMethod final : public StepMethod {
   double unbalancedForce() override { return residual_; }
   const Eigen::VectorXd& masses() const override { return body_.elasticity->masses(); }
   std::optional<double> elasticEnergy() const override { return energy_; }
-  void settle(Points* x) override;
+  void moveToEquilibrium(Points* x) override;
   void restart() override;
   void stop() override {}
   void save(StateWriter* out) const override;

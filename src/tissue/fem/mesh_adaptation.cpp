@@ -43,7 +43,7 @@ std::unique_ptr<FemOrgan> MeshAdaptation::make() const {
   auto organ = std::make_unique<FemOrgan>(nested_.mesh(), composition, surroundings(), settings_,
                                           pool_, nested_.surface());
   if (coarse_organ_) {
-    organ->setSettledAt(nested_.changeFromCoarse().interpolate(coarse_organ_->settledAt()));
+    organ->setEquilibrium(nested_.changeFromCoarse().interpolate(coarse_organ_->equilibrium()));
   }
   return organ;
 }

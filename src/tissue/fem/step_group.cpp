@@ -275,19 +275,19 @@ bool StepGroup::hasFriction() const {
                      [](const BodyMotion* member) { return member->body().contact.hasFriction(); });
 }
 
-bool StepGroup::settled() {
+bool StepGroup::augmentationConverged() {
   bool all = true;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
-    all &= body.contact.settled(joint_ ? part(m, x_) : body.x);
+    all &= body.contact.augmentationConverged(joint_ ? part(m, x_) : body.x);
   }
   return all;
 }
 
-void StepGroup::settle() {
+void StepGroup::augment() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
-    body.contact.settle(joint_ ? part(m, x_) : body.x);
+    body.contact.augment(joint_ ? part(m, x_) : body.x);
   }
 }
 

@@ -89,9 +89,10 @@ class StepGroup {
   void invalidateInsideTools();
   bool candidatesHold() const;
   bool hasFriction() const;
-  /// Whether contact is content with x, a solution within the step, see ContactPotential::settle().
-  bool settled();
-  void settle();
+  /// Whether contact is content with x, a solution within the step, see
+  /// ContactPotential::augment().
+  bool augmentationConverged();
+  void augment();
   /// A step of `h` [s] has ended with a solution.
   void learn(double h);
   void search();

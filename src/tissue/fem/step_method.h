@@ -35,7 +35,7 @@ class StepMethod {
   /// At body.x [J], of a method with another elasticity than the body's own.
   virtual std::optional<double> elasticEnergy() const { return std::nullopt; }
   /// Moves `x`, the body's equilibrium under gravity, to that of such a method, 3 x n [m].
-  virtual void settle(Points* /*x*/) {}
+  virtual void moveToEquilibrium(Points* /*x*/) {}
   /// Does what the first cycle, of `dt` [s], would have to do before it can begin, as a first
   /// factorisation, from where the body is.
   virtual void prepare(double /*dt*/) {}

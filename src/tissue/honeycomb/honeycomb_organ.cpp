@@ -14,7 +14,7 @@ namespace {
 constexpr int kWavesOnTheWay = 10;   // of a stage that is not the last of a cycle
 constexpr int kStagesInsideOut = 6;  // in a row, after which a cycle is given up
 constexpr int kMaxLatticeSearches = 3;
-constexpr int kSettlingWaves = 100;  // under gravity, times those of a cycle
+constexpr int kEquilibriumWaves = 100;  // under gravity, times those of a cycle
 
 Points weightsOf(const HoneycombParts& parts, const Vec3& gravity) {
   Points weights(3, parts.lattice.numCells());
@@ -62,15 +62,15 @@ HoneycombOrgan::HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& se
       tolerance_(settings.threshold * softest(fabric_)),
       solver_(balance_, map_, touch_.contact, settings, tolerance_) {
   setBearing(parts_, &touch_.contact);
-  settle();
+  findEquilibrium();
   HoneycombOrgan::reset();
 }
 
-void HoneycombOrgan::settle() {
-  settled_ = balance_.rest();
+void HoneycombOrgan::findEquilibrium() {
+  equilibrium_ = balance_.rest();
   const CellSolve solve =
-      solver_.solve(kSettlingWaves * settings_.max_sweeps, nullptr, &settled_, true);
-  if (solve.status != solver::SolveStatus::kConverged || balance_.leastRatio(settled_) <= 0.0) {
+      solver_.solve(kEquilibriumWaves * settings_.max_sweeps, nullptr, &equilibrium_, true);
+  if (solve.status != solver::SolveStatus::kConverged || balance_.leastRatio(equilibrium_) <= 0.0) {
     throw std::runtime_error(
         "no equilibrium of the honeycomb under gravity: it is too soft, too "
         "heavy, or held too little");
@@ -176,9 +176,9 @@ void HoneycombOrgan::solveStages() {
     inside_out = balance_.leastRatio(state_) > 0.0 ? 0 : inside_out + 1;
     if (inside_out == kStagesInsideOut) return;
   }
-  const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
-  for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
-    touch_.contact.settle(x_);
+  const int most = touch_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
+  for (int k = 0; k < most && out_.ok() && !touch_.contact.augmentationConverged(x_); ++k) {
+    touch_.contact.augment(x_);
     solve(settings_.max_sweeps);
   }
   out_.satisfied = out_.newton_iterations == 0 && out_.ok();
@@ -205,7 +205,7 @@ void HoneycombOrgan::reportForces() {
 }
 
 void HoneycombOrgan::reset() {
-  state_ = settled_;
+  state_ = equilibrium_;
   solver_.waves().forget();
   map_.place(state_, &x_);
   v_.setZero(3, x_.cols());
@@ -215,7 +215,7 @@ void HoneycombOrgan::reset() {
 
 void HoneycombOrgan::place(int, const Points& positions, const Points& velocities) {
   map_.fit(positions, &state_);
-  state_.pressures = settled_.pressures;
+  state_.pressures = equilibrium_.pressures;
   solver_.waves().forget();
   map_.place(state_, &x_);
   v_ = velocities;

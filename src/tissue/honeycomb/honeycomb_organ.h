@@ -47,7 +47,7 @@ class HoneycombOrgan final : public TissueModel {
 
  private:
   std::string kind() const;
-  void settle();
+  void findEquilibrium();
   void solveStages();
   bool isPierced();
   void add(const CellSolve& solve);
@@ -65,7 +65,7 @@ class HoneycombOrgan final : public TissueModel {
   double tolerance_;  // [N]
   CellSolver solver_;
   const solver::Interrupt* interrupt_ = nullptr;
-  CellState settled_, state_, begin_state_;
+  CellState equilibrium_, state_, begin_state_;
   std::vector<double> begin_memory_;  // of the waves
   Points x_, v_, x_begin_, f_;
   std::vector<contact::Contact> contacts_;  // scratch

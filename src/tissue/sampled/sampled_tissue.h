@@ -47,7 +47,7 @@ class SampledTissue final : public TissueModel {
     body_.setContactStiffness(stiffness);
     x_ = X_;
     surface_v_ = on_surface_ = Points::Zero(3, X_.cols());
-    settle();
+    findEquilibrium();
     SampledTissue::reset();
     refuseTooManySubSteps(settings.step);
   }
@@ -72,7 +72,7 @@ class SampledTissue final : public TissueModel {
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
 
   void reset() override {
-    StateReader in(settled_.bytes());
+    StateReader in(equilibrium_.bytes());
     body_.restore(&in);
     body_.v.setZero();
     forget();
@@ -154,7 +154,7 @@ class SampledTissue final : public TissueModel {
     return kSafety * (std::sqrt(d * d + 4.0 * w * w) - d) / (w * w);
   }
   void refuseTooManySubSteps(double dt) const;
-  void settle();
+  void findEquilibrium();
   bool comeToRest();
   void endAtRest();
   int planSteps(double dt, bool* coarse);
@@ -175,7 +175,7 @@ class SampledTissue final : public TissueModel {
   double size_;
   Rest rest_;
   double tolerance_;
-  StateWriter settled_, before_;  // the cycle
+  StateWriter equilibrium_, before_;  // the cycle
   Points x_, surface_v_, on_surface_, forces_, contact_;
   const solver::Interrupt* interrupt_ = nullptr;
   TissueStep out_;

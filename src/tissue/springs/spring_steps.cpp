@@ -219,7 +219,7 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   out->still_points = static_cast<int>(masses_.size()) - static_cast<int>(region_.points().size());
   body_.contact.learn(body_.x, dt);
   out->status = touch_.status(out->tolerance, late);
-  if (out->status != solver::SolveStatus::kDeadline) settleRegion(*out);
+  if (out->status != solver::SolveStatus::kDeadline) clearRegionAtRest(*out);
   return true;
 }
 
@@ -286,7 +286,7 @@ bool SpringSteps::subStep(double h, double s, TissueStep* out) {
 }
 
 // Once nothing is touched and all has come to rest, nothing moves.
-void SpringSteps::settleRegion(const TissueStep& out) {
+void SpringSteps::clearRegionAtRest(const TissueStep& out) {
   if (!touch_.nodes().empty()) return;
   const double kinetic = 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
   if (kinetic > 1e-9 * out.tolerance * body_.size || unbalancedForce() > out.tolerance) return;

@@ -51,7 +51,7 @@ class SpringSteps final : public StepMethod {
   bool run(double dt, int steps, TissueStep* out);
   bool subStep(double h, double s, TissueStep* out);
   void accelerate();
-  void settleRegion(const TissueStep& out);
+  void clearRegionAtRest(const TissueStep& out);
   void addForces(Points* g) const;
   double energy(const Points& x, const Points& v, double* own);
   bool plausible();
