@@ -53,7 +53,7 @@ class AugmentedResponse final : public Response {
 
   bool remembers() const override { return true; }
   void learn(const std::vector<Touch>& touches) override { multipliers_.change(touches, target_); }
-  void goOnFrom(const Response& old, const Places& now) override {
+  void goOnFrom(const Response& old, const SurfaceMap& now) override {
     multipliers_.goOnFrom(dynamic_cast<const AugmentedResponse&>(old).multipliers_, now);
   }
   void forget() override { multipliers_.clear(); }

@@ -18,7 +18,7 @@ constexpr double kOnTriangle = 0.1;
 }  // namespace
 
 void ContactPotential::beginStep(const Points& x) {
-  for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
+  for (PosedObstacle& obstacle : posed_) obstacle.beginHere();
   begun_ = response_->followsMotion() || response_->remembers();
   if (begun_) x_begin_ = x;
   if (!response_->remembers()) return;
@@ -96,18 +96,18 @@ void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, co
 }
 
 // Where on the triangles of `old` that were touched the nodes are, but for those beside all.
-std::vector<Response::Places::Node> ContactPotential::placesOf(const std::vector<int>& nodes,
-                                                               const Points& X,
-                                                               const ContactPotential& old,
-                                                               const Points& old_X) {
+std::vector<Response::SurfaceMap::Node> ContactPotential::placesOf(const std::vector<int>& nodes,
+                                                                   const Points& X,
+                                                                   const ContactPotential& old,
+                                                                   const Points& old_X) {
   std::vector<Eigen::Vector3i> triangles;
   for (const Contact& c : old.at_end_) {
     if (triangles.empty() || triangles.back() != c.touch.nodes) triangles.push_back(c.touch.nodes);
   }
-  std::vector<Response::Places::Node> places;
+  std::vector<Response::SurfaceMap::Node> places;
   for (int node : nodes) {
     const Vec3 p = X.col(node);
-    Response::Places::Node place{node, {}, {}};
+    Response::SurfaceMap::Node place{node, {}, {}};
     double nearest = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3i& t : triangles) {
       const Vec3 a = old_X.col(t[0]), b = old_X.col(t[1]), c = old_X.col(t[2]);

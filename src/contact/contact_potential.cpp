@@ -89,7 +89,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   const bool motion = response_->followsMotion();
   const bool may_cling = response_->remembers();
   const auto clings = [&](int obstacle, int first, int last) {
-    return may_cling && response_->clings(placed_[obstacle].obstacle().number, first, last);
+    return may_cling && response_->clings(posed_[obstacle].obstacle().number, first, last);
   };
   const auto far = [&](const SampleRuns::Run& run, double least) {
     return least >= reach &&
@@ -99,7 +99,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   touch.motion_W.setZero();
   const auto look = [&](const SampleCandidate& c) {
     const SurfaceSample& s = samples_[c.sample];
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     obstacle.measureGap(s.position(x), &touch);
     if (skip_inactive && !(touch.gap < reach) && !clings(c.obstacle, c.sample, c.sample)) return;
     touch.sample = c.sample;
@@ -134,11 +134,11 @@ template <class Visit>
 void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && begun_;
-  faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
+  faces_->forEach(x, posed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
     // Constant where a ball goes along triangles, as its energy's derivatives take it to be.
     touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(meeting.first)).mean();
     if (!response_->active(*touch)) return;
-    if (motion) placed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
+    if (motion) posed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
     visit(*touch, meeting);
   });
 }
@@ -208,7 +208,7 @@ void ContactPotential::penetrating(const Points& x, std::vector<Touch>* touches)
   touches->clear();
   const auto isOutside = [](const auto&, double least) { return least >= 0.0; };
   forCandidates(x, isOutside, [&](const SampleCandidate& c) {
-    if (!(placed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) return;
+    if (!(posed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) return;
     touches->push_back(touch(c.sample, c.obstacle, x));
   });
 }
@@ -222,8 +222,8 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   touch.area = samples_[sample].area;
   touch.offset = samples_[sample].offset;
   touch.bearing = bearingOf(touch);
-  placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
-  placed_[obstacle].measureFrame(&touch);
+  posed_[obstacle].measureGap(samples_[sample].position(x), &touch);
+  posed_[obstacle].measureFrame(&touch);
   touch.motion_W.setZero();
   return touch;
 }
@@ -271,7 +271,7 @@ void ContactPotential::gatherLearnable(const Points& x, double h) {
       touch.inertia = 1.0 / (mobility * h * h);
     }
     const Vec3 p_begin_W = begun ? touch.of(x_begin_) + touch.offset : touch.p_W;
-    placed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
+    posed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
     touch.travel = (touch.p_W - p_begin_W - together).norm();
     touches_.push_back(touch);
   });

@@ -31,7 +31,7 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     return least >= 0.0 && std::sqrt(longest) * largest <= least;
   };
   forCandidates(x, goesLess, [&](const SampleCandidate& c) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     const Vec3 motion = samples_[c.sample].of(d);
     const double length = motion.norm();
     Touch touch;
@@ -42,19 +42,19 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     const double approach = -touch.normal_W.dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
   });
-  if (faces_) largest = faces_->maxStep(x, d, placed_, largest);
+  if (faces_) largest = faces_->maxStep(x, d, posed_, largest);
   // A sample that is already in the middle must not bring the solve to a stand.
   return std::max(largest, 1e-3);
 }
 
 void ContactPotential::allowedMotions(const Points& x, const std::vector<double>& ways,
                                       std::vector<double>* allowed) const {
-  allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
+  allowed->assign(posed_.size(), std::numeric_limits<double>::infinity());
   const auto isFarther = [&](const SampleRuns::Run& run, double least) {
     return least >= (*allowed)[static_cast<std::size_t>(run.obstacle)];
   };
   forCandidates(x, isFarther, [&](const SampleCandidate& c) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     const SurfaceSample& s = samples_[c.sample];
     const double distance = obstacle.gap(s.position(x));
     double& least = (*allowed)[c.obstacle];
@@ -63,7 +63,7 @@ void ContactPotential::allowedMotions(const Points& x, const std::vector<double>
     least = std::min(least, allowedApproach(distance, size));
   });
   if (!faces_) return;
-  faces_->forBalls(x, placed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
+  faces_->forBalls(x, posed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
     const auto b = static_cast<std::size_t>(obstacle);
     // A fast one may get behind the surface, which is then brought back.
     const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);

@@ -50,11 +50,11 @@ void FacePoints::findPairs(const Shape& shape, double reach) {
   });
 }
 
-void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+void FacePoints::findCandidates(const Points& x, const std::vector<PosedObstacle>& posed, int b,
                                 double reach) {
   const Shape& shape = *shapes_[b];
   if (shape.balls.empty()) return;
-  const instrument::Geometry& geometry = *placed[b].obstacle().geometry;
+  const instrument::Geometry& geometry = *posed[b].obstacle().geometry;
   const double bounding = boundingRadius(geometry) + reach;
   near_.clear();
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
@@ -62,7 +62,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const Mat3 at = corners(x, triangle);
     const Vec3 middle = at.rowwise().mean();
     const double radius = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-    const Vec3 middle_G = placed[b].toObstacle(middle);
+    const Vec3 middle_G = posed[b].toObstacle(middle);
     if (middle_G.norm() > bounding + radius) continue;
     if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
     near_.push_back({triangle, middle_G, radius, meanEdge(at)});
@@ -74,7 +74,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   for (const auto& [of_ball, place] : found_) {
     const int triangle = near_[static_cast<std::size_t>(place)].triangle;
     const TouchBall& ball = shape.balls[of_ball];
-    const Vec3 center = placed[b].obstacle().X_WG_end * ball.center_G;
+    const Vec3 center = posed[b].obstacle().X_WG_end * ball.center_G;
     const Mat3 at = corners(x, triangle);
     const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
     const double distance = (center - near.point).norm();
@@ -105,7 +105,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     order(group);
     group.apart = by_distance_[group.begin].apart;
     meetings_.clear();
-    group.behind = meetings_[measure(x, placed, &group, 0.0).nearest].distance < 0.0;
+    group.behind = meetings_[measure(x, posed, &group, 0.0).nearest].distance < 0.0;
   }
 }
 

@@ -25,10 +25,10 @@ void FacePoints::measureAt(const Points& x) const {
 }
 
 const FacePoints::Measured& FacePoints::measured(const Points& x,
-                                                 const std::vector<PlacedObstacle>& placed,
+                                                 const std::vector<PosedObstacle>& posed,
                                                  std::size_t group, double within) const {
   Measured& known = measured_[group];
-  if (known.within < within) known = measure(x, placed, &groups_[group], within);
+  if (known.within < within) known = measure(x, posed, &groups_[group], within);
   return known;
 }
 
@@ -53,10 +53,10 @@ FacePoints::Meeting FacePoints::meet(const Vec3& center, const Mat3& corners, in
 // Adds the triangles that may be the nearest or are nearer than `within` to meetings_. Of those
 // that are equally near, as those around an edge or a corner are, the one that the centre is most
 // in front of, or behind, knows the side.
-FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PlacedObstacle>& placed,
+FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PosedObstacle>& posed,
                                          Group* of, double within) const {
   const Group& group = *of;
-  const Vec3 center = centerOf(placed, group);
+  const Vec3 center = centerOf(posed, group);
   findNear(x, center, group, within);
   const std::size_t begin = meetings_.size();
   std::size_t nearest = begin;
@@ -93,7 +93,7 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Plac
 // Most steps are short beside what is between a ball and most triangles, and most triangles go less
 // far than the one that goes farthest: only of the others it matters where they go.
 double FacePoints::maxStep(const Points& x, const Points& d,
-                           const std::vector<PlacedObstacle>& placed, double largest) const {
+                           const std::vector<PosedObstacle>& posed, double largest) const {
   measureAt(x);
   double longest = 0.0;
   for (const int t : used_) {
@@ -102,9 +102,9 @@ double FacePoints::maxStep(const Points& x, const Points& d,
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
-    if (staysAway(placed, group, longest * largest)) continue;
-    const Meeting& nearest = meetings_[measured(x, placed, g, 0.0).nearest];
-    const Vec3 center = centerOf(placed, group);
+    if (staysAway(posed, group, longest * largest)) continue;
+    const Meeting& nearest = meetings_[measured(x, posed, g, 0.0).nearest];
+    const Vec3 center = centerOf(posed, group);
     for (int c = group.begin; c < group.end; ++c) {
       const auto [triangle, edge, apart] = candidates_[c];
       const double way = ways_[triangle] * largest, follow = kFollow * edge;

@@ -29,7 +29,7 @@ class FacePoints {
   bool empty() const { return triangles_.cols() == 0; }
 
   /// The obstacles are others now.
-  void setObstacles(const std::vector<PlacedObstacle>& placed);
+  void setObstacles(const std::vector<PosedObstacle>& posed);
 
   /// How far apart the samples are now on a triangle, at most [m].
   double sampleSpacing(int triangle, const Points& x) const;
@@ -54,7 +54,7 @@ class FacePoints {
   void clear();
   /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
   /// x. All of them, or none: which is nearest knows the side.
-  void findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+  void findCandidates(const Points& x, const std::vector<PosedObstacle>& posed, int b,
                       double reach);
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
   bool hasCandidates(int obstacle) const;
@@ -80,36 +80,36 @@ class FacePoints {
   /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
   /// whole but for its motion.
   template <class Visit>
-  void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
+  void forEach(const Points& x, const std::vector<PosedObstacle>& posed, double reach,
                const Visit& visit) const {
     measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Group& group = groups_[g];
-      if (staysAway(placed, group, reach + ball(group).radius)) continue;
-      const Measured& known = measured(x, placed, g, reach + ball(group).radius);
+      if (staysAway(posed, group, reach + ball(group).radius)) continue;
+      const Measured& known = measured(x, posed, g, reach + ball(group).radius);
       for (std::size_t m = known.begin; m < known.end; ++m) {
         const Meeting& meeting = meetings_[m];
         const double gap = meeting.distance - ball(group).radius;
         if (!(gap < reach) || !meeting.touched) continue;
         Touch touch;
-        fill(placed, group, meeting, gap, &touch);
+        fill(posed, group, meeting, gap, &touch);
         visit(&touch, meeting);
       }
     }
   }
   /// Of each ball with candidates: visit(obstacle, radius [m], meeting) with the nearest triangle.
   template <class Visit>
-  void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
+  void forBalls(const Points& x, const std::vector<PosedObstacle>& posed,
                 const Visit& visit) const {
     measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const Measured& known = measured(x, placed, g, 0.0);
+      const Measured& known = measured(x, posed, g, 0.0);
       visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
     }
   }
   /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
   /// kFollow of its edge; at most `largest`.
-  double maxStep(const Points& x, const Points& d, const std::vector<PlacedObstacle>& placed,
+  double maxStep(const Points& x, const Points& d, const std::vector<PosedObstacle>& posed,
                  double largest) const;
 
   /// Of a triangle's edge: so far a ball may be behind it for the surface to be brought back.
@@ -162,11 +162,10 @@ class FacePoints {
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
   void order(const Group& group);
-  Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
-    return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
+  Vec3 centerOf(const std::vector<PosedObstacle>& posed, const Group& group) const {
+    return posed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
   }
-  bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
-                 double within) const;
+  bool staysAway(const std::vector<PosedObstacle>& posed, const Group& group, double within) const;
   void placeTriangles(const Points& x) const;
   // How far the triangle is from there, at least, or more than `far`: it lies in the disc in which
   // its plane cuts the ball around it. Deep in the tissue the ball alone would let most of the
@@ -190,12 +189,12 @@ class FacePoints {
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   void forget() { measured_anywhere_ = false; }
   void measureAt(const Points& x) const;
-  const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
+  const Measured& measured(const Points& x, const std::vector<PosedObstacle>& posed,
                            std::size_t group, double within) const;
-  Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, Group* group,
+  Measured measure(const Points& x, const std::vector<PosedObstacle>& posed, Group* group,
                    double within) const;
   Meeting meet(const Vec3& center, const Mat3& corners, int candidate, double* across) const;
-  void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
+  void fill(const std::vector<PosedObstacle>& posed, const Group& group, const Meeting& meeting,
             double gap, Touch* touch) const;
 
   Eigen::Matrix3Xi triangles_;

@@ -73,7 +73,7 @@ class FrictionResponse final : public Response {
   }
   void confine(const std::vector<Touch>& touches) override { states_.confine(touches); }
 
-  void goOnFrom(const Response& old, const Places& now) override {
+  void goOnFrom(const Response& old, const SurfaceMap& now) override {
     const auto& other = dynamic_cast<const FrictionResponse&>(old);
     if (normal_->remembers()) normal_->goOnFrom(*other.normal_, now);
     states_.goOnFrom(other.states_, now.sample);

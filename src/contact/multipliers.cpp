@@ -99,14 +99,14 @@ void Multipliers::clear() {
   largest_ = 0.0;
 }
 
-void Multipliers::goOnFrom(const Multipliers& old, const Response::Places& now) {
+void Multipliers::goOnFrom(const Multipliers& old, const Response::SurfaceMap& now) {
   std::vector<int> numbers;  // of obstacles, ascending
   for (const Node& node : old.nodes_) {
     if (numbers.empty() || numbers.back() != node.number) numbers.push_back(node.number);
   }
   next_.clear();
   for (int number : numbers) {
-    for (const Response::Places::Node& place : now.nodes) {
+    for (const Response::SurfaceMap::Node& place : now.nodes) {
       Node node{number, place.node, 0.0};
       for (int k = 0; k < 3; ++k) {
         node.pressure += place.weights[k] * old.atNode(number, place.old[k]);

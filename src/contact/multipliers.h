@@ -34,7 +34,7 @@ class Multipliers {
 
   void clear();
   /// Takes over those of another surface, `now` saying where its nodes are on this one.
-  void goOnFrom(const Multipliers& old, const Response::Places& now);
+  void goOnFrom(const Multipliers& old, const Response::SurfaceMap& now);
   void save(StateWriter* to) const;
   /// @throws std::invalid_argument as StateReader does; all is then as it was.
   void restore(StateReader* from);

@@ -38,7 +38,7 @@ struct SampleBall {
 
   /// A gap [m] below those of all samples, or not a number. `corners`: 3 x 3 [m]; `offset` [m]: of
   /// a sample from its triangle, at most; `error` [m]: see distanceError().
-  double leastGap(const Mat3& corners, double offset, const PlacedObstacle& placed,
+  double leastGap(const Mat3& corners, double offset, const PosedObstacle& posed,
                   double error) const;
 };
 

@@ -8,7 +8,7 @@
 
 namespace palpate::contact {
 
-/// A sample of the surface that may touch a placed obstacle.
+/// A sample of the surface that may touch a posed obstacle.
 struct SampleCandidate {
   int sample, obstacle;
 };
@@ -30,21 +30,21 @@ class SampleRuns {
   /// Of these candidates; `largest_offset` [m]: of a sample from its triangle.
   void build(const std::vector<SurfaceSample>& samples,
              const std::vector<SampleCandidate>& candidates,
-             const std::vector<PlacedObstacle>& placed, double largest_offset);
+             const std::vector<PosedObstacle>& posed, double largest_offset);
 
   /// visit(candidate's index), in order, of all runs that are not far(run, least): `least` is a
   /// gap [m] below those of all of its samples at x, or not a number.
   template <class Far, class Visit>
-  void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, const Far& far,
+  void forEach(const Points& x, const std::vector<PosedObstacle>& posed, const Far& far,
                const Visit& visit) const {
-    lookAt(placed);
+    lookAt(posed);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const Run& run = triangles_[t];
-      if (far(run, knownGap(t, x)) || far(run, measuredGap(t, x, placed))) continue;
+      if (far(run, knownGap(t, x)) || far(run, measuredGap(t, x, posed))) continue;
       for (int p = run.first_part; p < run.last_part; ++p) {
         const Run& part = parts_[static_cast<std::size_t>(p)];
         const bool whole = run.last_part - run.first_part == 1;
-        if (!whole && far(part, leastGap(part, x, placed))) continue;
+        if (!whole && far(part, leastGap(part, x, posed))) continue;
         for (int c = part.begin; c < part.end; ++c) visit(c);
       }
     }
@@ -56,11 +56,11 @@ class SampleRuns {
     Mat3 at;    // its corners [m],
     int place;  // and which of the obstacle's places it was
   };
-  void lookAt(const std::vector<PlacedObstacle>& placed) const;
+  void lookAt(const std::vector<PosedObstacle>& posed) const;
   double knownGap(std::size_t triangle, const Points& x) const;
   double measuredGap(std::size_t triangle, const Points& x,
-                     const std::vector<PlacedObstacle>& placed) const;
-  double leastGap(const Run& run, const Points& x, const std::vector<PlacedObstacle>& placed) const;
+                     const std::vector<PosedObstacle>& posed) const;
+  double leastGap(const Run& run, const Points& x, const std::vector<PosedObstacle>& posed) const;
 
   std::vector<Run> triangles_, parts_;
   std::vector<double> errors_;  // of the obstacles' distances, see distanceError() [m]

@@ -76,8 +76,8 @@ bool Simulator::isFree(int i, const LinkPoses& poses) const {
   return impl_->isFree(static_cast<std::size_t>(i), poses);
 }
 
-void Simulator::place(int i, const Points& positions, const Points& velocities) {
-  const scene::OrganPlace& place = impl_->parts.organs[static_cast<std::size_t>(i)];
+void Simulator::setPositions(int i, const Points& positions, const Points& velocities) {
+  const scene::OrganHandle& place = impl_->parts.organs[static_cast<std::size_t>(i)];
   const auto fits = [&](const Points& given) {
     return given.cols() == place.shape().positions.cols() && given.allFinite();
   };
@@ -85,7 +85,7 @@ void Simulator::place(int i, const Points& positions, const Points& velocities) 
     throw std::invalid_argument("these are not the points of organ " + organName(i) +
                                 ", or not finite");
   }
-  place.tissue->place(place.organ, positions, velocities);
+  place.tissue->setPositions(place.organ, positions, velocities);
 }
 
 LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {
@@ -116,13 +116,13 @@ mesh::SurfaceMesh Simulator::anatomySurface(int i) const {
 }
 const Points& Simulator::positions(int i) const { return shape(i).positions; }
 mesh::CellMesh Simulator::cells(int i) const {
-  const scene::OrganPlace& place = impl_->parts.organs[i];
+  const scene::OrganHandle& place = impl_->parts.organs[i];
   mesh::CellMesh cells = place.tissue->cells(place.organ);
   if (cells.numCells() == 0) cells.cells = place.shape().triangles;
   return cells;
 }
 std::vector<std::string> Simulator::methods(int i) const {
-  const scene::OrganPlace& place = impl_->parts.organs[i];
+  const scene::OrganHandle& place = impl_->parts.organs[i];
   return place.tissue->methods(place.organ);
 }
 bool Simulator::wantsFastBlas() const {

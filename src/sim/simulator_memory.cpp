@@ -57,7 +57,7 @@ void Simulator::Impl::restore(const SimulatorState& state) {
                                   error.what());
     }
   }
-  for (const scene::OrganPlace& organ : parts.organs) {
+  for (const scene::OrganHandle& organ : parts.organs) {
     if (!isSensible(organ.shape())) throw std::invalid_argument("an organ is nowhere");
   }
   StateReader tools(state.tools);
@@ -115,13 +115,13 @@ void Simulator::Impl::restoreTools(StateReader* in) {
   // A state may be of a scene whose tools had no proxy.
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool active = scene.instruments[i].proxy.active;
-    if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].place(poses[i]);
+    if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].startAt(poses[i]);
   }
 }
 
 std::uint64_t Simulator::Impl::stateHash() const {
   StateHash hash;
-  for (const scene::OrganPlace& organ : parts.organs) {
+  for (const scene::OrganHandle& organ : parts.organs) {
     const tissue::Shape shape = organ.shape();
     hash.add(static_cast<std::uint64_t>(shape.positions.cols()));
     hash.add(shape.positions.data(), static_cast<std::size_t>(shape.positions.size()));

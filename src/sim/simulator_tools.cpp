@@ -38,7 +38,7 @@ bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {
   if (!anatomy.isFree(i, links)) return false;
   for (const instrument::CollisionBody& shape : parts.instruments[i].bodies()) {
     const Pose X_WG = links[shape.link] * shape.X_LG;
-    for (const scene::OrganPlace& organ : parts.organs) {
+    for (const scene::OrganHandle& organ : parts.organs) {
       const tissue::Shape tissue = organ.shape();
       if (contact::overlaps(shape.geometry, X_WG, tissue.positions, tissue.triangles,
                             scene.contact.smoothing)) {

@@ -94,9 +94,9 @@ TEST_F(ChangingMesh, HasALoadThatCanBeJudged) {
 TEST_F(ChangingMesh, CannotBePlacedWhereItHasOtherPoints) {
   const Points before = simulator.positions(1);
   simulator.step(poses, 0.01);
-  EXPECT_THROW(simulator.place(1, before, before), std::invalid_argument);
+  EXPECT_THROW(simulator.setPositions(1, before, before), std::invalid_argument);
   const Points now = simulator.positions(1);
-  simulator.place(1, 1.01 * now, 0.0 * now);
+  simulator.setPositions(1, 1.01 * now, 0.0 * now);
   EXPECT_EQ(simulator.positions(1), 1.01 * now);
 }
 

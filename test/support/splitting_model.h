@@ -52,7 +52,7 @@ class SplittingModel final : public tissue::TissueModel {
     now_ = start_;
     ++revision_;
   }
-  void place(int organ, const Points& positions, const Points& velocities) override {
+  void setPositions(int organ, const Points& positions, const Points& velocities) override {
     now_[static_cast<std::size_t>(organ)].x = positions;
     now_[static_cast<std::size_t>(organ)].v = velocities;
   }

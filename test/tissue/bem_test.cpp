@@ -138,7 +138,7 @@ TEST(BoundaryElements, GoOnFromWhereTheyArePut) {
   press(tissue.get(), 0.02, 0.003);
   const Points x = tissue->positions(), v = tissue->velocities();
   tissue->reset();
-  tissue->place(0, x, v);
+  tissue->setPositions(0, x, v);
   const TissueStep& after = press(tissue.get(), 0.02, 0.003);
   EXPECT_TRUE(after.ok());
   EXPECT_LT((tissue->positions() - x).cwiseAbs().maxCoeff(), 1e-8);

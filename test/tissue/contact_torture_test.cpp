@@ -64,7 +64,7 @@ class Scene {
     if (thrown_) {
       Points v = Points::Zero(3, rest_[1].cols());
       v.row(2).setConstant(-between(0.05, 0.5));
-      tissue_->place(1, rest_[1], v);
+      tissue_->setPositions(1, rest_[1], v);
     }
     for (const instrument::Geometry& s : shapes_) poses_.push_back(outside(s));
     if (chance(0.1)) poses_[0].translation() = 0.5 * size_;  // it begins inside

@@ -140,7 +140,7 @@ TEST(FrozenGroup, IsPutBackWhereItFailsForGood) {
   const Points rest[] = {tissue->positions(0), tissue->positions(1)};
   Points x = rest[0];
   x.row(0).array() += 0.01;
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int put_back = 0;
   for (int k = 0; k < 80; ++k) {
     tissue->step({}, kStep);

@@ -244,7 +244,7 @@ TEST(Honeycomb, FillsWhatIsNoBox) {
 TEST(Honeycomb, GoesOnFromWhereItIsPlaced) {
   const auto tissue = makeBlock({}), other = makeBlock({});
   hold(tissue.get());
-  other->place(0, tissue->positions(), tissue->velocities());
+  other->setPositions(0, tissue->positions(), tissue->velocities());
   EXPECT_LT((other->positions() - tissue->positions()).cwiseAbs().maxCoeff(), 1e-4);
   for (int k = 0; k < 5; ++k) EXPECT_TRUE(other->step({}, kStep).ok());
   other->step({}, kStep);

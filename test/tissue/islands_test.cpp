@@ -129,7 +129,7 @@ TEST(Islands, ResetAndRestoreRepeatEveryBit) {
   EXPECT_EQ(a->positions(), b->positions());
   const Points x = a->positions(), v = a->velocities();
   a->reset();
-  a->place(0, x, v);
+  a->setPositions(0, x, v);
   EXPECT_EQ(a->positions(), x);
   EXPECT_EQ(a->velocities(), v);
 }

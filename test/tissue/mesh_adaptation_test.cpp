@@ -118,7 +118,7 @@ TEST_P(RefinedOrgan, ResetsToTheEquilibriumOfTheCoarseOne) {
 
   Points x = X;
   x.row(2) *= -1.0;  // through the plane that holds it
-  fine->place(0, x, Points::Zero(3, x.cols()));
+  fine->setPositions(0, x, Points::Zero(3, x.cols()));
   int k = 0;
   do {
     fine->begin({}, kStep);

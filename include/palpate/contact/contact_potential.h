@@ -64,9 +64,9 @@ class ContactPotential final : public fem::EnergyTerm {
   /// Takes as candidates of obstacle b all samples that are less than `reach[b]` [m] from it at x.
   void findCandidates(const Points& x, const std::vector<double>& reach);
   bool hasCandidates() const { return numCandidates() > 0; }
-  /// Of one of the placed obstacles.
+  /// Of one of the posed obstacles.
   bool hasCandidates(int obstacle) const;
-  int numObstacles() const { return static_cast<int>(placed_.size()); }
+  int numObstacles() const { return static_cast<int>(posed_.size()); }
   int numCandidates() const;
   /// Samples, times obstacles, that the last findCandidates() did not take.
   int numDistant() const;
@@ -115,10 +115,10 @@ class ContactPotential final : public fem::EnergyTerm {
   }
   /// All candidates inside an obstacle at x, whatever answers them; without their motions.
   void penetrating(const Points& x, std::vector<Touch>* touches) const;
-  /// A sample and a placed obstacle, without the motion.
+  /// A sample and a posed obstacle, without the motion.
   Touch touch(int sample, int obstacle, const Points& x) const;
 
-  /// A step begins at x, where the placed obstacles' ways begin.
+  /// A step begins at x, where the posed obstacles' ways begin.
   void beginStep(const Points& x);
   /// Whether the response is content with x, a solution within the step; if not, augment() and
   /// solve again.
@@ -156,7 +156,7 @@ class ContactPotential final : public fem::EnergyTerm {
   int numSamples() const { return static_cast<int>(samples_.size()); }
   int numPatches() const { return static_cast<int>(patches_.size()); }
   void addPatches(int first_sample);
-  std::pair<int, int> patchesFor(const PlacedObstacle& placed) const;
+  std::pair<int, int> patchesFor(const PosedObstacle& posed) const;
   bool isForAnatomy(int sample) const { return sample >= numForInstruments(); }
   template <class Far, class Visit>
   void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
@@ -168,9 +168,10 @@ class ContactPotential final : public fem::EnergyTerm {
   void forFaces(const Points& x, const Visit& visit) const;
   double mobilityOf(const Touch& touch) const;
   double bearingOf(const Touch& touch) const;
-  static std::vector<Response::Places::Node> placesOf(const std::vector<int>& nodes,
-                                                      const Points& X, const ContactPotential& old,
-                                                      const Points& old_X);
+  static std::vector<Response::SurfaceMap::Node> placesOf(const std::vector<int>& nodes,
+                                                          const Points& X,
+                                                          const ContactPotential& old,
+                                                          const Points& old_X);
   void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
@@ -187,7 +188,7 @@ class ContactPotential final : public fem::EnergyTerm {
   Eigen::VectorXd bearing_;  // see setBearing(); empty: nothing is known of it
   double largest_offset_ = 0.0;  // of a sample [m]
   bool skip_distant_ = true, skip_inactive_ = true;
-  std::vector<PlacedObstacle> placed_;
+  std::vector<PosedObstacle> posed_;
   std::vector<SampleCandidate> candidates_;
   std::unique_ptr<SampleRuns> runs_;  // of the candidates
   Points x_begin_;               // of the step, where the response follows motions or remembers;

@@ -66,7 +66,7 @@ class Response {
   /// Learns from the touches with which a step has ended, for the next one.
   virtual void learn(const std::vector<Touch>& /*touches*/) {}
   /// How another surface's places are found on this one.
-  struct Places {
+  struct SurfaceMap {
     struct Node {
       int node;             ///< Of this one
       Eigen::Vector3i old;  ///< lies on that triangle of the other,

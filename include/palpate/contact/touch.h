@@ -16,7 +16,7 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& n);
 /// alone. What answers it is a Response.
 struct Touch {
   int sample;    ///< Of the tissue's surface; below 0 a ball of the obstacle on a triangle.
-  int obstacle;  ///< Among those that are placed,
+  int obstacle;  ///< Among those that are posed,
   int number;    ///< and among all of the cycle: Obstacle::number.
   Eigen::Vector3i nodes;       ///< The sample lies between them,
   Vec3 weights;                ///< with these barycentric coordinates.
@@ -65,11 +65,11 @@ struct Touch {
 };
 
 /// An obstacle where its way ends, and from where touches with it are measured.
-class PlacedObstacle {
+class PosedObstacle {
  public:
   /// `margin` [m]: so far outside of the shape its surface is, for samples in the middle of a sheet
   /// that is twice as thick.
-  explicit PlacedObstacle(const Obstacle& obstacle, double margin = 0.0);
+  explicit PosedObstacle(const Obstacle& obstacle, double margin = 0.0);
 
   /// Where the way ends now; of the same shape.
   void move(const Obstacle& obstacle);

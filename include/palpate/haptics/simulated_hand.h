@@ -29,7 +29,7 @@ class SimulatedHand {
   void tick(const Vec3& meant, const Vec3& meant_v, const Vec3& force, const Vec3& push, double dt);
 
   /// It is at `p` [m], whatever it feels, with `v` [m/s].
-  void place(const Vec3& p, const Vec3& v) {
+  void setState(const Vec3& p, const Vec3& v) {
     p_ = p;
     v_ = v;
   }

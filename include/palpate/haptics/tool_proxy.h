@@ -38,7 +38,7 @@ class ToolProxy {
   /// No command: the tool is not there.
   void leave();
   /// It is there, at rest.
-  void place(const LinkPoses& poses);
+  void startAt(const LinkPoses& poses);
 
   bool there() const { return !poses_.empty(); }
   /// Commanded in vain: it would touch something.

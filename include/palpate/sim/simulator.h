@@ -134,7 +134,7 @@ class Simulator {
   /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
   /// goes on without a past.
   /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
-  void place(int i, const Points& positions, const Points& velocities);
+  void setPositions(int i, const Points& positions, const Points& velocities);
 
   double time() const;  ///< Simulated so far [s].
 

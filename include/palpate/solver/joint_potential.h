@@ -10,12 +10,12 @@
 namespace palpate::solver {
 
 /// Terms of one body, or of two that act on each other, as a term of the points of all of a group.
-class PlacedTerms final : public fem::EnergyTerm {
+class MappedTerms final : public fem::EnergyTerm {
  public:
-  /// `terms`, not owned, may grow as long as nobody asks. `place`: of their `num_nodes` nodes.
-  PlacedTerms(const std::vector<const fem::EnergyTerm*>& terms, const fem::Stiffness::Place& place,
-              int num_nodes)
-      : terms_(terms), place_(place), own_(3, num_nodes), own_d_(3, num_nodes) {}
+  /// `terms`, not owned, may grow as long as nobody asks. `node_map`: of their `num_nodes` nodes.
+  MappedTerms(const std::vector<const fem::EnergyTerm*>& terms,
+              const fem::Stiffness::NodeMap& node_map, int num_nodes)
+      : terms_(terms), node_map_(node_map), own_(3, num_nodes), own_d_(3, num_nodes) {}
 
   /// The columns of `all` that are theirs, 3 x num_nodes.
   void gather(const Points& all, Points* own) const;
@@ -28,7 +28,7 @@ class PlacedTerms final : public fem::EnergyTerm {
 
  private:
   const std::vector<const fem::EnergyTerm*>& terms_;
-  fem::Stiffness::Place place_;
+  fem::Stiffness::NodeMap node_map_;
   mutable Points own_, own_d_;  // scratch
 };
 
@@ -48,7 +48,7 @@ class JointPotential {
   fem::Stiffness makeMatrix() const { return energy_.makeMatrix(); }
 
   /// Where the nodes of two members are, or of one twice.
-  fem::Stiffness::Place placeOf(std::size_t a, std::size_t b) const;
+  fem::Stiffness::NodeMap nodeMapOf(std::size_t a, std::size_t b) const;
   /// What acts beside the members' own terms, on all points; not owned.
   void setFurther(const std::vector<const fem::EnergyTerm*>& terms);
   /// Takes over the members' scales of the elastic energy. True: one is another than `before`,
@@ -58,7 +58,7 @@ class JointPotential {
  private:
   std::vector<const Potential*> members_;
   fem::JointEnergy energy_;
-  std::vector<std::unique_ptr<PlacedTerms>> terms_;
+  std::vector<std::unique_ptr<MappedTerms>> terms_;
   Potential all_;
 };
 

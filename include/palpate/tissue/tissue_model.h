@@ -100,7 +100,7 @@ class TissueModel {
   /// Back to the initial equilibrium, at rest.
   virtual void reset() = 0;
   /// Goes on from there without a past. Sizes as positions(organ), all finite: the caller's duty.
-  virtual void place(int organ, const Points& positions, const Points& velocities) = 0;
+  virtual void setPositions(int organ, const Points& positions, const Points& velocities) = 0;
 
   /// All memory. To take it changes nothing.
   virtual State state() const = 0;

@@ -145,13 +145,13 @@ void BemOrgan::fail() {
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
 void BemOrgan::solveStages() {
-  touch_.place(0.0);
+  touch_.moveTo(0.0);
   touch_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   for (double s = 0.0; s < 1.0;) {
     s = touch_.tool_path.next(x_, s, 1.0);
     ++out_.sweep_stages;
-    touch_.place(s);
+    touch_.moveTo(s);
     out_.status = solveStage((s < 1.0 ? kStageTolerance : 1.0) * 0.5 * out_.tolerance).status;
     if (!solver::usable(out_.status) || out_.status == solver::SolveStatus::kDeadline) return;
   }
@@ -224,7 +224,7 @@ void BemOrgan::reset() {
 }
 
 // The contact forces are those that hold it there.
-void BemOrgan::place(int, const Points& positions, const Points& velocities) {
+void BemOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   x_ = positions;
   v_ = velocities;
   g_ = x_ - surface_.points;

@@ -89,9 +89,9 @@ void EnrichedOrgan::reset() {
   show();
 }
 
-void EnrichedOrgan::place(int, const Points& positions, const Points& velocities) {
+void EnrichedOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   const Eigen::Index m = equilibrium_.cols(), n = fine_.numPoints();
-  body_->place(0, positions.leftCols(m), velocities.leftCols(m));
+  body_->setPositions(0, positions.leftCols(m), velocities.leftCols(m));
   fine_.carried(body_->body().x, &on_);
   detail_ = positions.rightCols(n) - on_ - fine_.distance();
   rate_.setZero();

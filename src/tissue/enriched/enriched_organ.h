@@ -29,7 +29,7 @@ class EnrichedOrgan final : public OrganBodies {
 
   void reset() override;
   /// The body's nodes first, then the fine points; these say what their detail is.
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 

@@ -72,8 +72,8 @@ class AdaptiveTissue final : public OrganBodies {
     become(coarse_.get());
   }
 
-  void place(int, const Points& positions, const Points& velocities) override {
-    organ_->place(0, positions, velocities);
+  void setPositions(int, const Points& positions, const Points& velocities) override {
+    organ_->setPositions(0, positions, velocities);
     tools_.forget();
   }
 

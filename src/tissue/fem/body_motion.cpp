@@ -65,7 +65,7 @@ void BodyMotion::endCycle() {
 void BodyMotion::beginStep(double begin, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
-  body_.surroundings.place(begin);
+  body_.surroundings.moveTo(begin);
   body_.surroundings.beginStep(h, body_.x);
 }
 

@@ -44,7 +44,7 @@ class BodySurroundings {
     if (moves_) time_ += cycle_;
   }
   /// Anchors are where they are at part `s` in [0, 1] of the cycle.
-  void place(double s);
+  void moveTo(double s);
   /// A step of `h` [s], infinity: without damping, begins at x, 3 x n [m].
   void beginStep(double h, const Points& x);
   /// From x to where the carried nodes are at part `s`, 3 x n [m], zero of others.

@@ -29,7 +29,7 @@ void ExplicitTouch::begin() {
   limited_ = false;
   friction_converged_ = true;
   part_ = 0.0;
-  body_.tool_path.place(0.0);
+  body_.tool_path.moveTo(0.0);
 }
 
 // Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
@@ -42,7 +42,7 @@ bool ExplicitTouch::mayJump(const Points& way) const {
 
 bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
   body_.tool_path.beginStep(body_.x);
-  body_.tool_path.place(s);
+  body_.tool_path.moveTo(s);
   tool_way_ = (s - part_) * body_.tool_path.longestWay();
   part_ = s;
   limited_ = false;

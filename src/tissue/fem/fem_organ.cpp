@@ -79,10 +79,10 @@ std::vector<std::string> FemOrgan::notes() const {
 
 void FemOrgan::reset() {
   body_.surroundings.reset();
-  place(0, equilibrium_, Points::Zero(3, equilibrium_.cols()));
+  setPositions(0, equilibrium_, Points::Zero(3, equilibrium_.cols()));
 }
 
-void FemOrgan::place(int, const Points& positions, const Points& velocities) {
+void FemOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   put(positions, velocities);
   method_->prepare(body_.settings.step);
 }

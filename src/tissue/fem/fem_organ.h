@@ -58,7 +58,7 @@ class FemOrgan final : public OrganBodies {
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
   void reset() override;
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
   /// Is at x, 3 x n [m], at rest, and its method ready for cycles of `dt` [s] there and nearby.

@@ -76,8 +76,8 @@ class FemOrgans final : public TissueModel {
     groups_.forget();
   }
 
-  void place(int organ, const Points& positions, const Points& velocities) override {
-    at(organ).place(0, positions, velocities);
+  void setPositions(int organ, const Points& positions, const Points& velocities) override {
+    at(organ).setPositions(0, positions, velocities);
     takeBodies();
     for (const GroupBody& b : bodies_) {
       b.body->wake();

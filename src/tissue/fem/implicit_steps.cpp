@@ -106,12 +106,12 @@ void ImplicitSteps::startFromPredictor(double begin, double end, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   Points& x = bodies_.x();
   const solver::Potential& potential = bodies_.potential();
-  bodies_.placeTools(begin);
+  bodies_.moveTools(begin);
   bodies_.beginTouches();
   begin_x_ = x;
   bodies_.extrapolate(h, &way_);
   predicted_ = x + potential.maxStep(x, way_) * way_;
-  bodies_.placeSurroundings(end);
+  bodies_.moveSurroundings(end);
   if (bodies_.carries()) {
     bodies_.carryTo(end, &predicted_);
     bodies_.carryHere(end);
@@ -179,19 +179,19 @@ bool ImplicitSteps::followTools(double from, double to, const Points& x, bool in
   {
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     const bool touching = bodies_.pushTo(to, x, &push_);
-    bodies_.placeTools(to);
+    bodies_.moveTools(to);
     if (!touching || !in_time) return false;
     value = potential.gradient(bodies_.x(), &gradient_there_);
     const double residual = solver::freeNorm(gradient_there_, potential.free);
     if (residual <= kMinFollowRatio * out_->tolerance) return false;
-    bodies_.placeTools(from);
+    bodies_.moveTools(from);
   }
   solver::NewtonReport step;
   const bool found =
       minimizer_->tangentStep(potential, x, push_, kFollowLinearTolerance, &way_, &step);
   add(step);
   const PhaseTimer timer(&out_->phases, Phase::kForces);
-  bodies_.placeTools(to);
+  bodies_.moveTools(to);
   if (!found) return false;
   predicted_ = x + potential.maxStep(x, way_) * way_;
   const bool better = potential.gradient(predicted_, &gradient_there_) < value;

@@ -55,14 +55,14 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   solver::NewtonReport solved;
   StateWriter touched;
   body_.contact.save(&touched);
-  body_.tool_path.place(0.0);
+  body_.tool_path.moveTo(0.0);
   body_.tool_path.beginStep(body_.x);
   for (double s = 0.0; s < 1.0;) {
     {
       const PhaseTimer timer(&out->phases, Phase::kContact);
       s = body_.tool_path.next(body_.x, s, 1.0);
       ++out->sweep_stages;
-      body_.tool_path.place(s);
+      body_.tool_path.moveTo(s);
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
@@ -100,7 +100,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
 // Displacements without contact: those under the loads, and what held nodes and anchors that move
 // take along.
 void LinearMethod::moveHeld(double s) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   if (!body_.heldMoves() && !body_.surroundings.moves()) return;
   Points way = Points::Zero(3, body_.x.cols());
   if (body_.drive.held) {

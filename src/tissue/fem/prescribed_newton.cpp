@@ -125,15 +125,15 @@ bool PrescribedNewton::restsInMinimum() {
 bool PrescribedNewton::sweep(int parts, TissueStep* out) {
   value_begin_.reset();
   out->sweep_stages = 0;
-  body_.tool_path.place(0.0);
+  body_.tool_path.moveTo(0.0);
   for (double s = 0.0; s < 1.0;) {
     const double begin = s;
     s = contact_->nextStage(body_.x, begin, std::min(1.0, begin + 1.0 / parts));
     if (s > 1.0 - 1e-9) s = 1.0;
     ++out->sweep_stages;
-    body_.tool_path.place(s);
+    body_.tool_path.moveTo(s);
     part_ = s;
-    body_.surroundings.place(s);
+    body_.surroundings.moveTo(s);
     solveStage(begin, out);
     if (!solver::usable(out->status) || !body_.x.allFinite()) return false;
     if (out->status == solver::SolveStatus::kDeadline) return true;

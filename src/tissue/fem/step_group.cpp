@@ -25,19 +25,21 @@ StepGroup::StepGroup(const std::vector<BodyMotion*>& members)
 void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactions) {
   const bool same = std::equal(
       interactions.begin(), interactions.end(), interactions_.begin(), interactions_.end(),
-      [](const MemberInteraction& a, const std::unique_ptr<Placed>& b) { return a == b->what; });
+      [](const MemberInteraction& a, const std::unique_ptr<MappedInteraction>& b) {
+        return a == b->what;
+      });
   if (!same) {
     interactions_.clear();
     std::vector<const fem::EnergyTerm*> further;
     for (const MemberInteraction& what : interactions) {
       Eigen::Index nodes = members_[what.a]->body().x.cols();
       if (what.a != what.b) nodes += members_[what.b]->body().x.cols();
-      interactions_.push_back(
-          std::make_unique<Placed>(Placed{what, {what.term}, nullptr, {}, Points(3, nodes)}));
-      Placed& placed = *interactions_.back();
-      placed.of_all = std::make_unique<solver::PlacedTerms>(
-          placed.terms, joint_->placeOf(what.a, what.b), static_cast<int>(nodes));
-      further.push_back(placed.of_all.get());
+      interactions_.push_back(std::make_unique<MappedInteraction>(
+          MappedInteraction{what, {what.term}, nullptr, {}, Points(3, nodes)}));
+      MappedInteraction& mapped = *interactions_.back();
+      mapped.of_all = std::make_unique<solver::MappedTerms>(
+          mapped.terms, joint_->nodeMapOf(what.a, what.b), static_cast<int>(nodes));
+      further.push_back(mapped.of_all.get());
     }
     joint_->setFurther(further);
   }
@@ -47,9 +49,9 @@ void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactio
 // visit(interaction, the points of its pair).
 template <class Visit>
 void StepGroup::forInteractions(const Visit& visit) const {
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->of_all->gather(x_, &placed->x);
-    visit(*placed, placed->x);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->of_all->gather(x_, &mapped->x);
+    visit(*mapped, mapped->x);
   }
 }
 
@@ -95,9 +97,9 @@ void StepGroup::beginCycle() {
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->before = {};
-    placed->what.term->save(&placed->before);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->before = {};
+    mapped->what.term->save(&mapped->before);
   }
   searchInteractions();
   endGuarding();
@@ -140,9 +142,9 @@ void StepGroup::goBack() {
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    StateReader before(placed->before.bytes());
-    placed->what.term->restore(&before);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    StateReader before(mapped->before.bytes());
+    mapped->what.term->restore(&before);
   }
 }
 
@@ -161,7 +163,7 @@ void StepGroup::endStep(double unbalanced) {
     members_[k]->endStep(unbalanced);
   }
   sumInteractionForces();
-  forInteractions([](Placed& placed, const Points& x) { placed.what.term->endStep(x); });
+  forInteractions([](MappedInteraction& mapped, const Points& x) { mapped.what.term->endStep(x); });
 }
 
 void StepGroup::extrapolate(double h, Points* way) const {
@@ -179,8 +181,8 @@ bool StepGroup::carries() const {
   });
 }
 
-void StepGroup::placeSurroundings(double s) {
-  for (BodyMotion* member : members_) member->body().surroundings.place(s);
+void StepGroup::moveSurroundings(double s) {
+  for (BodyMotion* member : members_) member->body().surroundings.moveTo(s);
 }
 
 void StepGroup::carryTo(double s, Points* all) const {
@@ -207,7 +209,8 @@ void StepGroup::carryHere(double s) {
 double StepGroup::valueHere() {
   double sum = 0.0;
   for (BodyMotion* member : members_) sum += member->valueHere();
-  for (const std::unique_ptr<Placed>& placed : interactions_) sum += placed->of_all->value(x_);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_)
+    sum += mapped->of_all->value(x_);
   return sum;
 }
 
@@ -234,15 +237,16 @@ double StepGroup::unbalancedForce(const Points& gradient) {
   return std::sqrt(sum);
 }
 
-void StepGroup::placeTools(double s) {
-  for (BodyMotion* member : members_) member->body().touch.place(s);
+void StepGroup::moveTools(double s) {
+  for (BodyMotion* member : members_) member->body().touch.moveTo(s);
 }
 
 void StepGroup::beginTouches() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->body().tool_path.beginStep(part(k, x()));
   }
-  forInteractions([](Placed& placed, const Points& x) { placed.what.term->beginStep(x); });
+  forInteractions(
+      [](MappedInteraction& mapped, const Points& x) { mapped.what.term->beginStep(x); });
 }
 
 double StepGroup::nextStage(double s, double end) const {
@@ -304,8 +308,9 @@ bool StepGroup::candidatesHold() const {
     if (!body.tool_path.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
   }
   bool hold = true;
-  forInteractions(
-      [&](const Placed& placed, const Points& x) { hold = hold && placed.what.term->holds(x); });
+  forInteractions([&](const MappedInteraction& mapped, const Points& x) {
+    hold = hold && mapped.what.term->holds(x);
+  });
   return hold;
 }
 
@@ -318,8 +323,9 @@ void StepGroup::search() {
 }
 
 void StepGroup::searchInteractions() {
-  forInteractions(
-      [](Placed& placed, const Points& x) { placed.what.term->search(x, placed.what.way); });
+  forInteractions([](MappedInteraction& mapped, const Points& x) {
+    mapped.what.term->search(x, mapped.what.way);
+  });
 }
 
 // Before that becomes memory.
@@ -327,8 +333,8 @@ void StepGroup::sumInteractionForces() {
   interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;
   gradient_.setZero(3, x_.cols());
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->of_all->addGradient(x_, &gradient_);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->of_all->addGradient(x_, &gradient_);
   }
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const Points& nodal = part(k, gradient_);

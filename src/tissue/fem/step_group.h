@@ -63,7 +63,7 @@ class StepGroup {
   void extrapolate(double h, Points* way) const;
   /// Whether surroundings carry nodes; they, and anchors, go to part `s` of the cycle.
   bool carries() const;
-  void placeSurroundings(double s);
+  void moveSurroundings(double s);
   /// Puts the carried nodes of `all` there, or of x, where a step begins.
   void carryTo(double s, Points* all) const;
   void carryHere(double s);
@@ -80,7 +80,7 @@ class StepGroup {
   double unbalancedForce(const Points& gradient);
 
   // The tools' way, see ToolPath.
-  void placeTools(double s);
+  void moveTools(double s);
   /// A step begins with the tools, and what acts between members, where they are.
   void beginTouches();
   double nextStage(double s, double end) const;
@@ -105,10 +105,10 @@ class StepGroup {
   void restore(StateReader* in) { in->get(&scales_); }
 
  private:
-  struct Placed {
+  struct MappedInteraction {
     MemberInteraction what;
     std::vector<const fem::EnergyTerm*> terms;  // its one
-    std::unique_ptr<solver::PlacedTerms> of_all;
+    std::unique_ptr<solver::MappedTerms> of_all;
     StateWriter before;  // the cycle
     Points x;            // of the pair
   };
@@ -121,7 +121,7 @@ class StepGroup {
 
   std::vector<BodyMotion*> members_;
   std::unique_ptr<solver::JointPotential> joint_;  // null: a single body
-  std::vector<std::unique_ptr<Placed>> interactions_;
+  std::vector<std::unique_ptr<MappedInteraction>> interactions_;
   std::vector<double> scales_;
   Points x_;
   mutable std::vector<Points> parts_;  // scratch of part()

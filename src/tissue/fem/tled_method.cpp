@@ -225,7 +225,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
 
 // Anchors and held nodes that move go as they are told.
 void TledMethod::moveHeld(double h, double s) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   if (!body_.heldMoves()) return;
   body_.heldWay(s, &held_way_);
   held_before_ = held_velocity_;

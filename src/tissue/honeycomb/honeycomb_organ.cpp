@@ -153,7 +153,7 @@ void HoneycombOrgan::add(const CellSolve& solve) {
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end. Cells that
 // they keep turned inside out do not come back: such a cycle will be rolled back.
 void HoneycombOrgan::solveStages() {
-  touch_.place(0.0);
+  touch_.moveTo(0.0);
   touch_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   const auto solve = [this](int waves) {
@@ -169,7 +169,7 @@ void HoneycombOrgan::solveStages() {
     const bool late = s > 0.0 && solver::isInterrupted(interrupt_);
     s = late ? 1.0 : touch_.tool_path.next(x_, s, 1.0);
     if (late) touch_.inside_tools.invalidate();
-    touch_.place(s);
+    touch_.moveTo(s);
     ++out_.sweep_stages;
     solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);
     if (!solver::usable(out_.status)) return;
@@ -213,7 +213,7 @@ void HoneycombOrgan::reset() {
   rest_.wake();
 }
 
-void HoneycombOrgan::place(int, const Points& positions, const Points& velocities) {
+void HoneycombOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   map_.fit(positions, &state_);
   state_.pressures = equilibrium_.pressures;
   solver_.waves().forget();

@@ -38,7 +38,7 @@ class HoneycombOrgan final : public TissueModel {
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
   void reset() override;
-  void place(int organ, const Points& positions, const Points& velocities) override;
+  void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 

@@ -64,7 +64,7 @@ const TissueStep& NeuralOrgan::step(const std::vector<contact::Obstacle>& obstac
   // Nothing was told yet that would have to go over to them.
   const bool at_once = begins && untouched;
   if (begins) {
-    elements_->place(0, X_, still_);  // as reset(), without its memory
+    elements_->setPositions(0, X_, still_);  // as reset(), without its memory
     if (!at_once) drawOut(obstacles);
     solving_ = true;
     begun_ = at_once ? 0 : kUntold;
@@ -196,8 +196,8 @@ void NeuralOrgan::reset() {
 }
 
 // The elements go on from there.
-void NeuralOrgan::place(int, const Points& positions, const Points& velocities) {
-  elements_->place(0, positions, velocities);
+void NeuralOrgan::setPositions(int, const Points& positions, const Points& velocities) {
+  elements_->setPositions(0, positions, velocities);
   part_ = 1.0;
   solving_ = true;
   begun_ = 0;

@@ -56,7 +56,7 @@ class NeuralOrgan final : public TissueModel {
     elements_->setInterrupt(interrupt);
   }
   void reset() override;
-  void place(int organ, const Points& positions, const Points& velocities) override;
+  void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 

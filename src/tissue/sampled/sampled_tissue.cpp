@@ -46,7 +46,7 @@ bool SampledTissue::adapt(double dt) {
 // Whether contact did not throw anything.
 bool SampledTissue::subStep(double h, double s) {
   touch_.tool_path.beginStep(x_);
-  touch_.tool_path.place(s);
+  touch_.tool_path.moveTo(s);
   if (!touch_.tool_path.candidatesHold(x_)) touch_.tool_path.search(x_);
   forces_ = gravity_ * body_.masses.transpose();
   if (touch_.contact.hasCandidates()) {
@@ -87,7 +87,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   rest_.begin(x_);
   before_.clear();
   body_.save(&before_);
-  touch_.tool_path.place(0.0);
+  touch_.tool_path.moveTo(0.0);
   out_.tolerance = tolerance_;
   bool coarse = false;
   const int steps = planSteps(dt, &coarse);
@@ -148,7 +148,7 @@ void SampledTissue::report() {
   rest_.remember(out_);
 }
 
-void SampledTissue::place(int, const Points& positions, const Points& velocities) {
+void SampledTissue::setPositions(int, const Points& positions, const Points& velocities) {
   body_.reset();
   const auto& particles = body_.tree().particles();
   for (std::size_t k = 0; k < body_.leaves().size(); ++k) {

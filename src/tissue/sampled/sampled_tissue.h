@@ -78,7 +78,7 @@ class SampledTissue final : public TissueModel {
     forget();
   }
   /// The particles take what the surface says: where it is, all others as the nearest ones.
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
 
   State state() const override {
     StateWriter out;

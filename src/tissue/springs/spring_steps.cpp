@@ -249,7 +249,7 @@ bool SpringSteps::plausible() {
 
 // One integrator's step of `h`, in which the tools go on to part `s` of their way.
 bool SpringSteps::subStep(double h, double s, TissueStep* out) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   {
     const PhaseTimer timer(&out->phases, Phase::kForces);
     addForces(&g_);

@@ -10,10 +10,10 @@
 
 namespace palpate::tissue {
 
-/// Displacements by unit forces: of nodes a and b that can be touched and move, those at place[a]
-/// of the matrix by those at place[b], 3 x 3 [m/N]. Symmetric. Of other nodes the place is -1.
+/// Displacements by unit forces: of nodes a and b that can be touched and move, those at index[a]
+/// of the matrix by those at index[b], 3 x 3 [m/N]. Symmetric. Of other nodes the place is -1.
 struct NodeCompliance {
-  const std::vector<int>& place;
+  const std::vector<int>& index;
   const Eigen::MatrixXd& matrix;
 };
 
@@ -45,8 +45,8 @@ class CompliantContact {
 
   // Of two of nodes_, by their place there [m/N].
   auto compliance(std::size_t a, std::size_t b) const {
-    return compliance_.matrix.block<3, 3>(3 * compliance_.place[nodes_[a]],
-                                          3 * compliance_.place[nodes_[b]]);
+    return compliance_.matrix.block<3, 3>(3 * compliance_.index[nodes_[a]],
+                                          3 * compliance_.index[nodes_[b]]);
   }
 
   void gatherNodes(const Points& u0, Points* f, Points* x);

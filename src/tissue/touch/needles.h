@@ -21,7 +21,7 @@ class Needles final : public fem::EnergyTerm {
   /// Obstacle::number of those that are inside, ascending: their surface is not touched.
   const std::vector<int>& inside() const { return inside_; }
   /// Brings them to part s of their ways.
-  void place(double s);
+  void moveTo(double s);
   void endStep(const Points& x);
   /// Where a cycle has ended: needles that press harder than the surface can bear are inside from
   /// now on. `obstacles`: as contacts number them.
@@ -61,7 +61,7 @@ class Needles final : public fem::EnergyTerm {
   static contact::NeedleChannel channelOf(const contact::NeedleSettings& settings, double length,
                                           double radius, double stiffness);
   static void put(double s, Inserted* needle);
-  bool find(const Points& x, const Vec3& p, contact::NeedleChannel::Place* place) const;
+  bool find(const Points& x, const Vec3& p, contact::NeedleChannel::MaterialPoint* place) const;
 
   Points X_;
   Eigen::Matrix4Xi tets_;

@@ -75,7 +75,7 @@ void ToolPath::search(const Points& x) {
   searched_at_ = x;
 }
 
-void ToolPath::place(double s) {
+void ToolPath::moveTo(double s) {
   for (std::size_t k = 0; k < near_.size(); ++k) {
     placed_[k].X_WG_end = contact::interpolate(near_[k].X_WG_begin, near_[k].X_WG_end, s);
   }

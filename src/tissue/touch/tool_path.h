@@ -32,7 +32,7 @@ class ToolPath {
            (x - searched_at_).colwise().squaredNorm().maxCoeff() <= margin_ * margin_;
   }
   /// Brings the obstacles to part s of their way.
-  void place(double s);
+  void moveTo(double s);
   /// The forces on the nodes, 3 x n [N], that touches at x gain, to first order, while the
   /// obstacles go from where they are to part s of their way and x stays. False: there are none.
   bool pushTo(double s, const Points& x, Points* push);

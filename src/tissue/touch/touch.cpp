@@ -37,14 +37,14 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
   if (has_inside_) inside_tools.update(tool_path.near(), x, triangles_);
   tool_path.leaveOut(inside_tools.inside());
   out->tools_inside = static_cast<int>(inside_tools.inside().size());
-  place(1.0);
+  moveTo(1.0);
   tool_path.search(x);
   out->distant_samples = contact.numDistant();
 }
 
-void Touch::place(double s) {
-  tool_path.place(s);
-  needles.place(s);
+void Touch::moveTo(double s) {
+  tool_path.moveTo(s);
+  needles.moveTo(s);
 }
 
 void Touch::endStep(const Points& x) {

@@ -41,7 +41,7 @@ class Touch {
   /// Whether an instrument may touch, whose motion an organ at rest would feel.
   bool possibleByTools() const;
   /// Brings tools to part s of their ways.
-  void place(double s);
+  void moveTo(double s);
   /// A step has ended at x.
   void endStep(const Points& x);
   /// All memory from one cycle to the next, and within one.
