@@ -13,7 +13,7 @@
 #include "palpate/tissue/tissue_model.h"
 #include "tissue/touch/compliant_contact.h"
 #include "tissue/touch/rest.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
@@ -64,7 +64,7 @@ class BemOrgan final : public TissueModel {
   Eigen::Matrix3Xd support_rows_;  // of the stiffness, summed over what is held, 3 x 3 n
   std::vector<int> places_;
   Points loads_, u_loads_;  // of gravity [N], under it [m]
-  Touch touch_;
+  ToolContact tool_contact_;
   Rest rest_;
   CompliantContact contact_;
   const solver::Interrupt* interrupt_ = nullptr;

@@ -14,7 +14,7 @@
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/drive.h"
 #include "palpate/tissue/fem/fem_tissue.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
@@ -83,8 +83,8 @@ struct FemBody {
   Drive drive;
   fem::DeadLoad gravity;
   BodySurroundings surroundings;
-  Touch touch;
-  contact::ContactPotential& contact;  ///< Of `touch`,
+  ToolContact tool_contact;
+  contact::ContactPotential& contact;  ///< Of `tool_contact`,
   ToolPath& tool_path;                 ///< likewise.
   double largest_poisson_ratio;        ///< Of any solid at rest.
   std::string method;                  ///< By which it is stepped; never "auto".

@@ -96,7 +96,7 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.x = positions;
   body_.v = velocities;
   body_.elasticity->relax(positions);
-  body_.touch.forget();
+  body_.tool_contact.forget();
   body_.guard.setActive(false);
   body_.elastic_energy.reset();
   body_.min_jacobian.reset();
@@ -139,7 +139,7 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   stuck_ = false;
   body_.min_jacobian.reset();
   body_.surroundings.beginCycle(dt);
-  body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
+  body_.tool_contact.begin(obstacles, body_.x, body_.v, dt, &out_);
   contact_force_ = body_.contact_force;
   support_force_ = body_.support_force;
   if (isTouched()) reached();
@@ -223,7 +223,7 @@ void FemOrgan::reportSolved() {
   }
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
-  body_.touch.countInactive(&out_);
+  body_.tool_contact.countInactive(&out_);
   if (out_.status != solver::SolveStatus::kDeadline) return;
   // A tolerance is a part of forces that are in balance: where a cycle was cut there may be any.
   body_.contact_force = contact_force_;
@@ -233,7 +233,7 @@ void FemOrgan::reportSolved() {
 // It neither moves nor would begin to if it were stopped here. The cycle's tolerance is of the
 // forces of the one before, which may have been those of a tool that is gone.
 bool FemOrgan::cameToRest() {
-  if (!rest_.isStill(body_.x, body_.touch, out_)) return false;
+  if (!rest_.isStill(body_.x, body_.tool_contact, out_)) return false;
   if (method_->unbalancedForce() > out_.tolerance) return false;
   TissueStep now;
   method_->reportForces(&now);
@@ -330,7 +330,7 @@ void FemOrgan::fail() {
   out_.recover(Recovery::kRolledBack);
   if (out_.status != solver::SolveStatus::kDeadline) backoff_.failed(out_.status);
   stop();
-  body_.touch.inside_tools.invalidate();
+  body_.tool_contact.inside_tools.invalidate();
 }
 
 void FemOrgan::stayFrozen(solver::SolveStatus why) {

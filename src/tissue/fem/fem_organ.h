@@ -90,7 +90,7 @@ class FemOrgan final : public OrganBodies {
   /// It becomes one.
   void join() { method_->forget(); }
   /// Whether it would sleep through the cycle.
-  bool sleeps() const { return rest_.sleeps(body_.touch); }
+  bool sleeps() const { return rest_.sleeps(body_.tool_contact); }
   /// It does.
   void sleepOn() { rest_.report(&out_); }
   /// Whether it failed so often that the cycle is left out; asked once a cycle.
@@ -104,13 +104,13 @@ class FemOrgan final : public OrganBodies {
   void beginTogether() { rest_.begin(body_.x); }
   /// Whether it came to rest for its part in a cycle of the group that did `together`.
   bool isStill(const TissueStep& together) const {
-    return rest_.isStill(body_.x, body_.touch, together);
+    return rest_.isStill(body_.x, body_.tool_contact, together);
   }
   /// Its forces at body.x, into `out`; its tolerance is of them from now on. `gradient`: of the
   /// potential, 3 x n [N]; `others`: what they exert on it.
   void takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out);
   /// Whether a tool may touch it in this cycle.
-  bool isTouched() const { return body_.touch.possibleByTools(); }
+  bool isTouched() const { return body_.tool_contact.possibleByTools(); }
   /// Asked once after a cycle that was solved, of a body that is touched by no tool, nor through
   /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
   /// cycle after the other, each of which counts as a failure as long as they lead nowhere. What

@@ -67,7 +67,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
     if (solved.status == solver::SolveStatus::kDeadline) {
-      body_.touch.inside_tools.invalidate();
+      body_.tool_contact.inside_tools.invalidate();
       break;
     }
     const int most = body_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;

@@ -21,7 +21,7 @@ void NeighbourSearch::updateBodies(const std::vector<GroupBody>& bodies, double 
     const FemBody& body = b.body->body();
     const double own = 2.0 * dt * body.v.colwise().norm().maxCoeff();
     // Outside of a cycle the tools of the one before are known, which may be gone.
-    const bool pushes = dt > 0.0 && body.touch.possible();
+    const bool pushes = dt > 0.0 && body.tool_contact.possible();
     const double pushed = pushes ? body.tool_path.longestWay() : 0.0;
     seen_.push_back({*b.organ, body.mesh.points, body.x, body.triangles,
                      body.x.rowwise().minCoeff(), body.x.rowwise().maxCoeff(),

@@ -238,7 +238,7 @@ double StepGroup::unbalancedForce(const Points& gradient) {
 }
 
 void StepGroup::moveTools(double s) {
-  for (BodyMotion* member : members_) member->body().touch.moveTo(s);
+  for (BodyMotion* member : members_) member->body().tool_contact.moveTo(s);
 }
 
 void StepGroup::beginTouches() {
@@ -271,7 +271,7 @@ bool StepGroup::pushTo(double s, const Points& all, Points* push) const {
 }
 
 void StepGroup::invalidateInsideTools() {
-  for (BodyMotion* member : members_) member->body().touch.inside_tools.invalidate();
+  for (BodyMotion* member : members_) member->body().tool_contact.inside_tools.invalidate();
 }
 
 bool StepGroup::hasFriction() const {

@@ -27,7 +27,7 @@ TledMethod::TledMethod(FemBody* body)
       inverse_masses_(body->free * masses_.cwiseInverse().asDiagonal()),
       critical_(body->elasticity.get(), body->free,
                 body->surroundings.largestSquare(body->mesh.points, masses_)),
-      touch_(body) {
+      contact_(body) {
   critical_.begin(body->mesh.points);
   u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
 }
@@ -36,7 +36,7 @@ void TledMethod::restart() {
   refinement_ = 1;
   overran_ = !(body_.elasticity->minJacobian(body_.x) > 0.0);
   budget_ = EnergyBudget();
-  touch_.clear();
+  contact_.clear();
   contact_g_.setZero();
   inertia_.setZero();
   held_velocity_.setZero();
@@ -64,7 +64,7 @@ void TledMethod::save(StateWriter* out) const {
 }
 
 void TledMethod::restore(StateReader* in) {
-  touch_.clear();
+  contact_.clear();
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
   in->get(&refinement_);
@@ -92,7 +92,7 @@ int TledMethod::subSteps(double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
-  const double steps = std::max({1.0, stable, touch_.steps()});
+  const double steps = std::max({1.0, stable, contact_.steps()});
   if (critical_.squeezed() > kMaxSubStepRatio) return 0;
   return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
 }
@@ -154,9 +154,9 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
-  out->residual = touch_.residual();
+  out->residual = contact_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.status(out->tolerance, sub_steps.late);
+  out->status = contact_.status(out->tolerance, sub_steps.late);
   return true;
 }
 
@@ -165,8 +165,8 @@ bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
   const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   tunnelled_ = contact_slow_ = energy_grew_ = overran_ = false;
-  int touch_iterations = 0;
-  touch_.begin();
+  int contact_iterations = 0;
+  contact_.begin();
   // What the half-step before it would have ended with, braked.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   for (int k = 1; k <= sub_steps->steps && !sub_steps->late; ++k) {
@@ -174,9 +174,9 @@ bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
     subStep(h, k / static_cast<double>(sub_steps->steps), out);
     if (tunnelled_ || !std::isfinite(potential_)) break;
     sub_steps->taken = k;
-    sub_steps->touched = sub_steps->touched || !touch_.nodes().empty();
-    touch_iterations += touch_.iterations();
-    contact_slow_ = touch_iterations > kMinContactIterations + kContactIterationsPerSubStep * k;
+    sub_steps->touched = sub_steps->touched || !contact_.nodes().empty();
+    contact_iterations += contact_.iterations();
+    contact_slow_ = contact_iterations > kMinContactIterations + kContactIterationsPerSubStep * k;
     if (contact_slow_) {
       out->status = solver::SolveStatus::kIterationLimit;
       return false;
@@ -184,7 +184,7 @@ bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
     sub_steps->late = k < sub_steps->steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the tissue has not followed them.
-  if (sub_steps->late) body_.touch.inside_tools.invalidate();
+  if (sub_steps->late) body_.tool_contact.inside_tools.invalidate();
   out->status =
       tunnelled_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
   return !tunnelled_ && std::isfinite(potential_) && body_.x.allFinite();
@@ -194,13 +194,13 @@ bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
 // inverted, and was not cut: then the next one begins with implicit steps.
 bool TledMethod::finishCycle(SubSteps* sub_steps, TissueStep* out) {
   if (sub_steps->touched) sub_steps->least_jacobian = body_.elasticity->minJacobian(body_.x);
-  overran_ = (sub_steps->touched && touch_.limited()) || !(sub_steps->least_jacobian > 0.0);
+  overran_ = (sub_steps->touched && contact_.limited()) || !(sub_steps->least_jacobian > 0.0);
   if (overran_ && !sub_steps->late) {
     out->status = solver::SolveStatus::kLineSearchFailed;
     return false;
   }
   const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
-  contact_g_ = touch_.gradient();
+  contact_g_ = contact_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   return body_.v.allFinite();
 }
@@ -214,7 +214,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   moveHeld(h, s);
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
-    if (!touch(h, s)) return;
+    if (!applyContact(h, s)) return;
   }
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.x.swap(next_);
@@ -248,13 +248,13 @@ void TledMethod::addHeldInertia(double h) {
 }
 
 // From the way `next` to the next positions, with what the tools change of it.
-bool TledMethod::touch(double h, double s) {
-  tunnelled_ = !touch_.go(s, coefficients_, &next_);
+bool TledMethod::applyContact(double h, double s) {
+  tunnelled_ = !contact_.step(s, coefficients_, &next_);
   if (tunnelled_) return false;
-  for (int i : touch_.nodes()) {
+  for (int i : contact_.nodes()) {
     const Vec3 way = next_.col(i) - body_.x.col(i);
     u_.col(i) = way / h;
-    work_ += std::abs(way.dot(touch_.gradient().col(i)));
+    work_ += std::abs(way.dot(contact_.gradient().col(i)));
   }
   return true;
 }
@@ -264,7 +264,7 @@ bool TledMethod::touch(double h, double s) {
 // it counts as well.
 bool TledMethod::plausible(const EnergyBudget& since) const {
   const double released = std::max(0.0, since.potential - potential_);
-  const double noise = 1e-3 * body_.force_floor * touch_.elementSize();
+  const double noise = 1e-3 * body_.force_floor * contact_.elementSize();
   const double kinetic = kineticEnergy();
   if (kinetic > kMaxEnergyRatio * (since.kinetic + released + work_ + noise)) return false;
   if (since.cycles == 0.0) return true;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "critical_step.h"
-#include "explicit_touch.h"
+#include "explicit_contact.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
@@ -68,7 +68,7 @@ class TledMethod final : public StepMethod {
   void subStep(double h, double s, TissueStep* out);
   void moveHeld(double h, double s);
   void addHeldInertia(double h);
-  bool touch(double h, double s);
+  bool applyContact(double h, double s);
   void forces(double h);
   bool plausible(const EnergyBudget& since) const;
   double kineticEnergy() const;
@@ -77,7 +77,7 @@ class TledMethod final : public StepMethod {
   Eigen::VectorXd masses_;
   Points inverse_masses_;  // 1/m where free, else 0; 3 x n
   CriticalStep critical_;
-  ExplicitTouch touch_;
+  ExplicitContact contact_;
 
   Points g_;          // gradient of elasticity and gravity at x, 3 x n [N]
   double potential_;  // their energy [J]

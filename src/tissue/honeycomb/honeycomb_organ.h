@@ -8,7 +8,7 @@
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
 #include "tissue/touch/rest.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
@@ -60,7 +60,7 @@ class HoneycombOrgan final : public TissueModel {
   Points weight_;  // of each cell in O [N]
   CellBalance balance_;
   CornerMap map_;
-  Touch touch_;
+  ToolContact tool_contact_;
   Rest rest_;
   double tolerance_;  // [N]
   CellSolver solver_;

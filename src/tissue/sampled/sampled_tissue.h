@@ -31,15 +31,15 @@ class SampledTissue final : public TissueModel {
         finest_(finestOf(organ.sampling)),
         most_change_(organ.sampling.max_velocity_change),
         step_(settings.step),
-        touch_(X_, triangles_, settings),
+        tool_contact_(X_, triangles_, settings),
         size_((X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm()),
         rest_(Rest::kMotion * size_, settings.skip.sleeping),
         tolerance_(settings.tolerance * (settings.gravity.norm() * body_.masses.sum() +
                                          0.01 * material::moduli(solid.law).mu * size_ * size_) +
                    1e-9) {
     Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(X_.cols());
-    for (int s = 0; s < touch_.contact.numForInstruments(); ++s) {
-      const contact::SurfaceSample& sample = touch_.contact.samples()[s];
+    for (int s = 0; s < tool_contact_.contact.numForInstruments(); ++s) {
+      const contact::SurfaceSample& sample = tool_contact_.contact.samples()[s];
       for (int k = 0; k < 3; ++k) {
         stiffness[sample.nodes[k]] += sample.weights[k] * sample.area * settings.contact.stiffness;
       }
@@ -83,7 +83,7 @@ class SampledTissue final : public TissueModel {
   State state() const override {
     StateWriter out;
     body_.save(&out);
-    touch_.save(&out);
+    tool_contact_.save(&out);
     rest_.save(&out);
     return {kind(), out.bytes()};
   }
@@ -91,7 +91,7 @@ class SampledTissue final : public TissueModel {
     checkKind(state, kind());
     StateReader in(state.bytes);
     body_.restore(&in);
-    touch_.restore(&in);
+    tool_contact_.restore(&in);
     rest_.restore(&in);
     in.finish();
     follow();
@@ -136,7 +136,7 @@ class SampledTissue final : public TissueModel {
     return "sampled_elasticity, " + std::to_string(X_.cols()) + " points";
   }
   void forget() {
-    touch_.forget();
+    tool_contact_.forget();
     rest_.wake();
     out_.clear();
     follow();
@@ -171,7 +171,7 @@ class SampledTissue final : public TissueModel {
   double finest_;   // distance of particles [m]
   double most_change_;
   double step_;  // a cycle [s]
-  Touch touch_;
+  ToolContact tool_contact_;
   double size_;
   Rest rest_;
   double tolerance_;

@@ -3,13 +3,13 @@
 
 #include "palpate/base/state_bytes.h"
 #include "palpate/tissue/tissue_model.h"
-#include "touch.h"
+#include "tool_contact.h"
 
 namespace palpate::tissue {
 
 /// When an organ has come to rest, and what is reported of it while it sleeps. A cycle goes
 ///
-///   touch.begin(...); if (rest.sleeps(touch)) return rest.report(&out);
+///   tool_contact.begin(...); if (rest.sleeps(tool_contact)) return rest.report(&out);
 ///   rest.begin(x); ... solve ...
 ///   if (rest.isStill(x, touch, out) && what is unbalanced is within tolerance) rest.fallAsleep();
 ///   ... report forces ...; rest.remember(out);
@@ -23,7 +23,9 @@ class Rest {
   Rest(double motion, bool allowed) : motion_(motion), allowed_(allowed) {}
 
   /// Whether the cycle that touch has begun changes nothing.
-  bool sleeps(const Touch& touch) const { return asleep_ && !touch.possibleByTools(); }
+  bool sleeps(const ToolContact& tool_contact) const {
+    return asleep_ && !tool_contact.possibleByTools();
+  }
   /// The whole cycle: as the last one that was solved, without its work.
   void report(TissueStep* out) const;
 
@@ -39,7 +41,7 @@ class Rest {
   }
   /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed or
   /// they led back, and the cycle was not cut; the anatomy, on which they may lie, does not move.
-  bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
+  bool isStill(const Points& x, const ToolContact& tool_contact, const TissueStep& out) const;
   /// It is still, and would be if it were stopped here.
   void fallAsleep() { asleep_ = true; }
   /// What report() will say, if it came to rest.

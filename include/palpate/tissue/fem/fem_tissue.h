@@ -26,7 +26,7 @@ struct FemSettings : ModelSettings {
   int max_time_steps = 8;          ///< That a cycle is cut into where longer ones fail: 1, 2, 4 ...
   bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
   bool lasting = true;             ///< False: it soon has another mesh.
-  double thickness = 0.0;          ///< Of a sheet [m]; 0: the surface encloses a body. See Touch.
+  double thickness = 0.0;  ///< Of a sheet [m]; 0: the surface encloses a body. See ToolContact.
 };
 
 /// What the state of such a body says it is: method, integrator, element,

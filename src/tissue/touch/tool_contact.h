@@ -15,7 +15,7 @@ namespace palpate::tissue {
 
 /// The surface of an organ, as tools touch it: its contact potential, the tools' way through a
 /// cycle, and what is reported of both. For models of any kind whose points carry forces.
-class Touch {
+class ToolContact {
  public:
   /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
   /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
@@ -25,12 +25,12 @@ class Touch {
   /// sheet has no inside: tools touch either side, by its samples alone, and none is let be.
   /// `samples`: where contact is felt; without any, samples of the triangles, which thin tools
   /// meet, too.
-  Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-        int organ = 0, std::function<double(double r)> excess = {},
-        const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0,
-        const std::vector<contact::SurfaceSample>& samples = {});
-  Touch(const Touch&) = delete;  // the tool path refers to the contact
-  Touch& operator=(const Touch&) = delete;
+  ToolContact(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
+              int organ = 0, std::function<double(double r)> excess = {},
+              const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0,
+              const std::vector<contact::SurfaceSample>& samples = {});
+  ToolContact(const ToolContact&) = delete;  // the tool path refers to the contact
+  ToolContact& operator=(const ToolContact&) = delete;
 
   /// Begins a cycle of `dt` [s] with the points at x going with v, 3 x n: which tools can touch,
   /// and which points. The tools are placed where they end.
@@ -50,7 +50,7 @@ class Touch {
   void forget();
   /// Takes over what `old` remembers, of the same body on another mesh: X and old_X are the points
   /// of both at rest.
-  void goOnFrom(const Touch& old, const Points& X, const Points& old_X);
+  void goOnFrom(const ToolContact& old, const Points& X, const Points& old_X);
   /// Adds the contacts at x, where the cycle ends, and what of their forces is due to the mesh.
   /// Returns the norm of their nodal forces [N].
   double report(const Points& x, TissueStep* out);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "touch.h"
+#include "tool_contact.h"
 
 #include <utility>
 
 namespace palpate::tissue {
 
-Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
-             int organ, std::function<double(double)> excess, const Eigen::Matrix4Xi& tets,
-             double thickness, const std::vector<contact::SurfaceSample>& samples)
+ToolContact::ToolContact(const Points& X, const Eigen::Matrix3Xi& triangles,
+                         const ModelSettings& settings, int organ,
+                         std::function<double(double)> excess, const Eigen::Matrix4Xi& tets,
+                         double thickness, const std::vector<contact::SurfaceSample>& samples)
     : contact(samples.empty()
                   ? contact::sampleSurface(X, triangles, settings.sample_spacing.instruments)
                   : samples,
@@ -27,8 +28,8 @@ Touch::Touch(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSett
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
 
-void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, const Points& v,
-                  double dt, TissueStep* out) {
+void ToolContact::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x,
+                        const Points& v, double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
   const double way = dt * v.colwise().norm().maxCoeff();
   out->far_bodies = tool_path.begin(obstacles, x, way);
@@ -42,43 +43,43 @@ void Touch::begin(const std::vector<contact::Obstacle>& obstacles, const Points&
   out->distant_samples = contact.numDistant();
 }
 
-void Touch::moveTo(double s) {
+void ToolContact::moveTo(double s) {
   tool_path.moveTo(s);
   needles.moveTo(s);
 }
 
-void Touch::endStep(const Points& x) {
+void ToolContact::endStep(const Points& x) {
   contact.endStep(x);
   needles.endStep(x);
 }
 
-void Touch::save(StateWriter* to) const {
+void ToolContact::save(StateWriter* to) const {
   contact.save(to);
   inside_tools.save(to);
   needles.save(to);
 }
 
-void Touch::restore(StateReader* from) {
+void ToolContact::restore(StateReader* from) {
   contact.restore(from);
   inside_tools.restore(from);
   needles.restore(from);
 }
 
-void Touch::forget() {
+void ToolContact::forget() {
   tool_path.clear();
   contact.forget();
   inside_tools.forget();
   needles.forget();
 }
 
-void Touch::goOnFrom(const Touch& old, const Points& X, const Points& old_X) {
+void ToolContact::goOnFrom(const ToolContact& old, const Points& X, const Points& old_X) {
   contact.forget();
   contact.goOnFrom(old.contact, X, old_X);
   inside_tools = old.inside_tools;
   needles.goOnFrom(old.needles);
 }
 
-bool Touch::possibleByTools() const {
+bool ToolContact::possibleByTools() const {
   if (!needles.inside().empty()) return true;
   for (int k = 0; k < contact.numObstacles(); ++k) {
     if (tool_path.owner(k).isInstrument() && contact.hasCandidates(k)) return true;
@@ -86,7 +87,7 @@ bool Touch::possibleByTools() const {
   return false;
 }
 
-double Touch::report(const Points& x, TissueStep* out) {
+double ToolContact::report(const Points& x, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kContact);
   contact.collectAtEnd(x, &contacts_);
   nodal_.setZero(3, x.cols());
@@ -116,7 +117,7 @@ double Touch::report(const Points& x, TissueStep* out) {
   return nodal_.norm();
 }
 
-void Touch::countInactive(TissueStep* out) const {
+void ToolContact::countInactive(TissueStep* out) const {
   if (!skip_inactive_) return;
   out->inactive_samples = contact.numCandidates() - static_cast<int>(out->contacts.size());
 }

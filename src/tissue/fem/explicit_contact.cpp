@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "explicit_touch.h"
+#include "explicit_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +15,16 @@ constexpr int kMaxExplicitAugmentations = 6;
 
 }  // namespace
 
-ExplicitTouch::ExplicitTouch(FemBody* body)
+ExplicitContact::ExplicitContact(FemBody* body)
     : body_(*body),
       element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(body->x.cols()))),
       update_(body) {}
 
-double ExplicitTouch::steps() const {
+double ExplicitContact::steps() const {
   return std::min(std::ceil(body_.tool_path.leap(element_size_) / kToolWay), kMaxLeapSteps);
 }
 
-void ExplicitTouch::begin() {
+void ExplicitContact::begin() {
   update_.clear();
   limited_ = false;
   friction_converged_ = true;
@@ -34,13 +34,13 @@ void ExplicitTouch::begin() {
 
 // Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
 // tool that itself has just gone on.
-bool ExplicitTouch::mayJump(const Points& way) const {
+bool ExplicitContact::mayJump(const Points& way) const {
   if (!body_.contact.hasCandidates()) return false;
   const double margin = (1.0 - kToolWay) * body_.tool_path.thinnest() - update_.deepest();
   return !(2.0 * std::sqrt(way.colwise().squaredNorm().maxCoeff()) < margin);
 }
 
-bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
+bool ExplicitContact::step(double s, const Eigen::VectorXd& coefficients, Points* next) {
   body_.tool_path.beginStep(body_.x);
   body_.tool_path.moveTo(s);
   tool_way_ = (s - part_) * body_.tool_path.longestWay();
@@ -63,7 +63,7 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
 // What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for a
 // solution: the law takes that back when the step ends, and a force that has moved tissue would be
 // told by nobody.
-void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
+void ExplicitContact::answer(const Eigen::VectorXd& coefficients, Points* next) {
   const bool rubs = body_.contact.hasFriction();
   const double tolerance = body_.tolerance();
   if (rubs) untouched_ = *next;
@@ -82,7 +82,7 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
 }
 
 // Asked to end amid its last answer, it has all sub-steps behind it.
-solver::SolveStatus ExplicitTouch::status(double tolerance, bool late) const {
+solver::SolveStatus ExplicitContact::status(double tolerance, bool late) const {
   if (late || (!friction_converged_ && solver::isInterrupted(body_.interrupt))) {
     return solver::SolveStatus::kDeadline;
   }

@@ -8,13 +8,13 @@ namespace palpate::tissue {
 
 /// How tools meet a body that goes in explicit steps: in each, the tools go on by a part of their
 /// way, and touched nodes end where a ContactUpdate has them.
-class ExplicitTouch {
+class ExplicitContact {
  public:
   /// A tool goes no farther in a step than this part of its inscribed radius and of an element,
   /// unless it leaps.
   static constexpr double kToolWay = 0.25;
 
-  explicit ExplicitTouch(FemBody* body);
+  explicit ExplicitContact(FemBody* body);
 
   /// How many steps the tools' ways in this cycle ask for.
   double steps() const;
@@ -23,15 +23,15 @@ class ExplicitTouch {
   /// A step from body.x by the way `next`, in which the tools go on to part `s` of theirs: makes
   /// `next` the positions at its end, 3 x n [m]. `coefficients`: as for ContactUpdate::apply().
   /// False: tissue would have gone through a tool, and `next` is of no use.
-  bool go(double s, const Eigen::VectorXd& coefficients, Points* next);
+  bool step(double s, const Eigen::VectorXd& coefficients, Points* next);
   /// No contact, for what moves is stopped or set from outside.
   void clear() { update_.clear(); }
 
-  /// Nodes that the last go() may have moved.
+  /// Nodes that the last step() may have moved.
   const std::vector<int>& nodes() const { return update_.nodes(); }
   /// Minus the contact's forces, 3 x n [N].
   const Points& gradient() const { return update_.gradient(); }
-  /// That the last go() took for one answer of the contacts, at most.
+  /// That the last step() took for one answer of the contacts, at most.
   int iterations() const { return iterations_; }
   /// Norm of the forces that it left unbalanced [N].
   double residual() const { return update_.residual(); }
@@ -40,7 +40,7 @@ class ExplicitTouch {
   /// Whether it held nodes back that would have gone too far at once: a tool has leapt into them,
   /// and they are not out of it.
   bool limited() const { return limited_; }
-  /// Of a cycle that ends with the last go(), or `late`, with sub-steps left. `tolerance` [N].
+  /// Of a cycle that ends with the last step(), or `late`, with sub-steps left. `tolerance` [N].
   solver::SolveStatus status(double tolerance, bool late) const;
   /// Cube root of the volume of a node [m].
   double elementSize() const { return element_size_; }
