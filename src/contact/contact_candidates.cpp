@@ -73,8 +73,8 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
     }
     if (patch.triangle >= 0) {
       const double spacing = faces_->sampleSpacing(patch.triangle, x);
-      coarse = coarse || faces_->meets(obstacle, spacing);
-      if (faces_->meetsAlone(obstacle, spacing)) continue;
+      coarse = coarse || faces_->usesBalls(obstacle, spacing);
+      if (faces_->usesBallsOnly(obstacle, spacing)) continue;
     }
     const Mat3 corners = x(Eigen::all, patch.nodes);
     const bool in_parts = skip_distant_ && patch.last_part - patch.first_part > 1;

@@ -50,8 +50,8 @@ void ContactPotential::addPatches(int first_sample) {
 
 ContactPotential::~ContactPotential() = default;
 
-void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles,
-                                 double spacing) {
+void ContactPotential::addFaceContact(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                      double spacing) {
   faces_ = std::make_unique<FacePoints>();
   faces_->setSurface(X, triangles, spacing);
   nodes_only_ = !(spacing > 0.0);  // then some triangles have none of their own
@@ -65,8 +65,8 @@ void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triang
   }
 }
 
-void ContactPotential::meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles,
-                                   double spacing) {
+void ContactPotential::addAnatomySamples(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                         double spacing) {
   for_anatomy_ = {numPatches(), numSamples()};
   const std::vector<SurfaceSample> own = sampleSurface(X, triangles, spacing);
   samples_.insert(samples_.end(), own.begin(), own.end());
@@ -126,20 +126,20 @@ template <class Visit>
 void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
                                const Visit& visit) const {
   forSamples(x, skip_inactive, with_frame, visit);
-  forFaces(x, [&](Touch& touch, const FacePoints::Meeting&) { visit(touch); });
+  forFaces(x, [&](Touch& touch, const FacePoints::BallTrianglePair&) { visit(touch); });
 }
 
-// visit(touch, meeting) for those that may answer.
+// visit(touch, pair) for those that may answer.
 template <class Visit>
 void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && begun_;
-  faces_->forEach(x, posed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
+  faces_->forEach(x, posed_, response_->reach(), [&](Touch* touch, const auto& pair) {
     // Constant where a ball goes along triangles, as its energy's derivatives take it to be.
-    touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(meeting.first)).mean();
+    touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(pair.first)).mean();
     if (!response_->active(*touch)) return;
     if (motion) posed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
-    visit(*touch, meeting);
+    visit(*touch, pair);
   });
 }
 
@@ -164,7 +164,7 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::St
   forSamples(x, skip_inactive_, true, [&](const Touch& touch) {
     K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
   });
-  forFaces(x, [&](const Touch& touch, const FacePoints::Meeting& meeting) {
+  forFaces(x, [&](const Touch& touch, const FacePoints::BallTrianglePair& pair) {
     K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
     if (tangent != fem::Tangent::kExact) return;
     // Where the point of the triangle that is nearest is another one.
@@ -172,7 +172,7 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::St
     for (int k = 0; k < 3; ++k) corners.col(k) = x.col(touch.nodes[k]);
     const Eigen::Matrix<double, 9, 9> H =
         response_->force(touch).normal *
-        triangleDistanceHessian(corners, meeting.near, meeting.direction, meeting.distance);
+        triangleDistanceHessian(corners, pair.near, pair.direction, pair.distance);
     K->add(touch.nodes, H);
   });
 }

@@ -63,18 +63,20 @@ void ContactPotential::allowedMotions(const Points& x, const std::vector<double>
     least = std::min(least, allowedApproach(distance, size));
   });
   if (!faces_) return;
-  faces_->forBalls(x, posed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
-    const auto b = static_cast<std::size_t>(obstacle);
-    // A fast one may get behind the surface, which is then brought back.
-    const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);
-    const double least = std::max(0.5 * radius, kHarmless * deepest);
-    const double deep = std::clamp(ways[b] / kCarefulStages, least, deepest);
-    double room = std::max(m.distance - radius, 0.0) + deep;
-    if (m.distance < 0.0) room = std::max(deep + m.distance, 0.25 * deep);
-    // A point that a soft contact holds there is behind it already, and is to stay near.
-    if (m.distance < -deep) room = std::max(room, 0.5 * (deepest + m.distance));
-    (*allowed)[b] = std::min((*allowed)[b], room);
-  });
+  faces_->forBalls(x, posed_,
+                   [&](int obstacle, double radius, const FacePoints::BallTrianglePair& m) {
+                     const auto b = static_cast<std::size_t>(obstacle);
+                     // A fast one may get behind the surface, which is then brought back.
+                     const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);
+                     const double least = std::max(0.5 * radius, kHarmless * deepest);
+                     const double deep = std::clamp(ways[b] / kCarefulStages, least, deepest);
+                     double room = std::max(m.distance - radius, 0.0) + deep;
+                     if (m.distance < 0.0) room = std::max(deep + m.distance, 0.25 * deep);
+                     // A point that a soft contact holds there is behind it already, and is to stay
+                     // near.
+                     if (m.distance < -deep) room = std::max(room, 0.5 * (deepest + m.distance));
+                     (*allowed)[b] = std::min((*allowed)[b], room);
+                   });
 }
 
 }  // namespace palpate::contact

@@ -104,8 +104,8 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PosedObstacle
     }
     order(group);
     group.apart = by_distance_[group.begin].apart;
-    meetings_.clear();
-    group.behind = meetings_[measure(x, posed, &group, 0.0).nearest].distance < 0.0;
+    pairs_.clear();
+    group.behind = pairs_[measure(x, posed, &group, 0.0).nearest].distance < 0.0;
   }
 }
 

@@ -109,22 +109,22 @@ bool FacePoints::hasCandidates(int obstacle) const {
 }
 
 void FacePoints::fill(const std::vector<PosedObstacle>& posed, const Group& group,
-                      const Meeting& meeting, double gap, Touch* touch) const {
-  const int triangle = meeting.triangle;
+                      const BallTrianglePair& pair, double gap, Touch* touch) const {
+  const int triangle = pair.triangle;
   const Obstacle& obstacle = posed[group.obstacle].obstacle();
   touch->sample = -1 - (group.ball * static_cast<int>(triangles_.cols()) + triangle);
   touch->obstacle = group.obstacle;
   touch->number = obstacle.number;
   touch->nodes = triangles_.col(triangle);
-  touch->weights = meeting.near.weights;
+  touch->weights = pair.near.weights;
   touch->area = group.area;
   touch->radius = posed[group.obstacle].radius();
   touch->room = std::max(kRadii * ball(group).radius, kHard * group.edge);
   touch->gap = gap;
-  touch->p_W = meeting.near.point;
+  touch->p_W = pair.near.point;
   touch->p_G = posed[group.obstacle].toObstacle(touch->p_W);
   touch->R_WG = obstacle.X_WG_end.linear();
-  touch->normal_W = -meeting.direction;
+  touch->normal_W = -pair.direction;
   touch->normal_G = touch->R_WG.transpose() * touch->normal_W;
   touch->steepness = 1.0;
   touch->curvature_G.setZero();

@@ -34,11 +34,11 @@ class FacePoints {
   /// How far apart the samples are now on a triangle, at most [m].
   double sampleSpacing(int triangle, const Points& x) const;
   /// Samples that far apart [m] are met by the balls of an obstacle as well,
-  bool meets(int obstacle, double spacing) const {
+  bool usesBalls(int obstacle, double spacing) const {
     return spacing > shapes_[static_cast<std::size_t>(obstacle)]->resolution;
   }
   /// and by them alone.
-  bool meetsAlone(int obstacle, double spacing) const {
+  bool usesBallsOnly(int obstacle, double spacing) const {
     return spacing > shapes_[obstacle]->too_coarse;
   }
 
@@ -67,7 +67,7 @@ class FacePoints {
   }
 
   /// A ball near a triangle.
-  struct Meeting {
+  struct BallTrianglePair {
     TrianglePoint near;  ///< Of the triangle, to the ball's centre.
     double distance;     ///< To there, negative behind the nearest triangle [m].
     bool touched;        ///< Not so behind the nearest, but for itself.
@@ -77,7 +77,7 @@ class FacePoints {
     int first;  ///< The triangle that was the nearest when the ball was found.
   };
   Eigen::Vector3i nodesOf(int triangle) const { return triangles_.col(triangle); }
-  /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
+  /// visit(&touch, pair) of all candidates whose gap is less than `reach` [m]; the touch is
   /// whole but for its motion.
   template <class Visit>
   void forEach(const Points& x, const std::vector<PosedObstacle>& posed, double reach,
@@ -88,23 +88,23 @@ class FacePoints {
       if (staysAway(posed, group, reach + ball(group).radius)) continue;
       const Measured& known = measured(x, posed, g, reach + ball(group).radius);
       for (std::size_t m = known.begin; m < known.end; ++m) {
-        const Meeting& meeting = meetings_[m];
-        const double gap = meeting.distance - ball(group).radius;
-        if (!(gap < reach) || !meeting.touched) continue;
+        const BallTrianglePair& pair = pairs_[m];
+        const double gap = pair.distance - ball(group).radius;
+        if (!(gap < reach) || !pair.touched) continue;
         Touch touch;
-        fill(posed, group, meeting, gap, &touch);
-        visit(&touch, meeting);
+        fill(posed, group, pair, gap, &touch);
+        visit(&touch, pair);
       }
     }
   }
-  /// Of each ball with candidates: visit(obstacle, radius [m], meeting) with the nearest triangle.
+  /// Of each ball with candidates: visit(obstacle, radius [m], pair) with the nearest triangle.
   template <class Visit>
   void forBalls(const Points& x, const std::vector<PosedObstacle>& posed,
                 const Visit& visit) const {
     measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Measured& known = measured(x, posed, g, 0.0);
-      visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
+      visit(groups_[g].obstacle, ball(groups_[g]).radius, pairs_[known.nearest]);
     }
   }
   /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
@@ -123,7 +123,7 @@ class FacePoints {
     std::vector<TouchBall> balls;  // by their place along `axis`
     int axis;
     double largest;                 // radius of a ball [m]
-    double resolution, too_coarse;  // distances of samples [m], see meets(), meetsAlone()
+    double resolution, too_coarse;  // distances of samples [m], see usesBalls(), usesBallsOnly()
   };
   struct Near {  // a triangle, with a ball around it
     int triangle;
@@ -154,7 +154,7 @@ class FacePoints {
 
   struct Measured {                   // of a group, at x:
     double within;                    // triangles that are nearer [m] are among
-    std::size_t begin, end, nearest;  // these of meetings_
+    std::size_t begin, end, nearest;  // these of pairs_
   };
 
   const Shape* shapeOf(const Obstacle& obstacle);
@@ -193,9 +193,10 @@ class FacePoints {
                            std::size_t group, double within) const;
   Measured measure(const Points& x, const std::vector<PosedObstacle>& posed, Group* group,
                    double within) const;
-  Meeting meet(const Vec3& center, const Mat3& corners, int candidate, double* across) const;
-  void fill(const std::vector<PosedObstacle>& posed, const Group& group, const Meeting& meeting,
-            double gap, Touch* touch) const;
+  BallTrianglePair measurePair(const Vec3& center, const Mat3& corners, int candidate,
+                               double* across) const;
+  void fill(const std::vector<PosedObstacle>& posed, const Group& group,
+            const BallTrianglePair& pair, double gap, Touch* touch) const;
 
   Eigen::Matrix3Xi triangles_;
   Eigen::VectorXd areas_;      // at rest [m^2]
@@ -225,7 +226,7 @@ class FacePoints {
   mutable bool measured_anywhere_ = false;
   mutable Points measured_at_;
   mutable std::vector<Measured> measured_;
-  mutable std::vector<Meeting> meetings_;
+  mutable std::vector<BallTrianglePair> pairs_;
 };
 
 }  // namespace palpate::contact

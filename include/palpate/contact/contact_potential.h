@@ -37,11 +37,11 @@ class ContactPotential final : public fem::EnergyTerm {
   /// Has instruments that are thinner than samples are apart, or have corners and edges, meet the
   /// surface's triangles, too: see FacePoints. `X`: points at rest, 3 x n [m]; `triangles`: the
   /// surface, outward; `spacing`: of the samples, as for sampleSurface().
-  void meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+  void addFaceContact(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
   /// Has parts of the anatomy meet samples of their own, sampleSurface()'s of that `spacing`, and
   /// no others: what is thick need not meet as many as a thin tool does. Once.
-  void meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+  void addAnatomySamples(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
   /// The samples lie in the middle of a sheet of this thickness [m]: either side of it touches
   /// where a sample is nearer to an obstacle than half of that. Before the first setObstacles().

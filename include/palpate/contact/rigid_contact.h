@@ -41,7 +41,8 @@ class RigidContact {
   /// that holds it [m]. False: it is too far to touch, nothing more was looked at.
   bool add(const std::vector<TouchBall>& balls, double bounding_radius, const Pose& X_WT);
   /// Whether such a shape would touch.
-  bool meets(const std::vector<TouchBall>& balls, double bounding_radius, const Pose& X_WT) const;
+  bool wouldTouch(const std::vector<TouchBall>& balls, double bounding_radius,
+                  const Pose& X_WT) const;
   /// Finds the forces of all that was added, and returns the energy [J].
   double solve();
   const std::vector<RigidTouch>& touches() const { return touches_; }

@@ -23,7 +23,7 @@ struct InteractingBody {
 };
 
 /// Whether the boxes of two bodies, each grown by its way and half of `reach` [m], meet.
-bool mayMeet(const InteractingBody& a, const InteractingBody& b, double reach);
+bool boxesOverlap(const InteractingBody& a, const InteractingBody& b, double reach);
 
 /// What acts between two bodies, or within one: an energy of the points of a and then of b, or of a
 /// alone, 3 x n [m], the same whatever moves all of them rigidly. It refers to no body.

@@ -25,7 +25,7 @@ class FemOrgans final : public TissueModel {
         organs_(std::move(organs)),
         neighbours_(
             makeInteractions(settings),
-            [this](const GroupBody& a, const GroupBody& b) { return mayMeet(a, b); },
+            [this](const GroupBody& a, const GroupBody& b) { return boxesOverlap(a, b); },
             !settings.skip.apart_organs),
         reports_(organs_.size()) {
     for (std::size_t k = 0; k < organs_.size(); ++k) by_name_.push_back(k);
@@ -125,7 +125,7 @@ class FemOrgans final : public TissueModel {
   std::string noteOn(const std::string& organ, const std::string& note) const {
     return (organs_.size() > 1 ? "organ " + organ + ": " : "") + note;
   }
-  bool mayMeet(const GroupBody& a, const GroupBody& b) const {
+  bool boxesOverlap(const GroupBody& a, const GroupBody& b) const {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
   }
 

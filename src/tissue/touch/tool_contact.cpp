@@ -22,8 +22,9 @@ ToolContact::ToolContact(const Points& X, const Eigen::Matrix3Xi& triangles,
       excess_(std::move(excess)),
       skip_inactive_(settings.skip.inactive_samples) {
   const contact::SampleSpacing& spacing = settings.sample_spacing;
-  if (samples.empty() && spacing.anatomy > 0.0) contact.meetAnatomy(X, triangles, spacing.anatomy);
-  if (has_inside_ && samples.empty()) contact.meetFaces(X, triangles, spacing.instruments);
+  if (samples.empty() && spacing.anatomy > 0.0)
+    contact.addAnatomySamples(X, triangles, spacing.anatomy);
+  if (has_inside_ && samples.empty()) contact.addFaceContact(X, triangles, spacing.instruments);
   contact.setThickness(thickness);
   contact.setSkips(settings.skip.distant_samples, settings.skip.inactive_samples);
 }
