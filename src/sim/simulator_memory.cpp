@@ -23,7 +23,7 @@ bool arePoses(const LinkPoses& poses) {
 }
 
 // Whether what was saved is a body of which geometry can be computed.
-bool isSensible(const tissue::Shape& shape) {
+bool isSensible(const tissue::SurfaceState& shape) {
   return (shape.positions.array().abs() <= kReach).all() && shape.velocities.allFinite();
 }
 
@@ -58,7 +58,7 @@ void Simulator::Impl::restore(const SimulatorState& state) {
     }
   }
   for (const scene::OrganHandle& organ : parts.organs) {
-    if (!isSensible(organ.shape())) throw std::invalid_argument("an organ is nowhere");
+    if (!isSensible(organ.surfaceState())) throw std::invalid_argument("an organ is nowhere");
   }
   StateReader tools(state.tools);
   restoreTools(&tools);
@@ -122,7 +122,7 @@ void Simulator::Impl::restoreTools(StateReader* in) {
 std::uint64_t Simulator::Impl::stateHash() const {
   StateHash hash;
   for (const scene::OrganHandle& organ : parts.organs) {
-    const tissue::Shape shape = organ.shape();
+    const tissue::SurfaceState shape = organ.surfaceState();
     hash.add(static_cast<std::uint64_t>(shape.positions.cols()));
     hash.add(shape.positions.data(), static_cast<std::size_t>(shape.positions.size()));
     hash.add(shape.velocities.data(), static_cast<std::size_t>(shape.velocities.size()));

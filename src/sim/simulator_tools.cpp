@@ -39,7 +39,7 @@ bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {
   for (const instrument::CollisionBody& shape : parts.instruments[i].bodies()) {
     const Pose X_WG = links[shape.link] * shape.X_LG;
     for (const scene::OrganHandle& organ : parts.organs) {
-      const tissue::Shape tissue = organ.shape();
+      const tissue::SurfaceState tissue = organ.surfaceState();
       if (contact::overlaps(shape.geometry, X_WG, tissue.positions, tissue.triangles,
                             scene.contact.smoothing)) {
         return false;

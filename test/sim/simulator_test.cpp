@@ -106,7 +106,7 @@ TEST_F(SimulatorOnSlab, PlacesPointsWithoutAPast) {
   EXPECT_THROW(simulator.setPositions(0, x.leftCols(5), v), std::invalid_argument);
   EXPECT_THROW(simulator.setPositions(0, x, std::nan("") * v), std::invalid_argument);
   simulator.setPositions(0, x, v);
-  EXPECT_EQ(simulator.shape(0).velocities, v);
+  EXPECT_EQ(simulator.surfaceState(0).velocities, v);
 }
 
 TEST_F(SimulatorOnSlab, SaysWhereTheTimeWent) {

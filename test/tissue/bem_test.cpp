@@ -107,7 +107,7 @@ TEST(BoundaryElements, RestWhereNothingActs) {
   const auto tissue = test::makeOrgans({block}, s, nullptr, "bem");
   const Points X = tissue->positions();
   EXPECT_EQ(tissue->cells(0).points, X);
-  EXPECT_EQ(tissue->cells(0).cells, tissue->shape(0).triangles);
+  EXPECT_EQ(tissue->cells(0).cells, tissue->surfaceState(0).triangles);
   EXPECT_EQ(tissue->step({}, kStep).support_force, Vec3::Zero());
   EXPECT_EQ(tissue->positions(), X);
   EXPECT_TRUE(tissue->step({}, kStep).slept);

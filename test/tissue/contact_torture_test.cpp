@@ -167,7 +167,7 @@ class Scene {
     if (out.tools_inside > 0 || !solver::balanced(out.status)) return false;
     for (std::size_t k = 0; k < shapes_.size(); ++k) {
       for (int o = 0; o < tissue_->numOrgans(); ++o) {
-        const Shape shape = tissue_->shape(o);
+        const SurfaceState shape = tissue_->surfaceState(o);
         if (contact::hasSunkIn(shapes_[k], poses_[k], shape.positions, shape.triangles))
           return true;
       }

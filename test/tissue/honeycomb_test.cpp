@@ -229,7 +229,7 @@ TEST(Honeycomb, FillsWhatIsNoBox) {
   double volume = 0.0;
   Vec3 area = Vec3::Zero();
   const Points X = tissue->cells(0).points;
-  const Shape shape = tissue->shape(0);
+  const SurfaceState shape = tissue->surfaceState(0);
   for (const auto& t : shape.triangles.colwise()) {
     volume += X.col(t[0]).dot(X.col(t[1]).cross(X.col(t[2]))) / 6.0;
     area += (X.col(t[1]) - X.col(t[0])).cross(X.col(t[2]) - X.col(t[0]));

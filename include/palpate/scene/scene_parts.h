@@ -24,7 +24,7 @@ struct OrganHandle {
   tissue::TissueModel* tissue;
   int organ;  ///< Of the model's.
 
-  tissue::Shape shape() const { return tissue->shape(organ); }
+  tissue::SurfaceState surfaceState() const { return tissue->surfaceState(organ); }
 };
 
 /// Something rigid that never moves.

@@ -103,7 +103,7 @@ class Simulator {
   bool wantsFastBlas() const;
   /// What there is of it now: points and its surface, which may become another one (its revision
   /// says so). The references hold until the next step().
-  tissue::Shape shape(int i) const;
+  tissue::SurfaceState surfaceState(int i) const;
   const Points& positions(int i) const;  ///< World, 3 x n [m]; a solved state, always finite.
   /// Its points at rest in the world, and its cells; where its model has none, the surface's
   /// triangles. Made anew in each call.

@@ -56,7 +56,7 @@ struct TissueStep : StepFigures {
 };
 
 /// What there is of an organ now. The references hold until its model steps, is reset or restored.
-struct Shape {
+struct SurfaceState {
   const Points& positions;            ///< World, 3 x n [m]; always finite.
   const Points& velocities;           ///< World, 3 x n [m/s].
   const Eigen::Matrix3Xi& triangles;  ///< Its surface, outward, into positions.
@@ -72,12 +72,12 @@ class TissueModel {
   virtual ~TissueModel() = default;
 
   virtual int numOrgans() const { return 1; }
-  virtual Shape shape(int organ) const = 0;
-  /// The points of shape() at rest in the world, and what lies between them, for files of results.
-  /// A model without cells leaves these out. Made anew in each call.
+  virtual SurfaceState surfaceState(int organ) const = 0;
+  /// The points of surfaceState() at rest in the world, and what lies between them, for files of
+  /// results. A model without cells leaves these out. Made anew in each call.
   virtual mesh::CellMesh cells(int organ) const = 0;
-  const Points& positions(int organ = 0) const { return shape(organ).positions; }
-  const Points& velocities(int organ = 0) const { return shape(organ).velocities; }
+  const Points& positions(int organ = 0) const { return surfaceState(organ).positions; }
+  const Points& velocities(int organ = 0) const { return surfaceState(organ).velocities; }
 
   /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
   /// last good ones, and the contacts are empty. `obstacles` are the same shapes in the same order

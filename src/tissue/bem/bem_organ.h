@@ -37,7 +37,7 @@ class BemOrgan final : public TissueModel {
   /// @throws std::invalid_argument as bem::surfaceStiffness() and bem::surfaceCompliance().
   BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadPool* pool);
 
-  Shape shape(int) const override { return {x_, v_, surface_.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, surface_.triangles, 0}; }
   mesh::CellMesh cells(int organ) const override;
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> notes() const override;

@@ -19,7 +19,7 @@ class EnrichedOrgan final : public OrganBodies {
   EnrichedOrgan(std::unique_ptr<FemOrgan> body, FineSurface fine, LearnedDetail learned,
                 double time);
 
-  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override;
   std::vector<std::string> methods(int) const override { return body_->methods(0); }
   std::vector<std::string> notes() const override { return body_->notes(); }

@@ -29,8 +29,8 @@ class AdaptiveTissue final : public OrganBodies {
     become(coarse_.get());
   }
 
-  Shape shape(int) const override {
-    const Shape shape = organ_->shape(0);
+  SurfaceState surfaceState(int) const override {
+    const SurfaceState shape = organ_->surfaceState(0);
     return {shape.positions, shape.velocities, shape.triangles, revision_};
   }
   mesh::CellMesh cells(int) const override { return organ_->cells(0); }

@@ -52,7 +52,7 @@ class FemOrgan final : public OrganBodies {
   /// one of `old` has left, and the energy is finite.
   bool canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) const;
 
-  Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return body_.cells(); }
   std::vector<std::string> methods(int) const override;
   std::vector<std::string> notes() const override;

@@ -35,7 +35,7 @@ class FemOrgans final : public TissueModel {
   }
 
   int numOrgans() const override { return static_cast<int>(organs_.size()); }
-  Shape shape(int organ) const override { return at(organ).shape(0); }
+  SurfaceState surfaceState(int organ) const override { return at(organ).surfaceState(0); }
   mesh::CellMesh cells(int organ) const override { return at(organ).cells(0); }
   std::vector<std::string> methods(int organ) const override { return at(organ).methods(0); }
   const std::vector<TissueStep>* reports() const override { return &reports_; }
@@ -150,7 +150,7 @@ class FemOrgans final : public TissueModel {
     for (const std::size_t k : by_name_) {
       found_.clear();
       organs_[k].tissue->addBodies(&found_);
-      const std::uint64_t revision = organs_[k].tissue->shape(0).revision;
+      const std::uint64_t revision = organs_[k].tissue->surfaceState(0).revision;
       for (FemOrgan* body : found_) {
         bodies_.push_back({&organs_[k].name, static_cast<int>(k), body, revision});
       }

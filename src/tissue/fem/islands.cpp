@@ -64,7 +64,7 @@ class Islands final : public OrganBodies {
     for (const Island& island : islands_) take(island);
   }
 
-  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override {
     mesh::CellMesh cells = mesh::cellsOf(mesh_);
     cells.solid = solid_of_;

@@ -32,7 +32,7 @@ class HoneycombOrgan final : public TissueModel {
   HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& settings,
                  const ModelSettings& scene);
 
-  Shape shape(int) const override { return {x_, v_, parts_.lattice.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, parts_.lattice.triangles, 0}; }
   mesh::CellMesh cells(int organ) const override;
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> notes() const override;

@@ -52,7 +52,7 @@ class SampledTissue final : public TissueModel {
     refuseTooManySubSteps(settings.step);
   }
 
-  Shape shape(int) const override { return {x_, surface_v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, surface_v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override {
     mesh::CellMesh cells;
     cells.points = X_;
