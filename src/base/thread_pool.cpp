@@ -144,7 +144,7 @@ ThreadPool::~ThreadPool() {
 
 ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {}
 
-ThreadPool::Beside::~Beside() { giveUp(); }
+ThreadPool::Beside::~Beside() { cancel(); }
 
 void ThreadPool::Beside::begin(std::function<void()> task) {
   task_ = std::move(task);
@@ -158,7 +158,7 @@ void ThreadPool::Beside::wait() {
   if (!team_ || team_->takeBack(this)) task_();
 }
 
-void ThreadPool::Beside::giveUp() {
+void ThreadPool::Beside::cancel() {
   if (!std::exchange(under_way_, false)) return;
   if (team_) team_->takeBack(this);
 }

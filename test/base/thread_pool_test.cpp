@@ -96,7 +96,7 @@ TEST(ThreadPool, DoesNothingMoreOfATaskThatIsGivenUp) {
         ThreadPool::Beside dying(&pool);
         dying.begin([&] { ++by_the_dying; });
         living.begin([&] { ++by_the_living; });
-        living.giveUp();
+        living.cancel();
         EXPECT_FALSE(living.underWay());
       }
       const int dead = by_the_dying, given_up = by_the_living;

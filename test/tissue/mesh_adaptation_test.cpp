@@ -65,7 +65,7 @@ TEST_P(MeshAdaptationOf, IsPreparedTheSameWhateverTheBodyTouched) {
   Ball ball(above), later(above);
   for (int k = 1; k < 4; ++k) {
     touched->begin(ball.to(above - Vec3(0.0, 0.0, 0.001 * k)), kStep);
-    touched->goAlone(kStep);
+    touched->stepAlone(kStep);
   }
   EXPECT_FALSE(touched->report().contacts.empty());
   const Points x = other->body().x;
@@ -74,7 +74,7 @@ TEST_P(MeshAdaptationOf, IsPreparedTheSameWhateverTheBodyTouched) {
   const auto obstacles = later.to(above - Vec3(0.0, 0.0, 0.002));
   for (FemOrgan* organ : {touched.get(), other.get()}) {
     organ->begin(obstacles, kStep);
-    organ->goAlone(kStep);
+    organ->stepAlone(kStep);
     EXPECT_TRUE(organ->report().ok());
   }
   EXPECT_EQ(touched->body().x, other->body().x);
@@ -122,13 +122,13 @@ TEST_P(RefinedOrgan, ResetsToTheEquilibriumOfTheCoarseOne) {
   int k = 0;
   do {
     fine->begin({}, kStep);
-    fine->goAlone(kStep);
+    fine->stepAlone(kStep);
   } while (fine->report().recovery != static_cast<int>(Recovery::kPutBack) && ++k < 2000);
   EXPECT_LT(k, 2000);
   EXPECT_EQ(fine->body().x, fine->equilibrium());
   for (k = 0; !fine->report().slept && k < 2000; ++k) {
     fine->begin({}, kStep);
-    fine->goAlone(kStep);
+    fine->stepAlone(kStep);
   }
   EXPECT_TRUE(fine->report().slept);
   const Points& rest = fine->body().x;

@@ -50,7 +50,7 @@ class ThreadPool {
     bool underWay() const { return under_way_; }
     void wait();
     /// Drops a task that nobody has begun with, and waits for one that is being done.
-    void giveUp();
+    void cancel();
 
    private:
     Team* team_;

@@ -30,7 +30,7 @@ void BodyGroups::step(const std::vector<GroupBody>& bodies, const NeighbourSearc
   for (Group& group : groups_) group.in_use = false;
   for (std::size_t first = 0; first < bodies.size(); ++first) {
     if (interacts_[first] == 0) {
-      bodies[first].body->goAlone(dt);
+      bodies[first].body->stepAlone(dt);
       continue;
     }
     if (leader_[first] != first) continue;

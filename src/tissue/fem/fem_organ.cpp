@@ -62,7 +62,7 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   rest_.wake();
   backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
-  was_folded_ = old.was_folded_;
+  was_inverted_ = old.was_inverted_;
   out_.clear();
 }
 
@@ -104,7 +104,7 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   method_->restart();
   backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
-  was_folded_ = false;
+  was_inverted_ = false;
   rest_.wake();
   out_.clear();
 }
@@ -116,7 +116,7 @@ State FemOrgan::state() const {
   rest_.save(&out);
   backoff_.save(&out);
   out.put(stuck_at_);
-  out.put(was_folded_);
+  out.put(was_inverted_);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
 }
 
@@ -128,7 +128,7 @@ void FemOrgan::restore(const State& state) {
   rest_.restore(&in);
   backoff_.restore(&in);
   in.get(&stuck_at_);
-  in.get(&was_folded_);
+  in.get(&was_inverted_);
   if (!std::isfinite(stuck_at_)) StateReader::fail();
   in.finish();
   out_.clear();
@@ -145,17 +145,17 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   if (isTouched()) reached();
 }
 
-void FemOrgan::goAlone(double dt) {
+void FemOrgan::stepAlone(double dt) {
   if (sleeps()) return sleepOn();
   if (isFrozen()) return stayFrozen(failure());
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
     const bool at_rest = cameToRest();
-    if (!isTouched() && givesUp(out_, at_rest)) {
-      return beginAnew(solver::SolveStatus::kInverted);
+    if (!isTouched() && shouldReset(out_, at_rest)) {
+      return resetToEquilibrium(solver::SolveStatus::kInverted);
     }
     if (at_rest && !method_->restsInMinimum()) {
-      return beginAnew(solver::SolveStatus::kNotPositiveDefinite);
+      return resetToEquilibrium(solver::SolveStatus::kNotPositiveDefinite);
     }
     if (at_rest) fallAsleep();
     method_->reportForces(&out_);
@@ -163,7 +163,7 @@ void FemOrgan::goAlone(double dt) {
   } else {
     const bool for_good = failsForGood(out_.status);
     fail();
-    if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
+    if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
   }
   body_.surroundings.endCycle();
   reportState();
@@ -185,15 +185,15 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
   reportState();
 }
 
-void FemOrgan::beginAnewTogether(const TissueStep& together, solver::SolveStatus why) {
+void FemOrgan::resetWithGroup(const TissueStep& together, solver::SolveStatus why) {
   takeFigures(together);
-  beginAnew(why);
+  resetToEquilibrium(why);
 }
 
 void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
   takeFigures(together);
   fail();
-  if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
+  if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
   body_.surroundings.endCycle();
   reportState();
 }
@@ -269,17 +269,17 @@ bool FemOrgan::isStuck(const TissueStep& cycle) {
   return true;
 }
 
-bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
-  const bool before = was_folded_;
+bool FemOrgan::shouldReset(const TissueStep& cycle, bool at_rest) {
+  const bool before = was_inverted_;
   if (at_rest) {
-    was_folded_ = isCrushed();
-    return was_folded_ && !before;
+    was_inverted_ = isCrushed();
+    return was_inverted_ && !before;
   }
   stuck_ = isStuck(cycle);
   if (!stuck_) return false;
   backoff_.failed(solver::SolveStatus::kInverted);
-  was_folded_ |= backoff_.fails();
-  return was_folded_ && !before;
+  was_inverted_ |= backoff_.fails();
+  return was_inverted_ && !before;
 }
 
 // Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
@@ -300,13 +300,13 @@ solver::SolveStatus FemOrgan::failureHere() const {
 
 // No step leads away from where it is, or all fail with no tool near, or what it came to rest in is
 // no shape of a body: where it was settled, at rest, as its supports have moved since.
-void FemOrgan::beginAnew(solver::SolveStatus why) {
+void FemOrgan::resetToEquilibrium(solver::SolveStatus why) {
   const StepFigures figures = out_;
-  const bool was_folded = was_folded_;
+  const bool was_inverted = was_inverted_;
   body_.surroundings.rest();
   put(equilibrium_.colwise() + body_.surroundings.commonWay(1.0),
       Points::Zero(3, equilibrium_.cols()));
-  was_folded_ = was_folded;
+  was_inverted_ = was_inverted;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;

@@ -75,7 +75,7 @@ class FemOrgan final : public OrganBodies {
   void setEquilibrium(Points x) { equilibrium_ = std::move(x); }
   /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
   void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
-  void goAlone(double dt);
+  void stepAlone(double dt);
   /// What the cycle did.
   const TissueStep& report() const { return out_; }
   /// It stays awake until it has been solved once.
@@ -116,11 +116,11 @@ class FemOrgan final : public OrganBodies {
   /// cycle after the other, each of which counts as a failure as long as they lead nowhere. What
   /// does so again once it was put back is pressed so, by its load or by another organ: it stays,
   /// and if it trembles it is frozen.
-  bool givesUp(const TissueStep& cycle, bool at_rest);
+  bool shouldReset(const TissueStep& cycle, bool at_rest);
   /// A tool was near it, or near another member.
-  void reached() { was_folded_ = false; }
+  void reached() { was_inverted_ = false; }
   /// It, or another member, does: it is where it was settled, at rest, and moved with its supports.
-  void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
+  void resetWithGroup(const TissueStep& together, solver::SolveStatus why);
   /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                    const InteractionForce& others);
@@ -141,7 +141,7 @@ class FemOrgan final : public OrganBodies {
   double wayOfShape() const;
   bool isOutsideOfLaw() const;
   solver::SolveStatus failureHere() const;
-  void beginAnew(solver::SolveStatus why);
+  void resetToEquilibrium(solver::SolveStatus why);
   void fallAsleep();
   void fail();
   void stop();
@@ -158,7 +158,7 @@ class FemOrgan final : public OrganBodies {
   FailureBackoff backoff_;
   bool stuck_ = false;           // in this cycle
   double stuck_at_ = kNotStuck;  // least det F as it began to be
-  bool was_folded_ = false;      // and put back, since it was at rest otherwise or a tool was near
+  bool was_inverted_ = false;    // and put back, since it was at rest otherwise or a tool was near
   Points equilibrium_;
   double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
   bool own_method_, own_start_;

@@ -86,7 +86,7 @@ Surroundings MeshAdaptation::surroundings() const {
 }
 
 void MeshAdaptation::restore(const std::string& bisected) {
-  beside_.giveUp();
+  beside_.cancel();
   result_ = {};
   to_resume_ = false;
   if (bisected.empty()) {

@@ -27,16 +27,17 @@ class TledOrImplicit final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
-  void giveUp();
+  void switchToImplicit();
   StepMethod& now() {
-    return given_up_ ? static_cast<StepMethod&>(implicit_) : static_cast<StepMethod&>(explicit_);
+    return implicit_active_ ? static_cast<StepMethod&>(implicit_)
+                            : static_cast<StepMethod&>(explicit_);
   }
 
   FemBody& body_;
   TledMethod explicit_;
   ImplicitMethod implicit_;
-  bool given_up_ = false;  // implicit steps go on
-  bool failed_ = false;    // in the last cycle, implicit steps too
+  bool implicit_active_ = false;  // implicit steps go on
+  bool failed_ = false;           // in the last cycle, implicit steps too
 };
 
 }  // namespace palpate::tissue
