@@ -206,7 +206,7 @@ TEST_P(AdaptiveTissue, DoesNotWaitForTheMeshAdaptationWhenItIsAskedToEnd) {
   const solver::Interrupt at_once = [] { return true; };
   tissue->setInterrupt(&at_once);
   std::atomic<bool> open{false};
-  ThreadPool::Beside busy(&pool);
+  ThreadPool::BackgroundTask busy(&pool);
   busy.begin([&] {
     while (!open) std::this_thread::yield();
   });
@@ -269,7 +269,7 @@ TEST_P(AdaptiveTissue, IsSteadyUnderRandomMotion) {
   EXPECT_EQ(failed, 0);
   // As often as its way, 1 mm a cycle, makes it worth a look; some ways end where it was fine.
   EXPECT_GT(static_cast<double>(tissue->surfaceState(0).revision),
-            0.5 * cycles / (kWorthALook * slab.adapt.finest / 0.001 + kTimeBeside / kStep));
+            0.5 * cycles / (kMinToolMotion * slab.adapt.finest / 0.001 + kBackgroundTime / kStep));
   EXPECT_LT(most_energy, 0.01);  // 1 N over 10 mm
   TissueStep last;
   for (int k = 0; k < 300; ++k) last = tissue->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);

@@ -8,7 +8,7 @@ namespace palpate {
 
 /// One task at a time, done beside by a thread of its own, or, without one, when it is waited for:
 /// for work of many cycles, which would keep a helper away from loops for as long. Short work is
-/// better done by ThreadPool::Beside.
+/// better done by ThreadPool::BackgroundTask.
 class Background {
  public:
   explicit Background(bool own_thread);

@@ -38,12 +38,12 @@ class ThreadPool {
   /// One task at a time, which a helper does in the place of its parts of loops, so that the team
   /// never has more threads at work than it has. Without helpers, or where none has come to it
   /// yet, who waits for it does it.
-  class Beside {
+  class BackgroundTask {
    public:
-    explicit Beside(ThreadPool* pool);  ///< May be null; must outlive this.
-    ~Beside();                          ///< Gives it up.
-    Beside(const Beside&) = delete;
-    Beside& operator=(const Beside&) = delete;
+    explicit BackgroundTask(ThreadPool* pool);  ///< May be null; must outlive this.
+    ~BackgroundTask();                          ///< Gives it up.
+    BackgroundTask(const BackgroundTask&) = delete;
+    BackgroundTask& operator=(const BackgroundTask&) = delete;
 
     /// `task` must not throw, and no other may be under way.
     void begin(std::function<void()> task);

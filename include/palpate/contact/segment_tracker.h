@@ -54,7 +54,7 @@ class SegmentTracker {
  private:
   struct Tree;
   const Eigen::Matrix3Xi triangles_;
-  Eigen::Matrix3Xi beside_;  // beyond the edge from corner k to the next; -1: not one triangle
+  Eigen::Matrix3Xi neighbours_;  // beyond the edge from corner k to the next; -1: not one triangle
   std::unique_ptr<Tree> tree_;
   Counts counts_;
 };

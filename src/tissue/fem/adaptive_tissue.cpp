@@ -19,7 +19,7 @@ class AdaptiveTissue final : public OrganBodies {
                  const Surroundings& surroundings, const FemSettings& settings,
                  const AdaptSettings& adapt, ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
-        tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
+        tools_(kMinToolMotion * adapt.finest, kFineDistance * adapt.finest),
         adaptation_(mesh, composition, surroundings, settings, adapt, pool) {
     coarse_ = adaptation_.make();
     coarse_->findEquilibrium();
@@ -59,7 +59,7 @@ class AdaptiveTissue final : public OrganBodies {
     // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? adaptation_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(moving_, kTimeAhead / dt, x, far)) beginNext(x, dt);
+    if (cycles_left_ == 0 && tools_.look(moving_, kLookAheadTime / dt, x, far)) beginNext(x, dt);
     return organ_->report();
   }
 
@@ -114,8 +114,8 @@ class AdaptiveTissue final : public OrganBodies {
   void beginNext(const Points& x, double dt) {
     adaptation_.begin(x, tools_, dt);
     tools_.suited();
-    const double cycles = std::min(std::ceil(kTimeBeside / dt - 1e-6), 1e6);
-    cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
+    const double cycles = std::min(std::ceil(kBackgroundTime / dt - 1e-6), 1e6);
+    cycles_left_ = std::max(kMinBackgroundCycles, static_cast<int>(cycles));
   }
 
   // Where cycles are asked to end, one waits for the mesh as long as it may; those after it take it

@@ -22,9 +22,9 @@ class CriticalStep {
   /// Part of it that is taken.
   static constexpr double kSafety = 0.9;
 
-  /// `elasticity` must outlive this. `beside` [1/s^2]: bound of the squares of the frequencies of
-  /// what acts beside it, which adds no more than this to w^2 [Weyl 1912].
-  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double beside = 0.0);
+  /// `elasticity` must outlive this. `other_squares` [1/s^2]: bound of the squares of the
+  /// frequencies of what acts other_squares it, which adds no more than this to w^2 [Weyl 1912].
+  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double other_squares = 0.0);
 
   /// The bound at `X`, 3 x n [m], where the body rests relaxed. Ends with the body relaxed.
   void begin(const Points& X);
@@ -47,10 +47,10 @@ class CriticalStep {
   Points noiseMode() const;
 
   fem::Elasticity& elasticity_;
-  Points scale_;         // 1/sqrt(m) where free, else 0
-  double element_size_;  // [m]
-  double beside_;        // [1/s^2]
-  double square_ = 0.0;  // w^2 of the elasticity [1/s^2]
+  Points scale_;          // 1/sqrt(m) where free, else 0
+  double element_size_;   // [m]
+  double other_squares_;  // [1/s^2]
+  double square_ = 0.0;   // w^2 of the elasticity [1/s^2]
   double rest_square_ = 0.0;
   double least_square_ = 0.0;  // of fibres that may be taut at any time, else 0
   Points mode_, rest_mode_;    // of w, times sqrt(m): unit

@@ -127,9 +127,9 @@ double FemBody::leastTolerance() const {
   return std::max(settings.tolerance * weight_norm_, least_force_);
 }
 
-double FemBody::tolerance() const { return toleranceBeside(contact_force, support_force); }
+double FemBody::tolerance() const { return toleranceFor(contact_force, support_force); }
 
-double FemBody::toleranceBeside(double touching, double support) const {
+double FemBody::toleranceFor(double touching, double support) const {
   return std::max(settings.tolerance * std::max(touching, support), leastTolerance());
 }
 
@@ -139,7 +139,7 @@ double FemBody::toleranceAt(const Points& at, const Points& gradient, double oth
   tool_contact.needles.addGradient(at, &nodal_);
   const double touching = std::hypot(nodal_.norm(), others);
   findSupport(at, gradient, &nodal_);
-  return toleranceBeside(touching, nodal_.norm());
+  return toleranceFor(touching, nodal_.norm());
 }
 
 mesh::CellMesh FemBody::cells() const {

@@ -104,7 +104,7 @@ struct FemBody {
   Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
 
  private:
-  double toleranceBeside(double touching, double support) const;
+  double toleranceFor(double touching, double support) const;
   void findSupport(const Points& at, const Points& gradient, Points* forces);
 
   double weight_norm_;                          // of the nodal forces of gravity and loads [N]

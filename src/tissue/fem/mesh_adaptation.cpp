@@ -22,7 +22,7 @@ MeshAdaptation::MeshAdaptation(const mesh::TetMesh& coarse, const fem::Compositi
       nested_(coarse),
       bisected_(nested_.bisected()),
       tools_(0.0, 0.0),
-      beside_(pool) {
+      task_(pool) {
   settings_.lasting = false;
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     const double volume = mesh::signedVolume(coarse.points, coarse.tets.col(t));
@@ -31,7 +31,7 @@ MeshAdaptation::MeshAdaptation(const mesh::TetMesh& coarse, const fem::Compositi
 }
 
 double MeshAdaptation::reach() const {
-  return kFineWithin * adapt_.finest + std::max(0.0, coarsest_ - adapt_.finest) / adapt_.growth;
+  return kFineDistance * adapt_.finest + std::max(0.0, coarsest_ - adapt_.finest) / adapt_.growth;
 }
 
 std::unique_ptr<FemOrgan> MeshAdaptation::make() const {
@@ -86,7 +86,7 @@ Surroundings MeshAdaptation::surroundings() const {
 }
 
 void MeshAdaptation::restore(const std::string& bisected) {
-  beside_.cancel();
+  task_.cancel();
   result_ = {};
   to_resume_ = false;
   if (bisected.empty()) {
@@ -107,7 +107,7 @@ void MeshAdaptation::begin(const Points& x, const ToolDistance& tools, double dt
 
 void MeshAdaptation::beginWork() {
   is_made_ = false;
-  beside_.begin([this] {
+  task_.begin([this] {
     work();
     is_made_ = true;
   });
@@ -115,11 +115,11 @@ void MeshAdaptation::beginWork() {
 
 void MeshAdaptation::work() {
   const auto size = [&](const Vec3& p) {
-    const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
+    const double way = tools_.distance(p) - kFineDistance * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
   };
   mesh::NestedMesh::Limits limits;
-  limits.max_bisections = kMostBisections;
+  limits.max_bisections = kMaxBisections;
   result_.change = nested_.adapt(x_, size, limits);
   result_.complete = nested_.isComplete();
   if (!result_.change) return;
@@ -138,7 +138,7 @@ bool MeshAdaptation::await(const solver::Interrupt& interrupt) const {
 }
 
 MeshAdaptation::Result MeshAdaptation::take() {
-  beside_.wait();
+  task_.wait();
   if (result_.change) {
     coarse_ = nested_.isCoarse();
     bisected_ = nested_.bisected();

@@ -82,7 +82,7 @@ class MeshAdaptation {
   bool to_resume_ = false;
   Result result_;
   std::atomic<bool> is_made_{false};
-  ThreadPool::Beside beside_;  // last: ends before what it works on
+  ThreadPool::BackgroundTask task_;  // last: ends before what it works on
 };
 
 }  // namespace palpate::tissue
