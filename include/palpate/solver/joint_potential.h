@@ -9,7 +9,7 @@
 
 namespace palpate::solver {
 
-/// Terms of one body, or of two that act on each other, as a term of the points of all of a group.
+/// Terms of one body, or of two that interact, as a term of all points of a group.
 class MappedTerms final : public fem::EnergyTerm {
  public:
   /// `terms`, not owned, may grow as long as nobody asks. `node_map`: of their `num_nodes` nodes.
@@ -32,10 +32,10 @@ class MappedTerms final : public fem::EnergyTerm {
   mutable Points own_, own_d_;  // scratch
 };
 
-/// The potentials of several bodies as that of one, over their points one body after another.
+/// Potential of a group: the members' potentials over concatenated points.
 class JointPotential {
  public:
-  /// They must outlive this, and stay where they are.
+  /// @pre The members outlive this and are not moved.
   explicit JointPotential(const std::vector<const Potential*>& members);
   JointPotential(const JointPotential&) = delete;  // the terms refer to each other
   JointPotential& operator=(const JointPotential&) = delete;
@@ -44,15 +44,15 @@ class JointPotential {
   std::size_t numMembers() const { return members_.size(); }
   int numNodes() const { return energy_.numNodes(); }
   int firstNode(std::size_t member) const { return energy_.firstNode(member); }
-  /// A matrix with the pattern of all.
+  /// Makes a matrix with the pattern of the group.
   fem::Stiffness makeMatrix() const { return energy_.makeMatrix(); }
 
-  /// Where the nodes of two members are, or of one twice.
+  /// Node map of two members, or of one twice.
   fem::Stiffness::NodeMap nodeMapOf(std::size_t a, std::size_t b) const;
-  /// What acts beside the members' own terms, on all points; not owned.
+  /// Sets terms in addition to the members' own, on all points; not owned.
   void setFurther(const std::vector<const fem::EnergyTerm*>& terms);
-  /// Takes over the members' scales of the elastic energy. True: one is another than `before`,
-  /// which become those of now.
+  /// Takes over the members' scales of the elastic energy, and stores them in `before`. Returns
+  /// whether one has changed.
   bool takeScales(std::vector<double>* before);
 
  private:
