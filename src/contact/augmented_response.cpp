@@ -10,11 +10,11 @@
 namespace palpate::contact {
 namespace {
 
-// Where rigid things meet, the multiplier grows no further [Pa].
+// Upper bound of a multiplier [Pa], for contact with held tissue.
 constexpr double kMaxMultiplier = 1e7;
-// The least stiffness, in Young's moduli of the tissue over edges.
+// Least penalty stiffness over Young's modulus per edge length [-].
 constexpr double kMinStiffnessRatio = 300.0;
-// What swings with a node of the surface, in masses of that node.
+// Mass that moves with a surface node, over the node's mass [-].
 constexpr double kEntrainedMassRatio = 30.0;
 // See makeAugmentedResponse() [m].
 constexpr double kGrowthTravel = 0.5e-3, kDecaySlip = 0.3e-3;
@@ -69,7 +69,7 @@ class AugmentedResponse final : public Response {
           depth_(touch.penetration()),
           room_(touch.room) {
       penalty_.stiffness = std::max(penalty_.stiffness, kMinStiffnessRatio * touch.bearing);
-      // None where a ball meets a triangle: there the nodes' parts change as the triangle moves.
+      // Balls have no multiplier: weights of the nodes change as the triangle moves.
       const double multiplier = touch.sample < 0 ? 0.0 : of->multipliers_.at(touch);
       if (multiplier > 0.0) shift_ = penalty_.softPenetration(multiplier);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which samples of the surface, and balls of tools on its triangles, may touch in a cycle.
+// Search for candidates: samples of the surface, and tool balls on its triangles.
 #include <algorithm>
 
 #include "face_points.h"
@@ -45,14 +45,14 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   runs_->build(samples_, candidates_, posed_, largest_offset_);
 }
 
-// The patches, [first, end), with the samples that an obstacle meets.
+// Patches [first, end) with the samples for an obstacle.
 std::pair<int, int> ContactPotential::patchesFor(const PosedObstacle& posed) const {
   if (!for_anatomy_) return {0, numPatches()};
   if (posed.obstacle().owner.isInstrument()) return {0, for_anatomy_->patch};
   return {for_anatomy_->patch, numPatches()};
 }
 
-// Whether somewhere near it they are too far apart for the obstacle.
+// Whether the sample spacing is too coarse for the obstacle near it.
 bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   bool coarse = faces_ && nodes_only_;
   const PosedObstacle& posed = posed_[obstacle];
@@ -63,7 +63,7 @@ bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   for (int k = first; k < end; ++k) {
     const Patch& patch = patches_[k];
     if (skip_distant_) {
-      // The distance changes by at most the way: skip triangles that are too far as a whole.
+      // The distance changes at most by the displacement: far triangles are skipped as a whole.
       const Vec3 corner = x.col(patch.nodes[0]);
       const double size = std::max((x.col(patch.nodes[1]) - corner).norm(),
                                    (x.col(patch.nodes[2]) - corner).norm());
@@ -112,7 +112,7 @@ int ContactPotential::numDistant() const {
 
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->clear();
-  // Many in a row have the same nodes.
+  // Consecutive candidates share nodes.
   Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
   Eigen::Array3i taken = Eigen::Array3i::Zero();
   for (const SampleCandidate& c : candidates_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a contact remembers: within a step, from step to step, from mesh to mesh.
+// State of contact within a step, between steps, and over mesh adaptations.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace palpate::contact {
 namespace {
 
-// Of a triangle's edge: how far beside it a node of another mesh may be that counts as on it.
+// Distance tolerance of a node on a triangle of another mesh, over the triangle's edge [-].
 constexpr double kOnTriangle = 0.1;
 
 }  // namespace
@@ -28,7 +28,7 @@ void ContactPotential::beginStep(const Points& x) {
 
 bool ContactPotential::augmentationConverged(const Points& x) {
   if (!response_->remembers()) return true;
-  gather(x);  // what is held as well: it does not yield, and rubs
+  gather(x);  // held samples too: they have friction
   return response_->augmentationConverged(touches_);
 }
 
@@ -66,7 +66,7 @@ void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* conta
 
 void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X) {
   if (!response_->remembers()) return;
-  // What is remembered is of samples that touched: of the new ones only those near to them count.
+  // State belongs to touched samples, so only new samples near them are mapped.
   Eigen::AlignedBox3d box;
   for (const Contact& c : old.at_end_) {
     for (int k = 0; k < 3; ++k) box.extend(Vec3(old_X.col(c.touch.nodes[k])));
@@ -95,7 +95,7 @@ void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, co
   response_->goOnFrom(*old.response_, {sampleNow, placesOf(nodes, X, old, old_X)});
 }
 
-// Where on the triangles of `old` that were touched the nodes are, but for those beside all.
+// Positions of `nodes` on touched triangles of `old`; nodes off all of them are left out.
 std::vector<Response::SurfaceMap::Node> ContactPotential::placesOf(const std::vector<int>& nodes,
                                                                    const Points& X,
                                                                    const ContactPotential& old,
@@ -113,7 +113,7 @@ std::vector<Response::SurfaceMap::Node> ContactPotential::placesOf(const std::ve
       const Vec3 a = old_X.col(t[0]), b = old_X.col(t[1]), c = old_X.col(t[2]);
       const TrianglePoint on = nearestOnTriangle(p, a, b, c);
       const double distance = (on.point - p).norm();
-      // The surfaces of two meshes of one body are not farther apart than that.
+      // Bound of the distance between two surfaces of a body.
       if (distance >= nearest || distance > kOnTriangle * (b - a).norm()) continue;
       nearest = distance;
       place.old = t;

@@ -27,7 +27,7 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
   addPatches(0);
 }
 
-// Of the samples from that one on.
+// Adds the patches of the samples from `first_sample` on.
 void ContactPotential::addPatches(int first_sample) {
   const std::size_t first = patches_.size();
   for (int s = first_sample; s < numSamples(); ++s) {
@@ -54,8 +54,8 @@ void ContactPotential::addFaceContact(const Points& X, const Eigen::Matrix3Xi& t
                                       double spacing) {
   faces_ = std::make_unique<FacePoints>();
   faces_->setSurface(X, triangles, spacing);
-  nodes_only_ = !(spacing > 0.0);  // then some triangles have none of their own
-  // Both go through the triangles in the same order.
+  nodes_only_ = !(spacing > 0.0);  // some triangles then have no samples
+  // Samples and triangles are in the same order.
   Eigen::Index t = 0;
   const int end = for_anatomy_ ? for_anatomy_->patch : numPatches();
   for (int p = 0; p < end; ++p) {
@@ -80,8 +80,8 @@ void ContactPotential::setOffsets(const Points& offsets) {
   }
 }
 
-// visit(touch) for all samples among the candidates, or those that may answer, at x. Only as much
-// of the touch is measured as Response::energy() needs, or `with_frame` the others.
+// Calls visit(touch) for candidate samples at x, or for possibly active ones. Measures what
+// Response::energy() needs, or `with_frame` all.
 template <class Visit>
 void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with_frame,
                                   const Visit& visit) const {
@@ -121,7 +121,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   }
 }
 
-// All candidates likewise.
+// The same for samples and balls.
 template <class Visit>
 void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
                                const Visit& visit) const {
@@ -129,13 +129,13 @@ void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_fr
   forFaces(x, [&](Touch& touch, const FacePoints::BallTrianglePair&) { visit(touch); });
 }
 
-// visit(touch, pair) for those that may answer.
+// Calls visit(touch, pair) for balls that may be active.
 template <class Visit>
 void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && begun_;
   faces_->forEach(x, posed_, response_->reach(), [&](Touch* touch, const auto& pair) {
-    // Constant where a ball goes along triangles, as its energy's derivatives take it to be.
+    // Constant along triangles, as the energy's derivatives assume.
     touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(pair.first)).mean();
     if (!response_->active(*touch)) return;
     if (motion) posed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
@@ -167,7 +167,7 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::St
   forFaces(x, [&](const Touch& touch, const FacePoints::BallTrianglePair& pair) {
     K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
     if (tangent != fem::Tangent::kExact) return;
-    // Where the point of the triangle that is nearest is another one.
+    // Derivative by the nearest point of the triangle.
     Mat3 corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = x.col(touch.nodes[k]);
     const Eigen::Matrix<double, 9, 9> H =
@@ -183,7 +183,7 @@ bool ContactPotential::addPush(const Points& x, const std::vector<Pose>& motions
   forEach(x, skip_inactive_, true, [&](const Touch& touch) {
     const Vec3& p = touch.p_W;
     const Pose& motion = motions[static_cast<std::size_t>(touch.obstacle)];
-    // As if the sample went the other way, and the force turned with the obstacle.
+    // Equal to the opposite motion of the sample, plus the force rotated with the obstacle.
     const TouchForce f = response_->force(touch);
     const Vec3 now = -(f.normal * touch.normal_W + f.other_W);
     const Vec3 force = response_->stiffness(touch, fem::Tangent::kExact) * (motion * p - p) +
@@ -198,7 +198,7 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
   contacts->clear();
   forEach(x, true, true, [&](const Touch& touch) {
     const TouchForce f = response_->force(touch);
-    // Eigen multiplies the matrix first: in the last bit not what addGradient() gets.
+    // Eigen evaluates this product first: the last bit may differ from addGradient().
     const Vec3 normal_force = f.normal * (touch.R_WG * touch.normal_G);
     contacts->emplace_back(touch, normal_force + f.other_W);
   });
@@ -242,14 +242,14 @@ void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::Vec
   bearing_ = stiffness;
 }
 
-// Of a sample.
+// Stiffness scale at a sample [Pa/m].
 double ContactPotential::bearingOf(const Touch& touch) const {
   if (bearing_.size() == 0) return 0.0;
   const Vec3 of_corners = bearing_(touch.nodes);
   return of_corners.dot(touch.weights);
 }
 
-// [1/kg]
+// Inverse of the sample's mass [1/kg].
 double ContactPotential::mobilityOf(const Touch& touch) const {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {

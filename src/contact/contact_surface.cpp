@@ -11,11 +11,10 @@
 namespace palpate::contact {
 namespace {
 
-constexpr double kThinnestPart =
-    0.1;  // of the surface is thinner than what counts as its thickness
+constexpr double kThinnestPart = 0.1;  // fraction of the surface that is thinner than radius() [-]
 
-// The part of `direction` after which a ray from `from` meets the triangle with these corners, or
-// infinity [Moeller and Trumbore 1997].
+// The part of `direction` after which a ray from `from` meets the triangle with these corners,
+// or infinity [Moeller and Trumbore 1997].
 double rayIntersects(const Vec3& from, const Vec3& direction, const Mat3& corners) {
   const double nothing = std::numeric_limits<double>::infinity();
   const Vec3 u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);

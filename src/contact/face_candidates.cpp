@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles a tool's balls may touch.
+// Search for candidate triangles of tool balls.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace palpate::contact {
 namespace {
 
-// That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
+// Least area of a ball [m^2], which limits penetration on fine meshes.
 constexpr double kLeastArea = 2e-5;
 
 double meanEdge(const Mat3& corners) {
@@ -22,13 +22,13 @@ double meanEdge(const Mat3& corners) {
 
 }  // namespace
 
-// Fills found_ with balls and triangles, as places in near_, that may be within reach: by balls,
-// and of each by triangles. After a leap there are a million.
+// Fills found_ with pairs of ball and index in near_ that may be within reach, sorted by ball, then
+// triangle. There may be a million after a jump of the tool.
 void FacePoints::findPairs(const Shape& shape, double reach) {
   const auto forPairs = [&](const auto& visit) {
     for (std::size_t k = 0; k < near_.size(); ++k) {
       const Near& t = near_[k];
-      // The balls in the slice of the shape that the triangle may touch.
+      // Balls in the slice of the shape within reach of the triangle.
       const double far = t.radius + reach + shape.largest;
       const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
       auto ball = std::lower_bound(
@@ -40,7 +40,7 @@ void FacePoints::findPairs(const Shape& shape, double reach) {
       }
     }
   };
-  // Counted first, so that each has its place.
+  // Counting sort.
   places_.assign(shape.balls.size() + 1, 0);
   forPairs([&](std::size_t ball, std::size_t) { ++places_[ball + 1]; });
   std::partial_sum(places_.begin(), places_.end(), places_.begin());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a tool's balls are from the triangles that they may touch.
+// Distances of tool balls from candidate triangles.
 #include <algorithm>
 #include <cmath>
 
@@ -8,12 +8,12 @@
 namespace palpate::contact {
 namespace {
 
-// Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
+// Distance from an edge or corner below which the direction is undefined [m].
 constexpr double kCoincident = 1e-12;
 
 }  // namespace
 
-// What was measured elsewhere is no more known.
+// Clears the cache where x has changed.
 void FacePoints::measureAt(const Points& x) const {
   if (groups_.empty()) return;
   if (measured_anywhere_ && measured_at_.cols() == x.cols() && measured_at_ == x) return;
@@ -32,7 +32,7 @@ const FacePoints::Measured& FacePoints::measured(const Points& x,
   return known;
 }
 
-// A ball and a triangle: as if it were in front; `across`: how far it is in front of its plane.
+// Measures a ball and a triangle as if in front; `across`: signed distance from the plane [m].
 FacePoints::BallTrianglePair FacePoints::measurePair(const Vec3& center, const Mat3& corners,
                                                      int candidate, double* across) const {
   BallTrianglePair m{};
@@ -50,9 +50,8 @@ FacePoints::BallTrianglePair FacePoints::measurePair(const Vec3& center, const M
   return m;
 }
 
-// Adds the triangles that may be the nearest or are nearer than `within` to pairs_. Of those
-// that are equally near, as those around an edge or a corner are, the one that the centre is most
-// in front of, or behind, knows the side.
+// Adds the nearest triangle and all nearer than `within` [m] to pairs_. Of equally near ones,
+// around an edge or corner, the one with the largest plane distance decides the side.
 FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PosedObstacle>& posed,
                                          Group* of, double within) const {
   const Group& group = *of;
@@ -77,8 +76,8 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Pose
   }
   BallTrianglePair& m = pairs_[nearest];
   of->nearest = m.triangle;
-  // Where the surface crosses itself, the nearest triangle may be another one at once. A ball that
-  // was in front gets behind by kFollow at a time, not by an edge, or its diameter.
+  // In self-intersections the nearest triangle may jump. A ball in front passes a triangle by at
+  // most kFollow per step, not by an edge or its diameter.
   const bool crossed = !group.behind && m.distance > std::max(group.edge, 2.0 * ball(group).radius);
   const bool behind = most_across < 0.0 && !crossed;
   for (std::size_t k = begin; k < pairs_.size(); ++k) pairs_[k].touched = !behind;
@@ -90,8 +89,8 @@ FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<Pose
   return {within, begin, pairs_.size(), nearest};
 }
 
-// Most steps are short beside what is between a ball and most triangles, and most triangles go less
-// far than the one that goes farthest: only of the others it matters where they go.
+// Most steps are short against the distances of balls and triangles: a bound by the longest
+// displacement skips those pairs.
 double FacePoints::maxStep(const Points& x, const Points& d,
                            const std::vector<PosedObstacle>& posed, double largest) const {
   measureAt(x);

@@ -10,7 +10,7 @@
 namespace palpate::contact {
 namespace {
 
-// Of the smoothing width: how far a touch that clings may rise from its obstacle and be found.
+// Largest gap of a held touch within reach, in smoothing widths [-].
 constexpr double kReach = 10.0;
 
 class FrictionResponse final : public Response {

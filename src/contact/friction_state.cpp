@@ -9,18 +9,17 @@
 namespace palpate::contact {
 namespace {
 
-// The normal force that limits are of: less by a margin, so that what hardly changes from step to
-// step needs no second solution; in the second, third ... of a step by more, and by a part of how
-// much it fell since the one before. In the last none is left where it falls still.
+// Under-relaxation of the Coulomb limit per augmentation: `margin` reduces the normal force, `fall`
+// is the fraction of its decrease since the last augmentation that is subtracted too [-].
 struct LimitRelaxation {
   double margin, fall;
 };
 constexpr LimitRelaxation kLimitRelaxations[] = {{1e-3, 0.5}, {1e-3, 0.2}, {5e-3, 0.5}, {5e-2, 1.0},
                                                  {0.2, 1.0},  {0.5, 1.0},  {1.0, 1.0}};
-// Of the contact's stiffness: still stiff against tissue, while fewer points than with all of it
-// begin or end to slip in a step, each of which Newton's method has to find.
+// Stiffness of friction springs over that of contact [-]: stiff against tissue, but with fewer
+// stick-slip transitions in a step than 1.
 constexpr double kStiffnessRatio = 0.05;
-// Friction beyond Coulomb's, of all touches against what they press, that needs no other solution.
+// Largest sum of friction above Coulomb's limit, over the sum of normal forces [-].
 constexpr double kMaxExcessRatio = 1e-4;
 constexpr double kRoundoff = 1e-13;
 
@@ -40,11 +39,11 @@ const FrictionState* FrictionStates::find(const Touch& touch) const {
     return Key(state.stick_point.number, state.stick_point.sample);
   };
   const Key key(touch.number, touch.sample);
-  const auto is_bound = [&](std::size_t k) {  // the first that is not before it
+  const auto is_bound = [&](std::size_t k) {  // whether k is the lower bound of the key
     return k <= states_.size() && (k == states_.size() || key <= key_of(states_[k])) &&
            (k == 0 || key_of(states_[k - 1]) < key);
   };
-  // Touches are asked for in their order, each some times.
+  // Calls come in the order of touches, several for each.
   if (!is_bound(last_found_)) {
     if (is_bound(last_found_ + 1)) {
       ++last_found_;
@@ -66,7 +65,7 @@ FrictionState* FrictionStates::findAmong(const Touch& touch) {
 bool FrictionStates::clings(const Touch& touch) const {
   if (const FrictionState* state = find(touch)) return isTight(*state);
   if (!states_.empty()) return false;
-  const StickPoint* point = stick_points_.find(touch);  // a step begins
+  const StickPoint* point = stick_points_.find(touch);  // at a step's begin
   return point && point->bite == Bite::kHeld;
 }
 
@@ -84,7 +83,7 @@ bool FrictionStates::clings(int number, int first, int last) const {
   return false;
 }
 
-// Of the spring along the surface [N/m].
+// Stiffness of the friction spring [N/m].
 double FrictionStates::springOf(const Touch& touch) const {
   return kStiffnessRatio * touch.area * stiffness_;
 }
@@ -144,8 +143,8 @@ double FrictionStates::pressing(const Touch& touch) const {
   return std::max(-normal_.force(touch).normal, 0.0);
 }
 
-// The most friction that Coulomb's law has for the force on this touch, of which a part is along
-// its normal where that is not the state's [N].
+// Coulomb limit by the present normal force [N]; the touch's normal may differ from that of the
+// slip plane.
 double FrictionStates::allowed(const FrictionState& state, const Touch& touch) const {
   const double mu = table_.of(touch.number).coefficient(state.stick_point.slides);
   const Vec3 d = stretch(state, touch);
@@ -164,7 +163,7 @@ void FrictionStates::begin(const std::vector<Touch>& touches) {
   for (const Touch& touch : touches) {
     const Friction& friction = table_.of(touch.number);
     if (touch.sample < 0 || !friction.any()) continue;
-    // What the step before ended with: the normal response may have learnt from that.
+    // The normal force of the last step, since the normal response may have been updated since.
     const StickPoint* known = stick_points_.find(touch);
     const double N = known ? known->pressing : pressing(touch);
     if (!known && !(N > 0.0)) continue;
@@ -182,7 +181,7 @@ void FrictionStates::begin(const std::vector<Touch>& touches) {
   std::sort(states_.begin(), states_.end(), stateBefore);
 }
 
-// What each obstacle presses with, less what it draws by.
+// Sums normal forces minus tension for each obstacle with teeth.
 void FrictionStates::sumPressing(const std::vector<Touch>& touches) {
   presses_.clear();
   for (const Touch& touch : touches) {
@@ -210,7 +209,7 @@ double FrictionStates::relaxed(double N, double before) const {
   return (1.0 - c.margin) * std::max(N - c.fall * std::max(before - N, 0.0), 0.0);
 }
 
-// Whether teeth hold it no longer.
+// Whether teeth release the touch; `change`: also updates the state.
 bool FrictionStates::releases(const Touch& touch, bool change, FrictionState* state) const {
   if (state->stick_point.bite != Bite::kHeld) return false;
   const double drawn = std::hypot(force(*state, touch).norm(), tension(*state, touch));
@@ -220,7 +219,7 @@ bool FrictionStates::releases(const Touch& touch, bool change, FrictionState* st
   return true;
 }
 
-// Whether the state must be another one for this touch.
+// Whether the touch needs an augmentation; `change`: also updates the state.
 bool FrictionStates::reviewOne(const Touch& touch, bool change, FrictionState* state) {
   const bool freed = releases(touch, change, state);
   if (state->stick_point.bite == Bite::kHeld) return freed;
@@ -260,7 +259,7 @@ void FrictionStates::confine(const std::vector<Touch>& touches) {
   }
 }
 
-// The points of what touches now: pressed, or held.
+// Makes stick points of all touches that are pressed or held.
 void FrictionStates::end(const std::vector<Touch>& touches) {
   sumPressing(touches);
   next_.clear();

@@ -11,36 +11,38 @@
 
 namespace palpate::contact {
 
-/// A touch that clings within a step.
+/// Friction of a touch within a step.
 struct FrictionState {
-  StickPoint stick_point;  ///< Where the step began; what slides or bites as it goes on.
-  Vec3 normal_G;           ///< Of the plane that it slides in: unit.
-  double limit = 0.0;      ///< Of its friction [N].
-  double begin = 0.0;      ///< The normal force where the step began [N].
-  double pressing = 0.0;   ///< The normal force that the limit is of [N], >= 0.
+  StickPoint stick_point;  ///< Stick point at the step's begin; `slides` and `bite` change within
+                           ///< the step.
+  Vec3 normal_G;           ///< Normal of the slip plane, unit, obstacle's frame.
+  double limit = 0.0;      ///< Coulomb limit of the friction force [N].
+  double begin = 0.0;      ///< Normal force at the step's begin [N].
+  double pressing = 0.0;   ///< Normal force in the Coulomb limit [N], >= 0.
 };
 
-/// What clings, from step to step and within one; see withFriction() for the formulas.
+/// Friction states of all touches, within and between steps; withFriction() has the formulas.
 class FrictionStates {
  public:
-  /// `normal` says what presses, and outlives this, as `table` does. `stiffness` [Pa/m].
+  /// `normal`: response for normal forces; `stiffness` [Pa/m].
+  /// @pre `normal` and `table` outlive this.
   FrictionStates(const Response* normal, const FrictionTable* table, double stiffness)
       : normal_(*normal), table_(*table), stiffness_(stiffness) {}
 
-  /// Null: none.
+  /// Returns the friction state of a touch; null: none.
   const FrictionState* find(const Touch& touch) const;
-  /// Whether a touch answers that is not pressed.
+  /// Whether a touch without pressure has friction or is held by teeth.
   bool clings(const Touch& touch) const;
-  /// The same of one of these samples.
+  /// Whether clings() may be true for a sample in [first, last] of an obstacle.
   bool clings(int number, int first, int last) const;
   double energy(const FrictionState& state, const Touch& touch) const;
-  /// Of the spring along the surface [N].
+  /// Friction force: of the spring in the slip plane [N].
   Vec3 force(const FrictionState& state, const Touch& touch) const;
-  /// Of the one away from it [N].
+  /// Tensile force of teeth along the normal [N].
   double tension(const FrictionState& state, const Touch& touch) const;
   Mat3 stiffness(const FrictionState& state, const Touch& touch, fem::Tangent tangent) const;
 
-  // As those of Response.
+  // As in Response.
   void begin(const std::vector<Touch>& touches);
   void end(const std::vector<Touch>& touches);
   bool augmentationConverged(const std::vector<Touch>& touches) { return !review(touches, false); }
@@ -67,13 +69,13 @@ class FrictionStates {
   const Response& normal_;
   const FrictionTable& table_;
   double stiffness_;
-  StickPoints stick_points_;            // where the last step ended
-  std::vector<FrictionState> states_;   // within a step, sorted by their points
-  mutable std::size_t last_found_ = 0;  // of the touch that was asked for last
+  StickPoints stick_points_;            // at the end of the last step
+  std::vector<FrictionState> states_;   // within a step, sorted by obstacle and sample
+  mutable std::size_t last_found_ = 0;  // index of the last find()
   std::vector<StickPoint> next_;
-  std::vector<std::pair<int, double>> presses_;  // by obstacle, as a whole [N]
-  std::size_t iteration_ = 0;                    // of solutions in the step
-  double pressing_ = 0.0, excess_ = 0.0;         // of what was reviewed [N]
+  std::vector<std::pair<int, double>> presses_;  // total normal force, by obstacle [N]
+  std::size_t iteration_ = 0;                    // augmentations in the step
+  double pressing_ = 0.0, excess_ = 0.0;         // sums over the reviewed touches [N]
 };
 
 }  // namespace palpate::contact

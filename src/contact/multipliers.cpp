@@ -7,7 +7,7 @@
 namespace palpate::contact {
 namespace {
 
-// Of a change. All of it would have elements that are pressed flat snap to and fro.
+// Fraction of a change that is applied [-]; 1 lets compressed elements oscillate.
 constexpr double kUpdateFraction = 0.5;
 
 }  // namespace
@@ -20,7 +20,7 @@ void Multipliers::Share::operator+=(const Share& other) {
   decay_fraction += other.decay_fraction;
 }
 
-// Samples of a triangle follow one another, and ask for the same nodes.
+// Consecutive samples share a triangle, so its nodal values are cached.
 double Multipliers::at(const Touch& touch) const {
   double sum = 0.0;
   if (nodes_.empty()) return sum;
@@ -41,7 +41,7 @@ double Multipliers::atNode(int number, int node) const {
   return found != nodes_.end() && !key.before(*found) ? found->pressure : 0.0;
 }
 
-// The shares of each node, added up; they follow one another by obstacle and node.
+// Sums the contributions to each node, sorted by obstacle and node.
 void Multipliers::gather(const std::vector<Touch>& touches, const TargetOf& target) {
   shares_.clear();
   for (const Touch& touch : touches) {
@@ -55,7 +55,7 @@ void Multipliers::gather(const std::vector<Touch>& touches, const TargetOf& targ
                          weight * w.growth_fraction, weight * w.decay_fraction});
     }
   }
-  // Within a node in the order of the touches, which is fixed.
+  // Contributions to a node are in the fixed order of the touches.
   std::sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
     return a.at.before(b.at) || (!b.at.before(a.at) && a.order < b.order);
   });
@@ -85,7 +85,7 @@ void Multipliers::change(const std::vector<Touch>& touches, const TargetOf& targ
   put(&next_);
 }
 
-// Takes them, sorted, and gives back what was there.
+// Swaps the sorted nodes with the present ones.
 void Multipliers::put(std::vector<Node>* nodes) {
   nodes_.swap(*nodes);
   last_.known = false;

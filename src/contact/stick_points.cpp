@@ -34,7 +34,7 @@ void StickPoints::take(const std::vector<StickPoint>& points) {
   std::sort(points_.begin(), points_.end(), stickPointBefore);
 }
 
-// What has no sample is a point of the obstacle, which stays the same.
+// Samples < 0 are balls of the obstacle, which keep their index.
 void StickPoints::goOnFrom(const StickPoints& old, const std::function<int(int)>& now) {
   points_.clear();
   for (StickPoint point : old.points_) {

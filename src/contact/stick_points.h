@@ -9,39 +9,40 @@
 
 namespace palpate::contact {
 
-/// Whether teeth hold a touch: not yet, or they do, or they did and it was torn off, until it ends.
+/// Hold of a touch by teeth: none, held, or torn off until the touch ends.
 enum class Bite : int { kNone, kHeld, kTorn };
 
-/// Where a touch clings to its obstacle: a spring's stretch from there to the sample.
+/// Stick point of a touch: stretch of the friction spring from there to the sample.
 struct StickPoint {
   int number = 0, sample = 0;  ///< Obstacle::number, Touch::sample.
-  double pressing = 0.0;       ///< The normal force where the step ended [N],
-  double rise = 0.0;           ///< and how it rose in the step [N].
-  bool slides = false;         ///< It slipped when the step ended.
+  double pressing = 0.0;       ///< Normal force at the step's end [N].
+  double rise = 0.0;           ///< Increase of the normal force in the step [N].
+  bool slides = false;         ///< Whether the touch slipped at the step's end.
   Bite bite = Bite::kNone;
-  Vec3 stretch_G = Vec3::Zero();  ///< In the obstacle's frame [m].
+  Vec3 stretch_G = Vec3::Zero();  ///< Stretch in the obstacle's frame [m].
 
   bool before(const StickPoint& other) const {
     return number != other.number ? number < other.number : sample < other.sample;
   }
 };
 
-/// The points of all touches where a step ended, sorted.
+/// Stick points of all touches at the end of a step, sorted by obstacle and sample.
 class StickPoints {
  public:
-  /// Null: it did not touch.
+  /// Returns the stick point of a touch; null: none.
   const StickPoint* find(const Touch& touch) const;
-  /// Whether teeth hold one of the samples [first, last] of an obstacle.
+  /// Whether teeth of an obstacle hold a sample in [first, last].
   bool hold(int number, int first, int last) const;
   bool empty() const { return points_.empty(); }
 
-  /// Takes the place of those before.
+  /// Replaces all stick points.
   void take(const std::vector<StickPoint>& points);
   void clear() { points_.clear(); }
-  /// Takes over those of another surface, `now(i)` being sample i in this one, or -1.
+  /// Takes over the stick points of another surface; `now(i)`: present index of its sample i, or
+  /// -1.
   void goOnFrom(const StickPoints& old, const std::function<int(int)>& now);
   void save(StateWriter* to) const;
-  /// @throws std::invalid_argument as StateReader does; the points are then as they were.
+  /// @throws std::invalid_argument as StateReader; the stick points are then unchanged.
   void restore(StateReader* from);
 
  private:
