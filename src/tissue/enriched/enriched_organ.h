@@ -15,7 +15,7 @@ namespace palpate::tissue {
 /// what the cycle before found, within `time`, so that it moves no tool at once.
 class EnrichedOrgan final : public OrganBodies {
  public:
-  /// `body` feels contact at the samples of `fine`, and is settled. `time` [s].
+  /// `body` feels contact at the samples of `fine`, in equilibrium. `time` [s].
   EnrichedOrgan(std::unique_ptr<FemOrgan> body, FineSurface fine, LearnedDetail learned,
                 double time);
 

@@ -6,41 +6,42 @@
 
 namespace palpate::tissue {
 
-/// How tools meet a body that goes in explicit steps: in each, the tools go on by a part of their
-/// way, and touched nodes end where a ContactUpdate has them.
+/// Contact of tools in explicit steps: each sub-step moves the tools by a fraction of their path,
+/// then a ContactUpdate moves the touched nodes.
 class ExplicitContact {
  public:
-  /// A tool goes no farther in a step than this part of its inscribed radius and of an element,
-  /// unless it leaps.
+  /// Largest tool displacement per sub-step, relative to the lesser of inscribed radius and element
+  /// size [-].
   static constexpr double kToolWay = 0.25;
 
   explicit ExplicitContact(FemBody* body);
 
-  /// How many steps the tools' ways in this cycle ask for.
+  /// Number of sub-steps that kToolWay requires in this cycle.
   double steps() const;
-  /// A cycle begins: with the tools where they begin, and without contact.
+  /// Begins a cycle: tools at the begin of their path, no contact.
   void begin();
-  /// A step from body.x by the way `next`, in which the tools go on to part `s` of theirs: makes
-  /// `next` the positions at its end, 3 x n [m]. `coefficients`: as for ContactUpdate::apply().
-  /// False: tissue would have gone through a tool, and `next` is of no use.
+  /// Computes a sub-step from body.x by the displacement `next`, 3 x n [m], with the tools moved to
+  /// fraction `s` of their path; `next` becomes the positions at its end. `coefficients`: as in
+  /// ContactUpdate::apply(). Returns false where tissue would pass through a tool; `next` is then
+  /// invalid.
   bool step(double s, const Eigen::VectorXd& coefficients, Points* next);
-  /// No contact, for what moves is stopped or set from outside.
+  /// Clears contact: the body was stopped or its positions were set.
   void clear() { update_.clear(); }
 
-  /// Nodes that the last step() may have moved.
+  /// Nodes that contact may have moved in the last step().
   const std::vector<int>& nodes() const { return update_.nodes(); }
-  /// Minus the contact's forces, 3 x n [N].
+  /// Gradient of the contact energy, 3 x n [N].
   const Points& gradient() const { return update_.gradient(); }
-  /// That the last step() took for one answer of the contacts, at most.
+  /// Most Newton iterations of a contact solve in the last step().
   int iterations() const { return iterations_; }
-  /// Norm of the forces that it left unbalanced [N].
+  /// Residual of contact in the last step() [N].
   double residual() const { return update_.residual(); }
-  /// How far the fastest tool went in it [m].
+  /// Largest tool displacement in the last step() [m].
   double toolWay() const { return tool_way_; }
-  /// Whether it held nodes back that would have gone too far at once: a tool has leapt into them,
-  /// and they are not out of it.
+  /// Whether the last step() limited the displacement of nodes, after a tool jumped into tissue.
   bool limited() const { return limited_; }
-  /// Of a cycle that ends with the last step(), or `late`, with sub-steps left. `tolerance` [N].
+  /// Status of a cycle that ends with the last step(); `late`: with sub-steps left; `tolerance`
+  /// [N].
   solver::SolveStatus status(double tolerance, bool late) const;
   /// Cube root of the volume of a node [m].
   double elementSize() const { return element_size_; }
@@ -52,11 +53,11 @@ class ExplicitContact {
   FemBody& body_;
   double element_size_;
   ContactUpdate update_;
-  Points untouched_;  // where friction may ask for another answer
+  Points untouched_;  // positions without contact, for augmentation
   int iterations_ = 0;
-  bool limited_ = false;                // it held nodes back that would have gone too far at once
-  bool friction_converged_ = true;      // it found friction within Coulomb's law
-  double part_ = 0.0, tool_way_ = 0.0;  // of the tools' way, where they are
+  bool limited_ = false;                // whether node displacements were limited
+  bool friction_converged_ = true;      // whether friction obeys Coulomb's law
+  double part_ = 0.0, tool_way_ = 0.0;  // of the tool path; displacement [m]
 };
 
 }  // namespace palpate::tissue

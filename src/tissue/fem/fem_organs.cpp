@@ -25,7 +25,7 @@ class FemOrgans final : public TissueModel {
         organs_(std::move(organs)),
         neighbours_(
             makeInteractions(settings),
-            [this](const GroupBody& a, const GroupBody& b) { return boxesOverlap(a, b); },
+            [this](const GroupBody& a, const GroupBody& b) { return mayInteract(a, b); },
             !settings.skip.apart_organs),
         reports_(organs_.size()) {
     for (std::size_t k = 0; k < organs_.size(); ++k) by_name_.push_back(k);
@@ -125,11 +125,11 @@ class FemOrgans final : public TissueModel {
   std::string noteOn(const std::string& organ, const std::string& note) const {
     return (organs_.size() > 1 ? "organ " + organ + ": " : "") + note;
   }
-  bool boxesOverlap(const GroupBody& a, const GroupBody& b) const {
+  bool mayInteract(const GroupBody& a, const GroupBody& b) const {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
   }
 
-  // It is where it did not go: what it was to the others is another.
+  // Members that were reset to rest have invalid contact history with their neighbours.
   void startAnewWhatIsPutBack() {
     put_back_.clear();
     for (const GroupBody& b : bodies_) {

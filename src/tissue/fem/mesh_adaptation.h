@@ -15,9 +15,9 @@
 
 namespace palpate::tissue {
 
-/// Makes the next mesh of an organ that adapts, and the body on it, beside the cycles, and prepares
-/// it for where begin() was told that the tissue is: what factorises has its first factor by then.
-/// All that depends on the present mesh and on what begin() got alone.
+/// Makes the next mesh of an adaptive organ and the body on it in a background task, and prepares
+/// its solver at the positions given to begin(). The result depends only on the present mesh and
+/// the arguments of begin().
 class MeshAdaptation {
  public:
   MeshAdaptation(const mesh::TetMesh& coarse, const fem::Composition& composition,
@@ -25,39 +25,40 @@ class MeshAdaptation {
                  const AdaptSettings& adapt, ThreadPool* pool);
 
   void useMethod(const std::string& method) { settings_.method = method; }
-  /// Farther from a tool than this the coarse mesh is as fine as is asked for [m].
+  /// Distance from a tool beyond which the coarse mesh suffices [m].
   double reach() const;
 
-  /// A body on the present mesh, not settled and as yet anywhere.
+  /// Makes a body on the present mesh, in its rest configuration.
   std::unique_ptr<FemOrgan> make() const;
-  /// That on the coarse mesh, which outlives it and is in use now or later.
+  /// Sets the body on the coarse mesh. @pre It outlives this.
   void setCoarse(FemOrgan* organ) { coarse_organ_ = organ; }
   bool isCoarse() const { return coarse_; }
-  /// The present mesh, see mesh::NestedMesh::bisected(); also while the next one is being made.
+  /// Present mesh, as mesh::NestedMesh::bisected(); valid during the background task.
   const std::string& bisected() const { return bisected_; }
-  /// Makes it the present one; "": the coarse one. What is being made is given up.
+  /// Sets the present mesh; "": the coarse one. Cancels the background task.
   /// @throws std::invalid_argument as mesh::NestedMesh::restore().
   void restore(const std::string& bisected);
 
-  /// Begins with the mesh that suits these tools where the points are at x, 3 x n [m], for cycles
-  /// of `dt` [s].
+  /// Begins the background task: mesh for these tools with positions x, 3 x n [m], for cycles of
+  /// `dt` [s].
   void begin(const Points& x, const ToolDistance& tools, double dt);
   struct Result {
-    std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh suits.
-    std::unique_ptr<FemOrgan> organ;           ///< Null: it is that on the coarse mesh.
-    bool complete = true;                      ///< Else some work was left to the next one.
+    std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh is kept.
+    std::unique_ptr<FemOrgan> organ;           ///< Null: the body on the coarse mesh.
+    bool complete = true;                      ///< False: kMaxBisections was reached.
   };
-  /// Whether take() need not wait for a helper of the pool: waits until so, or until `interrupt`
-  /// asks for the end.
+  /// Waits for the background task until `interrupt`. Returns whether take() is ready.
   bool await(const solver::Interrupt& interrupt) const;
-  /// Waits for it; it is the present one now.
+  /// Waits for the task and makes its mesh the present one.
   Result take();
 
-  /// What begin() got, while it is under way.
+  /// Writes the arguments of begin().
+  /// @pre A task is under way.
   void saveTask(StateWriter* out) const;
-  /// It begins anew at the first resume().
+  /// Reads the arguments; resume() begins the task.
   void restoreTask(StateReader* in);
-  /// `obstacles`: of the same shapes as those that the tools of begin() were.
+  /// Begins a restored task.
+  /// @pre `obstacles` have the shapes of the tools of begin().
   void resume(const std::vector<contact::Obstacle>& obstacles);
 
  private:
@@ -65,8 +66,8 @@ class MeshAdaptation {
   void work();
   Surroundings surroundings() const;
 
-  fem::Composition composition_;  // of the coarse mesh
-  Surroundings surroundings_;     // likewise
+  fem::Composition composition_;  // on the coarse mesh
+  Surroundings surroundings_;     // on the coarse mesh
   FemSettings settings_;
   AdaptSettings adapt_;
   ThreadPool* pool_;
@@ -82,7 +83,7 @@ class MeshAdaptation {
   bool to_resume_ = false;
   Result result_;
   std::atomic<bool> is_made_{false};
-  ThreadPool::BackgroundTask task_;  // last: ends before what it works on
+  ThreadPool::BackgroundTask task_;  // last member: destroyed before the members it uses
 };
 
 }  // namespace palpate::tissue

@@ -7,20 +7,20 @@
 namespace palpate::tissue {
 namespace {
 
-// What a body goes beyond what it does by itself, of its size: as ToolPath has it.
+// Margin of a body's displacement, relative to its size [-]; as in ToolPath.
 constexpr double kMargin = 0.02;
 
 auto key(const InteractingPair& m) { return std::make_tuple(m.interaction, m.a, m.b); }
 
 }  // namespace
 
-// Where the bodies are, and how far they may go: on as they do, or before a tool.
+// Updates positions, boxes and estimated displacements, by velocity or a tool's motion.
 void NeighbourSearch::updateBodies(const std::vector<GroupBody>& bodies, double dt) {
   seen_.clear();
   for (const GroupBody& b : bodies) {
     const FemBody& body = b.body->body();
     const double own = 2.0 * dt * body.v.colwise().norm().maxCoeff();
-    // Outside of a cycle the tools of the one before are known, which may be gone.
+    // With dt = 0 the tools are those of the last cycle, which may have left.
     const bool pushes = dt > 0.0 && body.tool_contact.possible();
     const double pushed = pushes ? body.tool_path.longestWay() : 0.0;
     seen_.push_back({*b.organ, body.mesh.points, body.x, body.triangles,
@@ -56,7 +56,7 @@ void NeighbourSearch::find(const std::vector<GroupBody>& bodies, double dt,
   }
 }
 
-// The one that there is, or a new one in its place.
+// Returns the pair, or inserts a new one.
 InteractingPair& NeighbourSearch::pairOf(std::size_t interaction, std::size_t a, std::size_t b) {
   const auto place =
       std::lower_bound(pairs_.begin(), pairs_.end(), std::make_tuple(interaction, a, b),
@@ -73,8 +73,7 @@ InteractingPair& NeighbourSearch::pairOf(std::size_t interaction, std::size_t a,
   return **pairs_.insert(place, std::move(made));
 }
 
-// A term is made of bodies as they are; where one has another mesh now, the new one goes on from
-// it.
+// Makes the pair's term. After a mesh adaptation the new term takes over the state of the old one.
 void NeighbourSearch::takeBodies(const std::vector<GroupBody>& bodies, InteractingPair* m) {
   const std::uint64_t a = bodies[m->a].revision, b = bodies[m->b].revision;
   if (m->term && m->revision_a == a && m->revision_b == b) return;

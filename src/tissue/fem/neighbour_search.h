@@ -12,29 +12,30 @@
 
 namespace palpate::tissue {
 
-/// A body in the order of bodies, which does not depend on that of the scene: by organs' names.
+/// A body in the order of organ names, independent of the scene's order.
 struct GroupBody {
-  const std::string* organ;  ///< Its name.
-  int number;                ///< Of that organ, in the model.
+  const std::string* organ;  ///< Name of the organ.
+  int number;                ///< Index of the organ in the model.
   FemOrgan* body;
-  std::uint64_t revision;  ///< Of its organ's shape: with another one the body is another.
+  std::uint64_t revision;  ///< SurfaceState::revision of the organ; a new one means a new body.
 };
 
-/// An interaction between two bodies, or within one, while it may act.
+/// A pair of bodies, or a body with itself, with the energy of an interaction.
 struct InteractingPair {
-  std::size_t interaction, a, b;  ///< a <= b: in the order of bodies.
+  std::size_t interaction, a, b;  ///< Indices of interaction and bodies, a <= b.
   std::unique_ptr<InteractionTerm> term;
-  std::uint64_t revision_a = 0, revision_b = 0;  ///< For which the term was made.
-  double way = 0.0;                              ///< See InteractionTerm::search() [m].
-  bool acts = false;                             ///< It may, in this cycle.
+  std::uint64_t revision_a = 0,
+                revision_b = 0;  ///< Revisions of the bodies for which `term` was made.
+  double way = 0.0;              ///< Argument of InteractionTerm::search() [m].
+  bool acts = false;             ///< Whether the pair may interact in this cycle.
 };
 
-/// Which bodies may act on each other in a cycle, and what acts between them. A term lives on from
-/// cycle to cycle, and forgets where it cannot act.
+/// Neighbour search: finds the pairs of bodies that may interact in a cycle, with their energy
+/// terms. A term persists over cycles while the pair may interact.
 class NeighbourSearch {
  public:
-  /// `may_interact(a, b)`: whether two bodies are let to act on each other at all. `always`: two
-  /// are treated as if they could in every cycle.
+  /// `may_interact(a, b)`: whether two bodies are allowed to interact; `always`: treat all allowed
+  /// pairs as neighbours in every cycle.
   NeighbourSearch(std::vector<std::shared_ptr<const Interaction>> interactions,
                   std::function<bool(const GroupBody&, const GroupBody&)> may_interact, bool always)
       : interactions_(std::move(interactions)),
@@ -42,15 +43,15 @@ class NeighbourSearch {
         always_(always) {}
 
   bool any() const { return !interactions_.empty(); }
-  /// A cycle of `dt` [s] begins; the bodies' touches have been begun. Counts into `apart`, one a
-  /// body, the pairs in which it is the first and that cannot act.
+  /// Finds the pairs of a cycle of `dt` [s]. `apart`: number of pairs without interaction, counted
+  /// at the first body. @pre ToolContact::begin() of all bodies.
   void find(const std::vector<GroupBody>& bodies, double dt, std::vector<int>* apart);
-  /// Of the last find(), with those that cannot act.
+  /// All pairs of the last find(), with those that do not interact.
   const std::vector<std::unique_ptr<InteractingPair>>& all() const { return pairs_; }
 
-  /// As new.
+  /// Removes all pairs.
   void forget() { pairs_.clear(); }
-  /// As new where one of the two bodies is marked; a mark for each body.
+  /// Resets the terms of pairs with a marked body; `bodies`: a mark per body.
   void forgetOf(const std::vector<char>& bodies);
   void save(StateWriter* out) const;
   void restore(const std::vector<GroupBody>& bodies, StateReader* in);

@@ -10,26 +10,27 @@
 
 namespace palpate::tissue {
 
-/// An interaction between two members, by their numbers, or within one.
+/// Interaction of two members, by their indices, or of one with itself.
 struct MemberInteraction {
   InteractionTerm* term;
   std::size_t a, b;
-  double way;  ///< See InteractionTerm::search() [m].
+  double way;  ///< Argument of InteractionTerm::search() [m].
 
   bool operator==(const MemberInteraction& o) const {
     return term == o.term && a == o.a && b == o.b;
   }
 };
 
-/// What implicit steps move as one: a body, or the members of a group with what acts between them.
-/// Points are those of one member after another; of a single body they are its own.
+/// Bodies of one implicit solve: a single body, or the members of a group with their interactions.
+/// Points are concatenated by member.
 class StepGroup {
  public:
   explicit StepGroup(BodyMotion* body) : members_{body} {}
-  /// A group. All members have the same settings of the scene, and outlive this.
+  /// A group.
+  /// @pre All members have the same scene settings and outlive this.
   explicit StepGroup(const std::vector<BodyMotion*>& members);
 
-  /// What acts between the members of a group from here on.
+  /// Sets the interactions of a group.
   void setInteractions(const std::vector<MemberInteraction>& interactions);
 
   const std::vector<BodyMotion*>& members() const { return members_; }
@@ -39,78 +40,77 @@ class StepGroup {
     return joint_ ? joint_->all() : members_.front()->potential();
   }
   fem::Stiffness makeMatrix() const;
-  /// Where they are in the step under way, 3 x n [m].
+  /// Positions in the present step, 3 x n [m].
   Points& x() { return joint_ ? x_ : members_.front()->body().x; }
-  /// The columns of `all` that are those of a member.
+  /// Columns of `all` that belong to a member.
   const Points& part(std::size_t member, const Points& all) const;
 
-  /// Newton's tolerance [N]: the least of the members', so that each of them is solved as well as
-  /// it would be alone.
+  /// Tolerance of the residual: the least of the members', as if each was alone [N].
   double tolerance() const;
-  /// The same by the forces at x instead of the last cycle's [N]; `gradient` of the potential
-  /// there, 3 x n [N].
+  /// Tolerance by the forces at x instead of the last cycle's [N]; `gradient`: of the potential at
+  /// x, 3 x n [N].
   double toleranceHere(const Points& gradient);
-  /// What they are at least [N].
+  /// Lower bound of both tolerances [N].
   double leastTolerance() const;
   void beginCycle();
   void goBack();
   void endCycle();
-  /// A step of `h` [s] begins at x, at part `begin` of the cycle. True: the elastic part of the
-  /// matrix is scaled otherwise than it was by a group's last step.
+  /// Begins a step of `h` [s] at x and fraction `begin` of the cycle. Returns whether the scale of
+  /// the elastic stiffness differs from the group's last step.
   bool beginStep(double begin, double h);
-  /// `unbalanced` by so much [N], summed over all of them.
+  /// Ends the step with the total residual `unbalanced` [N].
   void endStep(double unbalanced);
   void extrapolate(double h, Points* way) const;
-  /// Whether surroundings carry nodes; they, and anchors, go to part `s` of the cycle.
+  /// Whether boundary conditions carry nodes; moveSurroundings() moves these and spring anchors to
+  /// fraction `s` of the cycle.
   bool carries() const;
   void moveSurroundings(double s);
-  /// Puts the carried nodes of `all` there, or of x, where a step begins.
+  /// Sets the carried nodes of `all`, or of x at a step's begin, to fraction `s`.
   void carryTo(double s, Points* all) const;
   void carryHere(double s);
-  /// The potential at x, where a step begins.
+  /// Value of the potential at x, a step's begin [J].
   double valueHere();
-  /// Whether elements are so flat at x that the guards of their bodies have to act and did not:
-  /// solve again. They rest again when a cycle begins with none so flat.
+  /// Activates the inversion barriers of bodies with nearly inverted elements at x. Returns whether
+  /// one was activated: solve again. A barrier ends when a cycle begins without such elements.
   bool startGuarding();
-  /// Whether elements are turned inside out at x.
+  /// Whether elements are inverted at x.
   bool inverted() const;
   /// See FemBody::heldWay().
   bool heldWay(double s, Points* way) const;
   /// See BodyMotion::squaredUnbalancedForce().
   double unbalancedForce(const Points& gradient);
 
-  // The tools' way, see ToolPath.
+  // Tool path, as in ToolPath.
   void moveTools(double s);
-  /// A step begins with the tools, and what acts between members, where they are.
+  /// Begins a step of tool contact and interactions.
   void beginTouches();
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
-  /// The tools went on as the tissue could not follow; where they are now may be inside.
+  /// Marks inside tools as unverified: tools moved without a solve.
   void invalidateInsideTools();
   bool candidatesHold() const;
   bool hasFriction() const;
-  /// Whether contact is content with x, a solution within the step, see
-  /// ContactPotential::augment().
+  /// As ContactPotential::augmentationConverged() and augment(), at the solution x of the step.
   bool augmentationConverged();
   void augment();
-  /// A step of `h` [s] has ended with a solution.
+  /// Updates contact by the solution of a step of `h` [s].
   void learn(double h);
   void search();
 
-  /// What the others of the group exert on each member where the last step ended.
+  /// Forces of the other members on each member at the end of the last step.
   const std::vector<InteractionForce>& interactionForces() const { return interaction_forces_; }
 
-  /// What a group remembers beside its members' own.
+  /// State of the group in addition to the members'.
   void save(StateWriter* out) const { out->put(scales_); }
   void restore(StateReader* in) { in->get(&scales_); }
 
  private:
   struct MappedInteraction {
     MemberInteraction what;
-    std::vector<const fem::EnergyTerm*> terms;  // its one
+    std::vector<const fem::EnergyTerm*> terms;  // with one element
     std::unique_ptr<solver::MappedTerms> of_all;
-    StateWriter before;  // the cycle
-    Points x;            // of the pair
+    StateWriter before;  // state at the cycle's begin
+    Points x;            // points of the pair
   };
 
   template <class Visit>
@@ -124,9 +124,9 @@ class StepGroup {
   std::vector<std::unique_ptr<MappedInteraction>> interactions_;
   std::vector<double> scales_;
   Points x_;
-  mutable std::vector<Points> parts_;  // scratch of part()
+  mutable std::vector<Points> parts_;  // buffers of part()
   mutable Points part_way_;
-  Points gradient_;  // of the interactions alone
+  Points gradient_;  // of the interactions
   std::vector<InteractionForce> interaction_forces_;
 };
 

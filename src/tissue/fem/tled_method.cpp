@@ -9,14 +9,13 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxRefinement = 2;
-// In a cycle: more would cost more than implicit steps do.
+// Most sub-steps of a cycle; more cost more than implicit steps.
 constexpr double kMaxSubSteps = 2000.0;
-// Contact labours where its updates take more iterations than this in a cycle, and so many in each
-// of its sub-steps.
+// Contact is slow above this number of Newton iterations in a cycle, plus the number per sub-step.
 constexpr int kMinContactIterations = 200, kContactIterationsPerSubStep = 10;
-// Times the sub-steps that stability asks for at rest.
+// Largest ratio of sub-steps to those at rest [-].
 constexpr double kMaxSubStepRatio = 20.0;
-// Times the energy that is known to have come in: beyond it, the scheme made it.
+// Largest ratio of energy gained to energy supplied [-]; above it energy is spurious.
 constexpr double kMaxEnergyRatio = 4.0;
 
 }  // namespace
@@ -77,7 +76,7 @@ void TledMethod::restore(StateReader* in) {
   if (body_.heldMoves()) in->getSame(&held_velocity_);
 }
 
-// Gradient and energy of all but contact, at body_.x.
+// Gradient [N] and energy [J] of all forces except contact, at body_.x.
 void TledMethod::forces(double h) {
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(h);
   potential_ = body_.elasticity->gradient(body_.x, &g_);
@@ -127,13 +126,13 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
     if (late || contact_slow_ || overran_) return false;
-    if (energy_grew_ && budget_.isOpen()) return false;  // over more cycles than are taken back
+    if (energy_grew_ && budget_.isOpen()) return false;  // a rollback covers one cycle only
   }
   refinement_ = kMaxRefinement;
   return false;
 }
 
-// All sub-steps of a cycle, and its budget of energy.
+// Runs all sub-steps of a cycle and checks its energy budget.
 bool TledMethod::run(double dt, int steps, TissueStep* out) {
   SubSteps sub_steps{dt / steps, steps};
   EnergyBudget budget = budget_;
@@ -160,14 +159,14 @@ bool TledMethod::run(double dt, int steps, TissueStep* out) {
   return true;
 }
 
-// Sub-steps, up to where the cycle is cut, or false where they fail.
+// Runs sub-steps up to a deadline. Returns false on failure.
 bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
   const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
   tunnelled_ = contact_slow_ = energy_grew_ = overran_ = false;
   int contact_iterations = 0;
   contact_.begin();
-  // What the half-step before it would have ended with, braked.
+  // Velocity of the half step before, damped.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   for (int k = 1; k <= sub_steps->steps && !sub_steps->late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
@@ -183,15 +182,15 @@ bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
     }
     sub_steps->late = k < sub_steps->steps && solver::isInterrupted(body_.interrupt);
   }
-  // Where the tools are now the tissue has not followed them.
+  // The tissue has not followed the tools.
   if (sub_steps->late) body_.tool_contact.inside_tools.invalidate();
   out->status =
       tunnelled_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
   return !tunnelled_ && std::isfinite(potential_) && body_.x.allFinite();
 }
 
-// Velocities at the end of a cycle. False where it leaves a tool deep in tissue, or tissue
-// inverted, and was not cut: then the next one begins with implicit steps.
+// Sets velocities at the cycle's end. Returns false where an uncut cycle leaves tissue overrun; the
+// next cycle then begins with implicit steps.
 bool TledMethod::finishCycle(SubSteps* sub_steps, TissueStep* out) {
   if (sub_steps->touched) sub_steps->least_jacobian = body_.elasticity->minJacobian(body_.x);
   overran_ = (sub_steps->touched && contact_.limited()) || !(sub_steps->least_jacobian > 0.0);
@@ -205,8 +204,7 @@ bool TledMethod::finishCycle(SubSteps* sub_steps, TissueStep* out) {
   return body_.v.allFinite();
 }
 
-// From x to the next x, with the braked velocities in u, where the tools are at part `s` of their
-// way.
+// Computes one sub-step with the tools at fraction `s` of their path; u_ are damped velocities.
 void TledMethod::subStep(double h, double s, TissueStep* out) {
   const double damping = 0.5 * body_.settings.mass_damping * h;
   u_ = (u_ - h * inverse_masses_.cwiseProduct(g_)) / (1.0 + damping);
@@ -223,7 +221,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   body_.contact.endStep(body_.x);
 }
 
-// Anchors and held nodes that move go as they are told.
+// Moves spring anchors and prescribed nodes.
 void TledMethod::moveHeld(double h, double s) {
   body_.surroundings.moveTo(s);
   if (!body_.heldMoves()) return;
@@ -237,7 +235,7 @@ void TledMethod::moveHeld(double h, double s) {
   next_ = next_.cwiseProduct(body_.free) + held_way_;
 }
 
-// The force that accelerates held nodes that move, which their supports exert.
+// Adds the inertia force of prescribed nodes, which supports exert.
 void TledMethod::addHeldInertia(double h) {
   if (!body_.heldMoves()) return;
   const Points held = 1.0 - body_.free.array();
@@ -247,7 +245,7 @@ void TledMethod::addHeldInertia(double h) {
                  masses_.asDiagonal();
 }
 
-// From the way `next` to the next positions, with what the tools change of it.
+// Turns the displacement next_ into next positions, with contact.
 bool TledMethod::applyContact(double h, double s) {
   tunnelled_ = !contact_.step(s, coefficients_, &next_);
   if (tunnelled_) return false;
@@ -259,9 +257,8 @@ bool TledMethod::applyContact(double h, double s) {
   return true;
 }
 
-// Motion has come from motion, from what potential energy was let go, or from the tools. In a cut
-// cycle potential energy that came from nowhere has no time to become motion; over several of them
-// it counts as well.
+// Whether kinetic energy comes from kinetic energy, released potential energy, or the tools. Over
+// several cut cycles the potential energy must have a source as well.
 bool TledMethod::plausible(const EnergyBudget& since) const {
   const double released = std::max(0.0, since.potential - potential_);
   const double noise = 1e-3 * body_.force_floor * contact_.elementSize();
@@ -278,7 +275,7 @@ double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(bod
 void TledMethod::reportForces(TissueStep* out) {
   out->inertia_force = inertia_.rowwise().sum();
   next_ = g_ + contact_g_;
-  if (body_.heldMoves()) next_ -= inertia_;  // read on held components only
+  if (body_.heldMoves()) next_ -= inertia_;  // held components only
   body_.reportSupport(next_, out);
   body_.reportContacts(out);
 }

@@ -10,15 +10,15 @@
 namespace palpate::tissue {
 namespace {
 
-// Of the way to its middle: deeper than that a shape that comes anew is held, not pressed out.
+// Largest depth at which a new shape is pressed out, relative to the way to its middle [-].
 constexpr double kMaxStartDepth = 0.25;
-constexpr double kMaxPressedDepth = 0.9;  // and one that has been outside
+constexpr double kMaxPressedDepth = 0.9;  // the same for a shape that was outside before [-]
 
 bool holds(const std::vector<int>& numbers, int number) {
   return std::binary_search(numbers.begin(), numbers.end(), number);
 }
 
-// So far in one cycle that the tissue may not have followed.
+// Whether the obstacle moves farther in a cycle than the tissue can follow.
 bool leaps(const contact::Obstacle& obstacle) {
   const double way =
       contact::sweepLength(*obstacle.geometry, obstacle.X_WG_begin, obstacle.X_WG_end);

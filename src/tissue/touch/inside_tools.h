@@ -10,21 +10,21 @@
 
 namespace palpate::tissue {
 
-/// Which instruments' shapes are inside a body though they were not pushed in: those that began
-/// there, a quarter of the way to their middle or deeper, or got there by a leap or while nothing
-/// could be solved. They exert no force until they are clear of it, so that none lifts the surface
-/// from within, or is thrown out. A geometry stays as it is as long as obstacles have it.
+/// Instrument shapes inside a body that contact did not press in: they began deeper than a quarter
+/// of the way to their middle, jumped in, or moved in while solves failed. They exert no force
+/// until they are clear of the body, so none lifts the surface from within or is expelled.
+/// @pre Obstacles with the same geometry pointer have the same geometry.
 class InsideTools {
  public:
-  /// Looks where the obstacles are that may touch in a cycle that begins, with the surface at x,
-  /// 3 x n [m]. One is asked again when it comes near anew, and as long as it is inside.
+  /// Updates the set at a cycle's begin, for obstacles that may touch the surface at x, 3 x n [m].
+  /// An obstacle is tested when it comes near, and in each cycle while it is inside.
   void update(const std::vector<contact::Obstacle>& near, const Points& x,
               const Eigen::Matrix3Xi& triangles);
-  /// Obstacle::number of each, ascending.
+  /// Obstacle::number of the inside tools, ascending.
   const std::vector<int>& inside() const { return inside_; }
-  /// Nothing is known of any: a cycle failed.
+  /// Marks all tools as unverified after a failed cycle; the next update() tests each.
   void invalidate() { unverified_.swap(outside_), outside_.clear(); }
-  /// As new: none is anywhere.
+  /// Clears the state.
   void forget() { outside_.clear(), unverified_.clear(), inside_.clear(); }
 
   void save(StateWriter* to) const;
@@ -33,10 +33,11 @@ class InsideTools {
  private:
   const std::vector<contact::TouchBall>& ballsOf(const contact::Obstacle& obstacle);
 
-  std::vector<int> outside_, inside_;  // numbers, ascending; as of the last update()
-  std::vector<int> unverified_;        // that were outside before a cycle failed
+  std::vector<int> outside_, inside_;  // numbers at the last update(), ascending
+  std::vector<int> unverified_;        // outside before the failed cycle
   std::vector<int> next_outside_, next_inside_;
-  std::map<const instrument::Geometry*, std::vector<contact::TouchBall>> balls_;  // once asked
+  std::map<const instrument::Geometry*, std::vector<contact::TouchBall>>
+      balls_;  // cache of ballsOf()
 };
 
 }  // namespace palpate::tissue

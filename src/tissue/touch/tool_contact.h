@@ -13,48 +13,47 @@
 
 namespace palpate::tissue {
 
-/// The surface of an organ, as tools touch it: its contact potential, the tools' way through a
-/// cycle, and what is reported of both. For models of any kind whose points carry forces.
+/// Contact of an organ's surface with tools: contact potential, tool path, inside tools, needles,
+/// and their report. For any model with forces at points.
 class ToolContact {
  public:
-  /// `X`: points at rest, 3 x n [m]; `triangles`: their surface, outward. `organ`: the model's,
-  /// named in contacts. `excess(r)`: by which part a force is too large where edges are r times the
-  /// obstacle's inscribed radius; empty: nobody knows.
-  /// `tets`: between the points, for needles; without columns none gets in.
-  /// `thickness` [m]: of a sheet of which the triangles are the middle; 0: they enclose a body. A
-  /// sheet has no inside: tools touch either side, by its samples alone, and none is let be.
-  /// `samples`: where contact is felt; without any, samples of the triangles, which thin tools
-  /// meet, too.
+  /// `X`: rest positions, 3 x n [m]; `triangles`: surface, outward; `organ`: index in contacts.
+  /// `excess(r)`: relative force excess for edges of r inscribed radii; empty: unknown. `tets`: for
+  /// needles; without columns there are none. `thickness`: of a sheet with the triangles in its
+  /// middle [m]; 0: they enclose a body. A sheet is touched on both sides, by samples alone, and
+  /// has no inside tools. `samples`: default: samples of the triangles, with face contact of thin
+  /// tools.
   ToolContact(const Points& X, const Eigen::Matrix3Xi& triangles, const ModelSettings& settings,
               int organ = 0, std::function<double(double r)> excess = {},
               const Eigen::Matrix4Xi& tets = {}, double thickness = 0.0,
               const std::vector<contact::SurfaceSample>& samples = {});
-  ToolContact(const ToolContact&) = delete;  // the tool path refers to the contact
+  ToolContact(const ToolContact&) = delete;  // tool_path refers to contact
   ToolContact& operator=(const ToolContact&) = delete;
 
-  /// Begins a cycle of `dt` [s] with the points at x going with v, 3 x n: which tools can touch,
-  /// and which points. The tools are placed where they end.
+  /// Begins a cycle of `dt` [s] with positions x [m] and velocities v [m/s], 3 x n: finds near
+  /// tools and candidates, and moves the tools to the end of their path.
   void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, const Points& v,
              double dt, TissueStep* out);
-  /// Whether anything may touch in this cycle.
+  /// Whether a touch is possible in this cycle.
   bool possible() const { return contact.hasCandidates() || !needles.inside().empty(); }
-  /// Whether an instrument may touch, whose motion an organ at rest would feel.
+  /// Whether an instrument may touch in this cycle; the anatomy does not count.
   bool possibleByTools() const;
-  /// Brings tools to part s of their ways.
+  /// Moves tools and needles to fraction s of the tool path.
   void moveTo(double s);
-  /// A step has ended at x.
+  /// A step has ended at x, 3 x n [m].
   void endStep(const Points& x);
-  /// All memory from one cycle to the next, and within one.
+  /// Writes and reads the state between and within cycles.
   void save(StateWriter* to) const;
   void restore(StateReader* from);
   void forget();
-  /// Takes over what `old` remembers, of the same body on another mesh: X and old_X are the points
-  /// of both at rest.
+  /// Takes over the state of `old`, of the same body before a mesh adaptation; X and old_X: rest
+  /// positions of both, 3 x n [m].
   void goOnFrom(const ToolContact& old, const Points& X, const Points& old_X);
-  /// Adds the contacts at x, where the cycle ends, and what of their forces is due to the mesh.
-  /// Returns the norm of their nodal forces [N].
+  /// Adds the contacts at x, the end of the cycle, and their estimated mesh error to `out`. Returns
+  /// the norm of the nodal contact forces [N].
   double report(const Points& x, TissueStep* out);
-  /// After that: the points within reach that did not touch.
+  /// Adds the number of inactive candidates to `out`.
+  /// @pre report().
   void countInactive(TissueStep* out) const;
 
   contact::ContactPotential contact;
@@ -67,7 +66,7 @@ class ToolContact {
   bool has_inside_;
   int organ_;
   std::function<double(double)> excess_;
-  std::vector<Vec3> too_much_;  // by instrument [N]
+  std::vector<Vec3> too_much_;  // estimated force excess, by instrument [N]
   bool skip_inactive_;
   std::vector<contact::Contact> contacts_;
   Points nodal_;

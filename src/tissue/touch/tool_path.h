@@ -7,50 +7,49 @@
 
 namespace palpate::tissue {
 
-/// The obstacles' way through one cycle: which of them can touch, where they are at part s in [0,
-/// 1] of it, and the tissue samples that may meet them.
+/// Motion of the obstacles in a cycle by the fraction s in [0, 1]: near obstacles, their poses, and
+/// the candidates of contact.
 class ToolPath {
  public:
-  /// `size`: of the tissue at rest [m]. `skip_far`: leave out obstacles that cannot touch.
+  /// `size`: diagonal of the tissue at rest [m]; `skip_far`: skip obstacles that cannot touch.
   ToolPath(contact::ContactPotential* contact, double size, bool skip_far = true)
       : contact_(*contact), size_(size), skip_far_(skip_far) {}
 
-  /// Begins a cycle with the tissue at x, 3 x n [m], of which no node goes farther than about
-  /// `way` [m] if nothing pushes it. Returns how many obstacles cannot touch.
+  /// Begins a cycle with the tissue at x, 3 x n [m]; `way`: estimated displacement of a node
+  /// without contact [m]. Returns the number of obstacles that cannot touch.
   int begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way);
-  /// There are no obstacles, until the next cycle begins.
+  /// Removes all obstacles until the next begin().
   void clear();
-  /// Those that can touch, on their way through the cycle.
+  /// Obstacles that can touch, with their poses at begin and end of the cycle.
   const std::vector<contact::Obstacle>& near() const { return near_; }
-  /// The obstacles with these numbers, ascending, do not touch in this cycle.
+  /// Excludes the obstacles with these numbers, ascending, from the cycle.
   void leaveOut(const std::vector<int>& numbers);
-  /// Finds the candidates for contact at x, for the whole way, and sees that they hold while no
-  /// node moves farther than a margin, which each further search in a cycle makes wider.
+  /// Finds the candidates at x for the whole path. They hold while no node moves farther than a
+  /// margin, which grows with each search in a cycle.
   void search(const Points& x);
   bool candidatesHold(const Points& x) const {
     return near_.empty() ||
            (x - searched_at_).colwise().squaredNorm().maxCoeff() <= margin_ * margin_;
   }
-  /// Brings the obstacles to part s of their way.
+  /// Moves the obstacles to fraction s of the path.
   void moveTo(double s);
-  /// The forces on the nodes, 3 x n [N], that touches at x gain, to first order, while the
-  /// obstacles go from where they are to part s of their way and x stays. False: there are none.
+  /// First-order change of the nodal contact forces at fixed x, 3 x n [N], while the obstacles move
+  /// to fraction s. Returns false where nothing touches.
   bool pushTo(double s, const Points& x, Points* push);
-  /// A step, or the first one of the cycle, begins with the tissue at x and the obstacles where
-  /// they are.
+  /// A step begins with the tissue at x and the obstacles at their present poses.
   void beginStep(const Points& x);
-  /// The part, after s and up to `end`, to which the tissue at x can follow in one solve.
+  /// End of the next stage: the fraction in (s, end] that the tissue at x can follow in one solve.
   double next(const Points& x, double s, double end);
-  /// The longest way of an obstacle in this cycle, over its inscribed radius or `size` [m],
-  /// whichever is less.
+  /// Largest ratio of an obstacle's displacement in the cycle to the lesser of its inscribed radius
+  /// and `size` [m].
   double leap(double size) const;
-  /// The longest way in this cycle of an obstacle that can touch [m].
+  /// Largest displacement of a near obstacle in the cycle [m].
   double longestWay() const;
-  /// The least inscribed radius of the obstacles that can touch [m]; infinity if there is none.
+  /// Least inscribed radius of the near obstacles [m]; infinity without any.
   double thinnest() const;
-  /// Who owns an obstacle of the contact potential.
+  /// Owner of an obstacle of the contact potential.
   const contact::Owner& owner(int obstacle) const { return near_[obstacle].owner; }
-  /// The obstacle of the contact potential that has this number in the cycle, or -1.
+  /// Index in the contact potential of the obstacle with this number, or -1.
   int find(int number) const;
 
  private:
@@ -59,9 +58,9 @@ class ToolPath {
   bool skip_far_;
   double margin_ = 0.0;                         // [m]
   bool searched_ = false;                       // in this cycle
-  std::vector<contact::Obstacle> near_;         // on their way through the cycle
-  std::vector<contact::Obstacle> placed_;       // from where the step began to where they are
-  std::vector<double> ways_, reach_, allowed_;  // of each near one [m]
+  std::vector<contact::Obstacle> near_;         // with the poses of the cycle
+  std::vector<contact::Obstacle> placed_;       // with the poses of the step
+  std::vector<double> ways_, reach_, allowed_;  // of near_ [m]
   std::vector<Pose> motions_;                   // likewise
   Points searched_at_;
 };
