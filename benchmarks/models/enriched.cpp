@@ -57,7 +57,7 @@ struct Experiment {
   DeformationDatabase data;        // what is learned from
   std::vector<Deformation> tests;  // of the fine elements
   std::vector<Points> coarse;      // of the coarse elements, under the same presses
-  std::vector<mesh::FacePlace> embedding;
+  std::vector<mesh::SurfacePoint> embedding;
   std::vector<double> fine_seconds, coarse_seconds;
   Eigen::Index fine_nodes = 0, coarse_nodes = 0;
   int unsolved = 0;  // presses that are left out
@@ -69,7 +69,7 @@ struct Experiment {
     }
     data.coarse = body.coarse;
     data.fine = body.fine;
-    embedding = mesh::nearestPlaces(body.coarse, body.fine.points);
+    embedding = mesh::nearestSurfacePoints(body.coarse, body.fine.points);
     press();
   }
 
@@ -164,7 +164,7 @@ std::string graded(const Experiment& experiment) {
     const Deformation& test = experiment.tests[k];
     mesh::SizeField field;
     field.coarsest = experiment.body.coarse_edge;
-    mesh::FinePlace place;
+    mesh::RefinementZone place;
     place.finest = experiment.body.fine_edge;
     place.radius = experiment.body.patch;
     place.where = mesh::Polyline{{experiment.body.coarse.points.col(test.contact)}};

@@ -95,7 +95,8 @@ std::string letGo(const Roll& roll, double longest, const std::vector<double>& l
   const Points rest = makeRoll(flat)->positions();
   const mesh::CellMesh at_rest = model->cells(0);
   const Points& X = at_rest.points;
-  const contact::LayerContact gaps(X, model->shape(0).triangles, Eigen::VectorXd::Ones(X.cols()),
+  const contact::LayerContact gaps(X, model->surfaceState(0).triangles,
+                                   Eigen::VectorXd::Ones(X.cols()),
                                    {0.0, roll.cloth.rolled->gap_most, 1.0});
   const double length = rest.row(1).maxCoeff() - rest.row(1).minCoeff();
   const double row = X(1, X.cols() - 1) - 1e-9;

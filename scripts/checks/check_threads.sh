@@ -35,4 +35,4 @@ if ! said=$("${steady[@]}" "$program" --gtest_list_tests 2>&1) && grep -q 'unexp
   exit 0
 fi
 "${steady[@]}" "$program" --gtest_brief=1 \
-  --gtest_filter='ThreadPool.*:LatestValue.*:StalePcg.*:*Threads*:*NextMesh*:LiveCycleTest.*'
+  --gtest_filter='ThreadPool.*:LatestValue.*:StalePcg.*:*Threads*:*MeshAdaptation*:LiveCycleTest.*'

@@ -87,7 +87,7 @@ void describe(keys::FieldVisitor& v, DynamicAnalysis& analysis) {
             "In which prescribed displacements and rotations grow to their full size; by default "
             "the duration."},
            analysis.ramp_time, keys::Range::above(0.0, 1.0e6));
-  v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
+  v.section({"damping", "", "Rayleigh damping, in addition to the material's own viscosity."},
             analysis.damping);
   v.number({"tolerance", "", "Relative residual where Newton's iteration ends."},
            analysis.tolerance, keys::Range::closed(1.0e-14, 0.1));

@@ -45,7 +45,7 @@ struct ThreadPool::Team {
   std::mutex mutex;
   std::condition_variable woken, done;
   std::atomic<int> asleep{0};
-  std::deque<Beside*> tasks;  // that nobody does yet
+  std::deque<BackgroundTask*> tasks;  // that nobody does yet
   std::atomic<int> num_tasks{0};
 
   /// Does a part of loop `n`, unless somebody has taken it.
@@ -71,7 +71,7 @@ struct ThreadPool::Team {
     return number.load();
   }
 
-  void add(Beside* task) {
+  void add(BackgroundTask* task) {
     const std::lock_guard<std::mutex> lock(mutex);
     tasks.push_back(task);
     ++num_tasks;
@@ -82,7 +82,7 @@ struct ThreadPool::Team {
   void doTask() {
     std::unique_lock<std::mutex> lock(mutex);
     if (tasks.empty()) return;
-    Beside* const task = tasks.front();
+    BackgroundTask* const task = tasks.front();
     tasks.pop_front();
     --num_tasks;
     lock.unlock();
@@ -93,7 +93,7 @@ struct ThreadPool::Team {
   }
 
   /// Takes a task back that nobody does yet; else waits for it.
-  bool takeBack(Beside* task) {
+  bool takeBack(BackgroundTask* task) {
     std::unique_lock<std::mutex> lock(mutex);
     const auto it = std::find(tasks.begin(), tasks.end(), task);
     if (it == tasks.end()) {
@@ -142,23 +142,24 @@ ThreadPool::~ThreadPool() {
   for (std::thread& helper : team_->helpers) helper.join();
 }
 
-ThreadPool::Beside::Beside(ThreadPool* pool) : team_(pool ? pool->team_.get() : nullptr) {}
+ThreadPool::BackgroundTask::BackgroundTask(ThreadPool* pool)
+    : team_(pool ? pool->team_.get() : nullptr) {}
 
-ThreadPool::Beside::~Beside() { giveUp(); }
+ThreadPool::BackgroundTask::~BackgroundTask() { cancel(); }
 
-void ThreadPool::Beside::begin(std::function<void()> task) {
+void ThreadPool::BackgroundTask::begin(std::function<void()> task) {
   task_ = std::move(task);
   under_way_ = true;
   done_ = false;
   if (team_) team_->add(this);
 }
 
-void ThreadPool::Beside::wait() {
+void ThreadPool::BackgroundTask::wait() {
   if (!std::exchange(under_way_, false)) return;
   if (!team_ || team_->takeBack(this)) task_();
 }
 
-void ThreadPool::Beside::giveUp() {
+void ThreadPool::BackgroundTask::cancel() {
   if (!std::exchange(under_way_, false)) return;
   if (team_) team_->takeBack(this);
 }

@@ -44,7 +44,7 @@ void rewind(const BenchCase& bench, sim::Simulator* simulator) {
          bench.scene.organs[static_cast<std::size_t>(i)].supports) {
       for (int node : mesh::selectPoints(rest, support.select)) velocities.col(node).setZero();
     }
-    simulator->place(i, positions, velocities);
+    simulator->setPositions(i, positions, velocities);
   }
 }
 

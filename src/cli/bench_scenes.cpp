@@ -71,8 +71,9 @@ Eigen::Vector3i cellsFor(int tets, const Eigen::Vector3i& ratio) {
 }
 
 // Short edges where a ball of `radius` [m] goes, as far as 1.6 radii from its `way`.
-scene::FinePlaceConfig finePlace(const BenchChoice& choice, double radius, mesh::Polyline way) {
-  scene::FinePlaceConfig place;
+scene::RefinementZoneConfig refinementZone(const BenchChoice& choice, double radius,
+                                           mesh::Polyline way) {
+  scene::RefinementZoneConfig place;
   place.finest = *choice.finest;
   place.growth = choice.growth.value_or(place.growth);
   place.radius = 1.6 * radius;
@@ -107,7 +108,7 @@ scene::OrganConfig box(const Vec3& size, const Eigen::Vector3i& ratio, int tets,
                           {corners.points, mesh::boundaryTriangles(corners.tets)});
     organ.surface = "body.obj";
     organ.edge_length = {choice.edge_length.value_or(std::max(0.2 * size.x(), *choice.finest)),
-                         {finePlace(choice, kRadius, way)}};
+                         {refinementZone(choice, kRadius, way)}};
     organ.supports = {heldAt(2, 0.0, 1e-6)};
   }
   organ.material = gel(5.0e3, choice.poisson_ratio.value_or(0.45));
@@ -226,7 +227,7 @@ BenchCase liverOf(std::optional<double> edge_length, const BenchChoice& choice) 
   if (edge_length || choice.finest) organ.adapt = {};
   if (edge_length) organ.edge_length = {*edge_length, {}};
   if (choice.finest) {
-    organ.edge_length.near = {finePlace(choice, kTip, {})};
+    organ.edge_length.near = {refinementZone(choice, kTip, {})};
     organ.edge_length.near[0].trajectory = recorded;
   }
   if (choice.poisson_ratio) organ.material.constants["poisson_ratio"] = {*choice.poisson_ratio};

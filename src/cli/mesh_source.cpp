@@ -40,7 +40,7 @@ mesh::SizeField fieldOf(const MeshChoice& choice) {
   mesh::SizeField field;
   field.coarsest = choice.edge_length;
   for (const std::string& text : choice.near) {
-    mesh::FinePlace place;
+    mesh::RefinementZone place;
     place.finest = choice.finest.value_or(place.finest);
     place.radius = choice.radius.value_or(place.radius);
     place.growth = choice.growth.value_or(place.growth);

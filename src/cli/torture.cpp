@@ -26,7 +26,7 @@ bool isWanted(const TortureOptions& options, const torture::TortureScene& scene)
 }
 
 // Numbers that need not be run: all that have a line, or of these those that passed.
-std::set<int> settled(const TortureOptions& options) {
+std::set<int> numbersToSkip(const TortureOptions& options) {
   const std::vector<torture::ResultLine> lines = torture::readResults(options.out);
   const auto seed = static_cast<std::uint64_t>(options.seed);
   std::set<int> done = torture::numbersDone(lines, seed);
@@ -47,7 +47,7 @@ int runTortures(const TortureOptions& options) {
   const Part part = readPart(options.part);
   Tortures all(options, part);
   all.noteCrash();
-  const std::set<int> done = settled(options);
+  const std::set<int> done = numbersToSkip(options);
   const auto begin = std::chrono::steady_clock::now();
   const int first = options.only.value_or(options.first);
   const int end = options.only ? first + 1 : options.first + options.count;

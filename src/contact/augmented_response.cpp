@@ -10,14 +10,14 @@
 namespace palpate::contact {
 namespace {
 
-// Where rigid things meet, the multiplier grows no further [Pa].
-constexpr double kHighestPressure = 1e7;
-// The least stiffness, in Young's moduli of the tissue over edges.
-constexpr double kLeastStiffness = 300.0;
-// What swings with a node of the surface, in masses of that node.
-constexpr double kEntrained = 30.0;
+// Upper bound of a multiplier [Pa], for contact with held tissue.
+constexpr double kMaxMultiplier = 1e7;
+// Least penalty stiffness over Young's modulus per edge length [-].
+constexpr double kMinStiffnessRatio = 300.0;
+// Mass that moves with a surface node, over the node's mass [-].
+constexpr double kEntrainedMassRatio = 30.0;
 // See makeAugmentedResponse() [m].
-constexpr double kRestingTravel = 0.5e-3, kForgettingSlip = 0.3e-3;
+constexpr double kGrowthTravel = 0.5e-3, kDecaySlip = 0.3e-3;
 
 class AugmentedResponse final : public Response {
  public:
@@ -52,8 +52,8 @@ class AugmentedResponse final : public Response {
   }
 
   bool remembers() const override { return true; }
-  void learn(const std::vector<Touch>& touches) override { multipliers_.change(touches, wish_); }
-  void goOnFrom(const Response& old, const Places& now) override {
+  void learn(const std::vector<Touch>& touches) override { multipliers_.change(touches, target_); }
+  void goOnFrom(const Response& old, const SurfaceMap& now) override {
     multipliers_.goOnFrom(dynamic_cast<const AugmentedResponse&>(old).multipliers_, now);
   }
   void forget() override { multipliers_.clear(); }
@@ -68,8 +68,8 @@ class AugmentedResponse final : public Response {
         : penalty_(touch.sample < 0 ? of->of_balls_ : of->law_),
           depth_(touch.penetration()),
           room_(touch.room) {
-      penalty_.stiffness = std::max(penalty_.stiffness, kLeastStiffness * touch.bearing);
-      // None where a ball meets a triangle: there the nodes' parts change as the triangle moves.
+      penalty_.stiffness = std::max(penalty_.stiffness, kMinStiffnessRatio * touch.bearing);
+      // Balls have no multiplier: weights of the nodes change as the triangle moves.
       const double multiplier = touch.sample < 0 ? 0.0 : of->multipliers_.at(touch);
       if (multiplier > 0.0) shift_ = penalty_.softPenetration(multiplier);
     }
@@ -91,12 +91,13 @@ class AugmentedResponse final : public Response {
 
   Penalty law_, of_balls_;
   Multipliers multipliers_;
-  const Multipliers::WishOf wish_ = [this](const Touch& touch) -> Multipliers::Wish {
+  const Multipliers::TargetOf target_ =
+      [this](const Touch& touch) -> Multipliers::MultiplierTarget {
     if (touch.sample < 0) return {0.0, 0.0, 0.0, 0.0, 0.0};
     const Law law(this, touch);
-    const double slip = touch.slipInWorld().norm() / kForgettingSlip;
-    return {std::min(law.pressure(), kHighestPressure), touch.area * law.slope(),
-            kEntrained * touch.inertia, std::exp(-touch.travel / kRestingTravel),
+    const double slip = touch.slipInWorld().norm() / kDecaySlip;
+    return {std::min(law.pressure(), kMaxMultiplier), touch.area * law.slope(),
+            kEntrainedMassRatio * touch.inertia, std::exp(-touch.travel / kGrowthTravel),
             -std::expm1(-slip * slip)};
   };
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which samples of the surface, and balls of tools on its triangles, may touch in a cycle.
+// Search for candidates: samples of the surface, and tool balls on its triangles.
 #include <algorithm>
 
 #include "face_points.h"
@@ -16,23 +16,23 @@ void ContactPotential::setSkips(bool distant, bool inactive) {
 }
 
 void ContactPotential::setObstacles(const std::vector<Obstacle>& obstacles) {
-  bool same = placed_.size() == obstacles.size();
+  bool same = posed_.size() == obstacles.size();
   for (std::size_t b = 0; same && b < obstacles.size(); ++b) {
-    same = placed_[b].obstacle().geometry == obstacles[b].geometry;
+    same = posed_[b].obstacle().geometry == obstacles[b].geometry;
   }
-  if (!same) placed_.clear();
+  if (!same) posed_.clear();
   for (std::size_t b = 0; b < obstacles.size(); ++b) {
     if (same) {
-      placed_[b].move(obstacles[b]);
+      posed_[b].move(obstacles[b]);
     } else {
-      placed_.emplace_back(obstacles[b], margin_);
+      posed_.emplace_back(obstacles[b], margin_);
     }
   }
   if (!faces_) return;
   if (same) {
     faces_->moveObstacles();
   } else {
-    faces_->setObstacles(placed_);
+    faces_->setObstacles(posed_);
   }
 }
 
@@ -40,50 +40,50 @@ void ContactPotential::findCandidates(const Points& x, const std::vector<double>
   candidates_.clear();
   if (faces_) faces_->clear();
   for (int b = 0; b < numObstacles(); ++b) {
-    if (addSamples(x, b, reach[b])) faces_->findCandidates(x, placed_, b, reach[b]);
+    if (addSamples(x, b, reach[b])) faces_->findCandidates(x, posed_, b, reach[b]);
   }
-  runs_->build(samples_, candidates_, placed_, largest_offset_);
+  runs_->build(samples_, candidates_, posed_, largest_offset_);
 }
 
-// The patches, [first, end), with the samples that an obstacle meets.
-std::pair<int, int> ContactPotential::patchesFor(const PlacedObstacle& placed) const {
+// Patches [first, end) with the samples for an obstacle.
+std::pair<int, int> ContactPotential::patchesFor(const PosedObstacle& posed) const {
   if (!for_anatomy_) return {0, numPatches()};
-  if (placed.obstacle().owner.isInstrument()) return {0, for_anatomy_->patch};
+  if (posed.obstacle().owner.isInstrument()) return {0, for_anatomy_->patch};
   return {for_anatomy_->patch, numPatches()};
 }
 
-// Whether somewhere near it they are too far apart for the obstacle.
+// Whether the sample spacing is too coarse for the obstacle near it.
 bool ContactPotential::addSamples(const Points& x, int obstacle, double reach) {
   bool coarse = faces_ && nodes_only_;
-  const PlacedObstacle& placed = placed_[obstacle];
-  const instrument::Geometry& geometry = *placed.obstacle().geometry;
-  const double far = reach + placed.margin(), ball = boundingRadius(geometry) + far;
+  const PosedObstacle& posed = posed_[obstacle];
+  const instrument::Geometry& geometry = *posed.obstacle().geometry;
+  const double far = reach + posed.margin(), ball = boundingRadius(geometry) + far;
   const double error = distanceError(geometry);
-  const auto [first, end] = patchesFor(placed);
+  const auto [first, end] = patchesFor(posed);
   for (int k = first; k < end; ++k) {
     const Patch& patch = patches_[k];
     if (skip_distant_) {
-      // The distance changes by at most the way: skip triangles that are too far as a whole.
+      // The distance changes at most by the displacement: far triangles are skipped as a whole.
       const Vec3 corner = x.col(patch.nodes[0]);
       const double size = std::max((x.col(patch.nodes[1]) - corner).norm(),
                                    (x.col(patch.nodes[2]) - corner).norm());
-      const Vec3 corner_G = placed.toObstacle(corner);
+      const Vec3 corner_G = posed.toObstacle(corner);
       if (corner_G.norm() > ball + size) continue;
       if (signedDistanceValue(geometry, corner_G) > far + size) continue;
     }
     if (patch.triangle >= 0) {
       const double spacing = faces_->sampleSpacing(patch.triangle, x);
-      coarse = coarse || faces_->meets(obstacle, spacing);
-      if (faces_->meetsAlone(obstacle, spacing)) continue;
+      coarse = coarse || faces_->usesBalls(obstacle, spacing);
+      if (faces_->usesBallsOnly(obstacle, spacing)) continue;
     }
     const Mat3 corners = x(Eigen::all, patch.nodes);
     const bool in_parts = skip_distant_ && patch.last_part - patch.first_part > 1;
     for (int p = patch.first_part; p < patch.last_part; ++p) {
       const SamplePart& part = parts_[static_cast<std::size_t>(p)];
       const SampleBall& around = part.ball;
-      if (in_parts && around.leastGap(corners, largest_offset_, placed, error) > reach) continue;
+      if (in_parts && around.leastGap(corners, largest_offset_, posed, error) > reach) continue;
       for (int s = part.begin; s < part.end; ++s) {
-        if (skip_distant_ && placed.gap(samples_[s].position(x)) > reach) continue;
+        if (skip_distant_ && posed.gap(samples_[s].position(x)) > reach) continue;
         candidates_.push_back({s, obstacle});
       }
     }
@@ -103,8 +103,8 @@ int ContactPotential::numCandidates() const {
 
 int ContactPotential::numDistant() const {
   int all = 0;
-  for (const PlacedObstacle& placed : placed_) {
-    const auto [first, end] = patchesFor(placed);
+  for (const PosedObstacle& posed : posed_) {
+    const auto [first, end] = patchesFor(posed);
     if (first < end) all += patches_[end - 1].end - patches_[first].begin;
   }
   return all - static_cast<int>(candidates_.size());
@@ -112,7 +112,7 @@ int ContactPotential::numDistant() const {
 
 void ContactPotential::candidateNodes(std::vector<int>* nodes) const {
   nodes->clear();
-  // Many in a row have the same nodes.
+  // Consecutive candidates share nodes.
   Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
   Eigen::Array3i taken = Eigen::Array3i::Zero();
   for (const SampleCandidate& c : candidates_) {

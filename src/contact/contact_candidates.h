@@ -14,7 +14,7 @@ void ContactPotential::forCandidates(const Points& x, const Far& far, const Visi
     for (const SampleCandidate& c : candidates_) visit(c);
     return;
   }
-  runs_->forEach(x, placed_, far, [&](int k) { visit(candidates_[static_cast<std::size_t>(k)]); });
+  runs_->forEach(x, posed_, far, [&](int k) { visit(candidates_[static_cast<std::size_t>(k)]); });
 }
 
 }  // namespace palpate::contact

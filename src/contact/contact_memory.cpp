@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a contact remembers: within a step, from step to step, from mesh to mesh.
+// State of contact within a step, between steps, and over mesh adaptations.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,13 @@
 namespace palpate::contact {
 namespace {
 
-// Of a triangle's edge: how far beside it a node of another mesh may be that counts as on it.
+// Distance tolerance of a node on a triangle of another mesh, over the triangle's edge [-].
 constexpr double kOnTriangle = 0.1;
 
 }  // namespace
 
 void ContactPotential::beginStep(const Points& x) {
-  for (PlacedObstacle& obstacle : placed_) obstacle.beginHere();
+  for (PosedObstacle& obstacle : posed_) obstacle.beginHere();
   begun_ = response_->followsMotion() || response_->remembers();
   if (begun_) x_begin_ = x;
   if (!response_->remembers()) return;
@@ -26,16 +26,16 @@ void ContactPotential::beginStep(const Points& x) {
   response_->beginStep(touches_);
 }
 
-bool ContactPotential::settled(const Points& x) {
+bool ContactPotential::augmentationConverged(const Points& x) {
   if (!response_->remembers()) return true;
-  gather(x);  // what is held as well: it does not yield, and rubs
-  return response_->settled(touches_);
+  gather(x);  // held samples too: they have friction
+  return response_->augmentationConverged(touches_);
 }
 
-void ContactPotential::settle(const Points& x) {
+void ContactPotential::augment(const Points& x) {
   if (!response_->remembers()) return;
   gather(x);
-  response_->settle(touches_);
+  response_->augment(touches_);
 }
 
 void ContactPotential::learn(const Points& x, double h) {
@@ -66,7 +66,7 @@ void ContactPotential::collectAtEnd(const Points& x, std::vector<Contact>* conta
 
 void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X) {
   if (!response_->remembers()) return;
-  // What is remembered is of samples that touched: of the new ones only those near to them count.
+  // State belongs to touched samples, so only new samples near them are mapped.
   Eigen::AlignedBox3d box;
   for (const Contact& c : old.at_end_) {
     for (int k = 0; k < 3; ++k) box.extend(Vec3(old_X.col(c.touch.nodes[k])));
@@ -95,25 +95,25 @@ void ContactPotential::goOnFrom(const ContactPotential& old, const Points& X, co
   response_->goOnFrom(*old.response_, {sampleNow, placesOf(nodes, X, old, old_X)});
 }
 
-// Where on the triangles of `old` that were touched the nodes are, but for those beside all.
-std::vector<Response::Places::Node> ContactPotential::placesOf(const std::vector<int>& nodes,
-                                                               const Points& X,
-                                                               const ContactPotential& old,
-                                                               const Points& old_X) {
+// Positions of `nodes` on touched triangles of `old`; nodes off all of them are left out.
+std::vector<Response::SurfaceMap::Node> ContactPotential::placesOf(const std::vector<int>& nodes,
+                                                                   const Points& X,
+                                                                   const ContactPotential& old,
+                                                                   const Points& old_X) {
   std::vector<Eigen::Vector3i> triangles;
   for (const Contact& c : old.at_end_) {
     if (triangles.empty() || triangles.back() != c.touch.nodes) triangles.push_back(c.touch.nodes);
   }
-  std::vector<Response::Places::Node> places;
+  std::vector<Response::SurfaceMap::Node> places;
   for (int node : nodes) {
     const Vec3 p = X.col(node);
-    Response::Places::Node place{node, {}, {}};
+    Response::SurfaceMap::Node place{node, {}, {}};
     double nearest = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3i& t : triangles) {
       const Vec3 a = old_X.col(t[0]), b = old_X.col(t[1]), c = old_X.col(t[2]);
       const TrianglePoint on = nearestOnTriangle(p, a, b, c);
       const double distance = (on.point - p).norm();
-      // The surfaces of two meshes of one body are not farther apart than that.
+      // Bound of the distance between two surfaces of a body.
       if (distance >= nearest || distance > kOnTriangle * (b - a).norm()) continue;
       nearest = distance;
       place.old = t;

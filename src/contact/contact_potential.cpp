@@ -27,7 +27,7 @@ ContactPotential::ContactPotential(std::vector<SurfaceSample> samples,
   addPatches(0);
 }
 
-// Of the samples from that one on.
+// Adds the patches of the samples from `first_sample` on.
 void ContactPotential::addPatches(int first_sample) {
   const std::size_t first = patches_.size();
   for (int s = first_sample; s < numSamples(); ++s) {
@@ -50,12 +50,12 @@ void ContactPotential::addPatches(int first_sample) {
 
 ContactPotential::~ContactPotential() = default;
 
-void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles,
-                                 double spacing) {
+void ContactPotential::addFaceContact(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                      double spacing) {
   faces_ = std::make_unique<FacePoints>();
   faces_->setSurface(X, triangles, spacing);
-  nodes_only_ = !(spacing > 0.0);  // then some triangles have none of their own
-  // Both go through the triangles in the same order.
+  nodes_only_ = !(spacing > 0.0);  // some triangles then have no samples
+  // Samples and triangles are in the same order.
   Eigen::Index t = 0;
   const int end = for_anatomy_ ? for_anatomy_->patch : numPatches();
   for (int p = 0; p < end; ++p) {
@@ -65,8 +65,8 @@ void ContactPotential::meetFaces(const Points& X, const Eigen::Matrix3Xi& triang
   }
 }
 
-void ContactPotential::meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles,
-                                   double spacing) {
+void ContactPotential::addAnatomySamples(const Points& X, const Eigen::Matrix3Xi& triangles,
+                                         double spacing) {
   for_anatomy_ = {numPatches(), numSamples()};
   const std::vector<SurfaceSample> own = sampleSurface(X, triangles, spacing);
   samples_.insert(samples_.end(), own.begin(), own.end());
@@ -80,8 +80,8 @@ void ContactPotential::setOffsets(const Points& offsets) {
   }
 }
 
-// visit(touch) for all samples among the candidates, or those that may answer, at x. Only as much
-// of the touch is measured as Response::energy() needs, or `with_frame` the others.
+// Calls visit(touch) for candidate samples at x, or for possibly active ones. Measures what
+// Response::energy() needs, or `with_frame` all.
 template <class Visit>
 void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with_frame,
                                   const Visit& visit) const {
@@ -89,7 +89,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   const bool motion = response_->followsMotion();
   const bool may_cling = response_->remembers();
   const auto clings = [&](int obstacle, int first, int last) {
-    return may_cling && response_->clings(placed_[obstacle].obstacle().number, first, last);
+    return may_cling && response_->clings(posed_[obstacle].obstacle().number, first, last);
   };
   const auto far = [&](const SampleRuns::Run& run, double least) {
     return least >= reach &&
@@ -99,7 +99,7 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   touch.motion_W.setZero();
   const auto look = [&](const SampleCandidate& c) {
     const SurfaceSample& s = samples_[c.sample];
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     obstacle.measureGap(s.position(x), &touch);
     if (skip_inactive && !(touch.gap < reach) && !clings(c.obstacle, c.sample, c.sample)) return;
     touch.sample = c.sample;
@@ -121,25 +121,25 @@ void ContactPotential::forSamples(const Points& x, bool skip_inactive, bool with
   }
 }
 
-// All candidates likewise.
+// The same for samples and balls.
 template <class Visit>
 void ContactPotential::forEach(const Points& x, bool skip_inactive, bool with_frame,
                                const Visit& visit) const {
   forSamples(x, skip_inactive, with_frame, visit);
-  forFaces(x, [&](Touch& touch, const FacePoints::Meeting&) { visit(touch); });
+  forFaces(x, [&](Touch& touch, const FacePoints::BallTrianglePair&) { visit(touch); });
 }
 
-// visit(touch, meeting) for those that may answer.
+// Calls visit(touch, pair) for balls that may be active.
 template <class Visit>
 void ContactPotential::forFaces(const Points& x, const Visit& visit) const {
   if (!faces_) return;
   const bool motion = response_->followsMotion() && begun_;
-  faces_->forEach(x, placed_, response_->reach(), [&](Touch* touch, const auto& meeting) {
-    // Constant where a ball goes along triangles, as its energy's derivatives take it to be.
-    touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(meeting.first)).mean();
+  faces_->forEach(x, posed_, response_->reach(), [&](Touch* touch, const auto& pair) {
+    // Constant along triangles, as the energy's derivatives assume.
+    touch->bearing = bearing_.size() == 0 ? 0.0 : bearing_(faces_->nodesOf(pair.first)).mean();
     if (!response_->active(*touch)) return;
-    if (motion) placed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
-    visit(*touch, meeting);
+    if (motion) posed_[touch->obstacle].measureMotion(touch->of(x_begin_), touch);
+    visit(*touch, pair);
   });
 }
 
@@ -164,15 +164,15 @@ void ContactPotential::addHessian(const Points& x, fem::Tangent tangent, fem::St
   forSamples(x, skip_inactive_, true, [&](const Touch& touch) {
     K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
   });
-  forFaces(x, [&](const Touch& touch, const FacePoints::Meeting& meeting) {
+  forFaces(x, [&](const Touch& touch, const FacePoints::BallTrianglePair& pair) {
     K->addPoint<3>(touch.nodes, touch.weights, response_->stiffness(touch, tangent));
     if (tangent != fem::Tangent::kExact) return;
-    // Where the point of the triangle that is nearest is another one.
+    // Derivative by the nearest point of the triangle.
     Mat3 corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = x.col(touch.nodes[k]);
     const Eigen::Matrix<double, 9, 9> H =
         response_->force(touch).normal *
-        triangleDistanceHessian(corners, meeting.near, meeting.direction, meeting.distance);
+        triangleDistanceHessian(corners, pair.near, pair.direction, pair.distance);
     K->add(touch.nodes, H);
   });
 }
@@ -183,7 +183,7 @@ bool ContactPotential::addPush(const Points& x, const std::vector<Pose>& motions
   forEach(x, skip_inactive_, true, [&](const Touch& touch) {
     const Vec3& p = touch.p_W;
     const Pose& motion = motions[static_cast<std::size_t>(touch.obstacle)];
-    // As if the sample went the other way, and the force turned with the obstacle.
+    // Equal to the opposite motion of the sample, plus the force rotated with the obstacle.
     const TouchForce f = response_->force(touch);
     const Vec3 now = -(f.normal * touch.normal_W + f.other_W);
     const Vec3 force = response_->stiffness(touch, fem::Tangent::kExact) * (motion * p - p) +
@@ -198,7 +198,7 @@ void ContactPotential::collect(const Points& x, std::vector<Contact>* contacts) 
   contacts->clear();
   forEach(x, true, true, [&](const Touch& touch) {
     const TouchForce f = response_->force(touch);
-    // Eigen multiplies the matrix first: in the last bit not what addGradient() gets.
+    // Eigen evaluates this product first: the last bit may differ from addGradient().
     const Vec3 normal_force = f.normal * (touch.R_WG * touch.normal_G);
     contacts->emplace_back(touch, normal_force + f.other_W);
   });
@@ -208,7 +208,7 @@ void ContactPotential::penetrating(const Points& x, std::vector<Touch>* touches)
   touches->clear();
   const auto isOutside = [](const auto&, double least) { return least >= 0.0; };
   forCandidates(x, isOutside, [&](const SampleCandidate& c) {
-    if (!(placed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) return;
+    if (!(posed_[c.obstacle].gap(samples_[c.sample].position(x)) < 0.0)) return;
     touches->push_back(touch(c.sample, c.obstacle, x));
   });
 }
@@ -222,8 +222,8 @@ Touch ContactPotential::touch(int sample, int obstacle, const Points& x) const {
   touch.area = samples_[sample].area;
   touch.offset = samples_[sample].offset;
   touch.bearing = bearingOf(touch);
-  placed_[obstacle].measureGap(samples_[sample].position(x), &touch);
-  placed_[obstacle].measureFrame(&touch);
+  posed_[obstacle].measureGap(samples_[sample].position(x), &touch);
+  posed_[obstacle].measureFrame(&touch);
   touch.motion_W.setZero();
   return touch;
 }
@@ -242,14 +242,14 @@ void ContactPotential::setBearing(const Eigen::Matrix3Xd& free, const Eigen::Vec
   bearing_ = stiffness;
 }
 
-// Of a sample.
+// Stiffness scale at a sample [Pa/m].
 double ContactPotential::bearingOf(const Touch& touch) const {
   if (bearing_.size() == 0) return 0.0;
   const Vec3 of_corners = bearing_(touch.nodes);
   return of_corners.dot(touch.weights);
 }
 
-// [1/kg]
+// Inverse of the sample's mass [1/kg].
 double ContactPotential::mobilityOf(const Touch& touch) const {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -271,7 +271,7 @@ void ContactPotential::gatherLearnable(const Points& x, double h) {
       touch.inertia = 1.0 / (mobility * h * h);
     }
     const Vec3 p_begin_W = begun ? touch.of(x_begin_) + touch.offset : touch.p_W;
-    placed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
+    posed_[static_cast<std::size_t>(touch.obstacle)].measureMotion(p_begin_W, &touch);
     touch.travel = (touch.p_W - p_begin_W - together).norm();
     touches_.push_back(touch);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the tissue and the obstacles may go at once.
+// Bounds of steps of tissue and obstacles.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,13 +10,12 @@
 namespace palpate::contact {
 namespace {
 
-// In so many stages a fast ball goes through a cycle without its centre's getting behind the
-// surface; of the way from which the surface comes back, so much at once does no harm.
+// Stages of a fast ball in a cycle with its centre in front of the surface [-]; harmless fraction
+// of the recoverable depth [-].
 constexpr double kCarefulStages = 8.0, kHarmless = 0.125;
 
-// How far a point at `distance` [m] may come nearer to an obstacle of inscribed radius r before the
-// next look: up to the surface, and half of what is left from there to the middle. With a smaller r
-// it may go less far in.
+// Allowed approach [m] of a point at `distance` [m] to an obstacle of inscribed radius r [m]: to
+// the surface, and half-way to the middle.
 double allowedApproach(double distance, double r) {
   return distance >= 0.0 ? distance + 0.5 * r : 0.5 * std::max(distance + r, 0.0);
 }
@@ -31,7 +30,7 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     return least >= 0.0 && std::sqrt(longest) * largest <= least;
   };
   forCandidates(x, goesLess, [&](const SampleCandidate& c) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     const Vec3 motion = samples_[c.sample].of(d);
     const double length = motion.norm();
     Touch touch;
@@ -42,19 +41,19 @@ double ContactPotential::maxStep(const Points& x, const Points& d) const {
     const double approach = -touch.normal_W.dot(motion);
     if (approach * largest > allowed) largest = allowed / approach;
   });
-  if (faces_) largest = faces_->maxStep(x, d, placed_, largest);
-  // A sample that is already in the middle must not bring the solve to a stand.
+  if (faces_) largest = faces_->maxStep(x, d, posed_, largest);
+  // A sample at the middle must not stop the solve.
   return std::max(largest, 1e-3);
 }
 
 void ContactPotential::allowedMotions(const Points& x, const std::vector<double>& ways,
                                       std::vector<double>* allowed) const {
-  allowed->assign(placed_.size(), std::numeric_limits<double>::infinity());
+  allowed->assign(posed_.size(), std::numeric_limits<double>::infinity());
   const auto isFarther = [&](const SampleRuns::Run& run, double least) {
     return least >= (*allowed)[static_cast<std::size_t>(run.obstacle)];
   };
   forCandidates(x, isFarther, [&](const SampleCandidate& c) {
-    const PlacedObstacle& obstacle = placed_[c.obstacle];
+    const PosedObstacle& obstacle = posed_[c.obstacle];
     const SurfaceSample& s = samples_[c.sample];
     const double distance = obstacle.gap(s.position(x));
     double& least = (*allowed)[c.obstacle];
@@ -63,18 +62,19 @@ void ContactPotential::allowedMotions(const Points& x, const std::vector<double>
     least = std::min(least, allowedApproach(distance, size));
   });
   if (!faces_) return;
-  faces_->forBalls(x, placed_, [&](int obstacle, double radius, const FacePoints::Meeting& m) {
-    const auto b = static_cast<std::size_t>(obstacle);
-    // A fast one may get behind the surface, which is then brought back.
-    const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);
-    const double least = std::max(0.5 * radius, kHarmless * deepest);
-    const double deep = std::clamp(ways[b] / kCarefulStages, least, deepest);
-    double room = std::max(m.distance - radius, 0.0) + deep;
-    if (m.distance < 0.0) room = std::max(deep + m.distance, 0.25 * deep);
-    // A point that a soft contact holds there is behind it already, and is to stay near.
-    if (m.distance < -deep) room = std::max(room, 0.5 * (deepest + m.distance));
-    (*allowed)[b] = std::min((*allowed)[b], room);
-  });
+  faces_->forBalls(x, posed_,
+                   [&](int obstacle, double radius, const FacePoints::BallTrianglePair& m) {
+                     const auto b = static_cast<std::size_t>(obstacle);
+                     // The surface returns where a fast ball is behind it.
+                     const double deepest = std::max(0.5 * radius, FacePoints::kFollow * m.edge);
+                     const double least = std::max(0.5 * radius, kHarmless * deepest);
+                     const double deep = std::clamp(ways[b] / kCarefulStages, least, deepest);
+                     double room = std::max(m.distance - radius, 0.0) + deep;
+                     if (m.distance < 0.0) room = std::max(deep + m.distance, 0.25 * deep);
+                     // Soft contact may hold a ball behind the surface; it stays near.
+                     if (m.distance < -deep) room = std::max(room, 0.5 * (deepest + m.distance));
+                     (*allowed)[b] = std::min((*allowed)[b], room);
+                   });
 }
 
 }  // namespace palpate::contact

@@ -11,12 +11,11 @@
 namespace palpate::contact {
 namespace {
 
-constexpr double kThinnestPart =
-    0.1;  // of the surface is thinner than what counts as its thickness
+constexpr double kThinnestPart = 0.1;  // fraction of the surface that is thinner than radius() [-]
 
-// The part of `direction` after which a ray from `from` meets the triangle with these corners, or
-// infinity [Moeller and Trumbore 1997].
-double rayMeets(const Vec3& from, const Vec3& direction, const Mat3& corners) {
+// The part of `direction` after which a ray from `from` meets the triangle with these corners,
+// or infinity [Moeller and Trumbore 1997].
+double rayIntersects(const Vec3& from, const Vec3& direction, const Mat3& corners) {
   const double nothing = std::numeric_limits<double>::infinity();
   const Vec3 u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);
   const Vec3 across = direction.cross(v);
@@ -90,7 +89,7 @@ void ContactSurface::measure() {
     double least = boxes[0].diagonal().norm();
     tree_.forRay(boxes, from, inward, [&](int other) {
       if (other == t) return;
-      const double way = rayMeets(from, inward, corners(X_, other));
+      const double way = rayIntersects(from, inward, corners(X_, other));
       if (way > 0.0) least = std::min(least, way);
     });
     thickness.push_back(least);

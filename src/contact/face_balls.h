@@ -7,23 +7,22 @@
 
 namespace palpate::contact {
 
-/// Balls inside a shape that touch its surface from within and meet faces that are large against
-/// it: of a sphere itself, of a thin round one those along its axis, of others those in its
-/// corners, along its edges and, where it is thin, in between. Corners are rounded off with a
-/// radius of kRounding or, where the shape is thinner, its half thickness.
+/// Balls inscribed in a shape for contact with triangles larger than the shape: a sphere itself,
+/// balls along the axis of a thin capsule, balls in corners and along edges of other shapes, and
+/// between them where thin. Radius: kRounding, or half the thickness if less.
 std::vector<TouchBall> faceBalls(const instrument::Geometry& geometry);
 
-constexpr double kRounding = 2e-4;  ///< [m]
-/// Shapes whose inscribed radius is less are thin [m].
+constexpr double kRounding = 2e-4;  ///< Radius at corners and edges [m].
+/// Inscribed radius below which a shape is thin [m].
 constexpr double kThin = 1.5e-3;
 
-/// Whether it is a sphere or a capsule, whose balls are those along its axis.
+/// Whether a shape is a sphere or a capsule.
 bool isRound(const instrument::Geometry& geometry);
 
-/// Whether these balls are all over the surface.
+/// Whether faceBalls() cover the whole surface.
 bool coverAll(const instrument::Geometry& geometry);
 
-/// From how large a distance of its samples on [m] a surface should be met by a shape's balls.
+/// Sample spacing above which a surface needs contact with the shape's balls [m].
 double resolutionOf(const instrument::Geometry& geometry);
 
 }  // namespace palpate::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles a tool's balls may touch.
+// Search for candidate triangles of tool balls.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace palpate::contact {
 namespace {
 
-// That a ball stands for [m^2]: on a fine mesh, too, it does not sink in.
+// Least area of a ball [m^2], which limits penetration on fine meshes.
 constexpr double kLeastArea = 2e-5;
 
 double meanEdge(const Mat3& corners) {
@@ -22,13 +22,13 @@ double meanEdge(const Mat3& corners) {
 
 }  // namespace
 
-// Fills found_ with balls and triangles, as places in near_, that may be within reach: by balls,
-// and of each by triangles. After a leap there are a million.
+// Fills found_ with pairs of ball and index in near_ that may be within reach, sorted by ball, then
+// triangle. There may be a million after a jump of the tool.
 void FacePoints::findPairs(const Shape& shape, double reach) {
   const auto forPairs = [&](const auto& visit) {
     for (std::size_t k = 0; k < near_.size(); ++k) {
       const Near& t = near_[k];
-      // The balls in the slice of the shape that the triangle may touch.
+      // Balls in the slice of the shape within reach of the triangle.
       const double far = t.radius + reach + shape.largest;
       const double begin = t.middle_G[shape.axis] - far, end = t.middle_G[shape.axis] + far;
       auto ball = std::lower_bound(
@@ -40,7 +40,7 @@ void FacePoints::findPairs(const Shape& shape, double reach) {
       }
     }
   };
-  // Counted first, so that each has its place.
+  // Counting sort.
   places_.assign(shape.balls.size() + 1, 0);
   forPairs([&](std::size_t ball, std::size_t) { ++places_[ball + 1]; });
   std::partial_sum(places_.begin(), places_.end(), places_.begin());
@@ -50,11 +50,11 @@ void FacePoints::findPairs(const Shape& shape, double reach) {
   });
 }
 
-void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+void FacePoints::findCandidates(const Points& x, const std::vector<PosedObstacle>& posed, int b,
                                 double reach) {
   const Shape& shape = *shapes_[b];
   if (shape.balls.empty()) return;
-  const instrument::Geometry& geometry = *placed[b].obstacle().geometry;
+  const instrument::Geometry& geometry = *posed[b].obstacle().geometry;
   const double bounding = boundingRadius(geometry) + reach;
   near_.clear();
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
@@ -62,7 +62,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     const Mat3 at = corners(x, triangle);
     const Vec3 middle = at.rowwise().mean();
     const double radius = std::sqrt((at.colwise() - middle).colwise().squaredNorm().maxCoeff());
-    const Vec3 middle_G = placed[b].toObstacle(middle);
+    const Vec3 middle_G = posed[b].toObstacle(middle);
     if (middle_G.norm() > bounding + radius) continue;
     if (signedDistanceValue(geometry, middle_G) > reach + radius) continue;
     near_.push_back({triangle, middle_G, radius, meanEdge(at)});
@@ -74,7 +74,7 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
   for (const auto& [of_ball, place] : found_) {
     const int triangle = near_[static_cast<std::size_t>(place)].triangle;
     const TouchBall& ball = shape.balls[of_ball];
-    const Vec3 center = placed[b].obstacle().X_WG_end * ball.center_G;
+    const Vec3 center = posed[b].obstacle().X_WG_end * ball.center_G;
     const Mat3 at = corners(x, triangle);
     const TrianglePoint near = nearestOnTriangle(center, at.col(0), at.col(1), at.col(2));
     const double distance = (center - near.point).norm();
@@ -104,8 +104,8 @@ void FacePoints::findCandidates(const Points& x, const std::vector<PlacedObstacl
     }
     order(group);
     group.apart = by_distance_[group.begin].apart;
-    meetings_.clear();
-    group.behind = meetings_[measure(x, placed, &group, 0.0).nearest].distance < 0.0;
+    pairs_.clear();
+    group.behind = pairs_[measure(x, posed, &group, 0.0).nearest].distance < 0.0;
   }
 }
 

@@ -41,10 +41,10 @@ void FacePoints::placeTriangles(const Points& x) const {
 
 // Whether the ball was in front of the surface when it was found, and since then neither went so
 // far that it could be behind it, or nearer than `within`.
-bool FacePoints::staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
+bool FacePoints::staysAway(const std::vector<PosedObstacle>& posed, const Group& group,
                            double within) const {
   if (!skip_far_ || group.behind) return false;
-  const double way = moved_ + (centerOf(placed, group) - group.center_W).norm();
+  const double way = moved_ + (centerOf(posed, group) - group.center_W).norm();
   return group.apart - way > withSlack(within);
 }
 

@@ -45,11 +45,11 @@ void FacePoints::clear() {
   forget();
 }
 
-void FacePoints::setObstacles(const std::vector<PlacedObstacle>& placed) {
+void FacePoints::setObstacles(const std::vector<PosedObstacle>& posed) {
   clear();
   shapes_.clear();
   if (empty()) return;
-  for (const PlacedObstacle& obstacle : placed) shapes_.push_back(shapeOf(obstacle.obstacle()));
+  for (const PosedObstacle& obstacle : posed) shapes_.push_back(shapeOf(obstacle.obstacle()));
 }
 
 // Bones are met by samples: they are not as thin as these are far apart.
@@ -108,23 +108,23 @@ bool FacePoints::hasCandidates(int obstacle) const {
                      [&](const Group& group) { return group.obstacle == obstacle; });
 }
 
-void FacePoints::fill(const std::vector<PlacedObstacle>& placed, const Group& group,
-                      const Meeting& meeting, double gap, Touch* touch) const {
-  const int triangle = meeting.triangle;
-  const Obstacle& obstacle = placed[group.obstacle].obstacle();
+void FacePoints::fill(const std::vector<PosedObstacle>& posed, const Group& group,
+                      const BallTrianglePair& pair, double gap, Touch* touch) const {
+  const int triangle = pair.triangle;
+  const Obstacle& obstacle = posed[group.obstacle].obstacle();
   touch->sample = -1 - (group.ball * static_cast<int>(triangles_.cols()) + triangle);
   touch->obstacle = group.obstacle;
   touch->number = obstacle.number;
   touch->nodes = triangles_.col(triangle);
-  touch->weights = meeting.near.weights;
+  touch->weights = pair.near.weights;
   touch->area = group.area;
-  touch->radius = placed[group.obstacle].radius();
+  touch->radius = posed[group.obstacle].radius();
   touch->room = std::max(kRadii * ball(group).radius, kHard * group.edge);
   touch->gap = gap;
-  touch->p_W = meeting.near.point;
-  touch->p_G = placed[group.obstacle].toObstacle(touch->p_W);
+  touch->p_W = pair.near.point;
+  touch->p_G = posed[group.obstacle].toObstacle(touch->p_W);
   touch->R_WG = obstacle.X_WG_end.linear();
-  touch->normal_W = -meeting.direction;
+  touch->normal_W = -pair.direction;
   touch->normal_G = touch->R_WG.transpose() * touch->normal_W;
   touch->steepness = 1.0;
   touch->curvature_G.setZero();

@@ -15,50 +15,48 @@
 
 namespace palpate::contact {
 
-/// Balls of thin and sharp tools (faceBalls()) against the triangles of a tissue's surface: what
-/// samples of the surface do not meet that are farther apart than the tool is thick. A ball of
-/// radius r with its centre at the distance D from a triangle has the gap D - r; it touches all
-/// triangles that are nearer than r, each for itself, so that the energy is smooth where it slides
-/// from one to the next or lies between several. The nearest of them knows its side: behind it D is
-/// negative, and it alone is touched.
+/// Contact of tool balls (faceBalls()) with surface triangles, for tools thinner than the sample
+/// spacing. A ball of radius r at distance D from a triangle has the gap D - r. It touches each
+/// triangle nearer than r, so that the energy is smooth from one to the next. The nearest triangle
+/// decides the side: behind it D is negative, and it alone is touched.
 class FacePoints {
  public:
-  /// `x`: points at rest, 3 x n [m]; `triangles`: the surface, outward; `spacing`: of the samples,
-  /// as sampleSurface() has it.
+  /// `X`: rest positions, 3 x n [m]; `triangles`: surface, outward; `spacing`: of sampleSurface()
+  /// [m].
   void setSurface(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
   bool empty() const { return triangles_.cols() == 0; }
 
-  /// The obstacles are others now.
-  void setObstacles(const std::vector<PlacedObstacle>& placed);
+  /// Sets the obstacles.
+  void setObstacles(const std::vector<PosedObstacle>& posed);
 
-  /// How far apart the samples are now on a triangle, at most [m].
+  /// Largest distance of neighbouring samples on a triangle at x [m].
   double sampleSpacing(int triangle, const Points& x) const;
-  /// Samples that far apart [m] are met by the balls of an obstacle as well,
-  bool meets(int obstacle, double spacing) const {
+  /// Whether an obstacle's balls are used in addition to samples of this spacing [m].
+  bool usesBalls(int obstacle, double spacing) const {
     return spacing > shapes_[static_cast<std::size_t>(obstacle)]->resolution;
   }
-  /// and by them alone.
-  bool meetsAlone(int obstacle, double spacing) const {
+  /// Whether an obstacle's balls replace samples of this spacing [m].
+  bool usesBallsOnly(int obstacle, double spacing) const {
     return spacing > shapes_[obstacle]->too_coarse;
   }
 
-  /// The obstacles are the same ones, elsewhere.
+  /// The poses of the obstacles have changed.
   void moveObstacles() { forget(); }
 
-  /// Whether triangles that are too far to matter are left out, as they are by default.
+  /// Switches skipping of far triangles; on by default.
   void setSkip(bool far) {
     skip_far_ = far;
     forget();
   }
 
   void clear();
-  /// Takes as candidates the balls of obstacle b that are less than `reach` [m] from triangles at
-  /// x. All of them, or none: which is nearest knows the side.
-  void findCandidates(const Points& x, const std::vector<PlacedObstacle>& placed, int b,
+  /// Makes candidates of balls of obstacle b and all triangles nearer than `reach` [m] at x. All
+  /// are needed, since the nearest decides the side.
+  void findCandidates(const Points& x, const std::vector<PosedObstacle>& posed, int b,
                       double reach);
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
   bool hasCandidates(int obstacle) const;
-  /// visit(node) of all triangles of candidates.
+  /// Calls visit(node) for all nodes of the candidates' triangles.
   template <class Visit>
   void forNodes(const Visit& visit) const {
     for (const int t : used_) {
@@ -66,64 +64,64 @@ class FacePoints {
     }
   }
 
-  /// A ball near a triangle.
-  struct Meeting {
-    TrianglePoint near;  ///< Of the triangle, to the ball's centre.
-    double distance;     ///< To there, negative behind the nearest triangle [m].
-    bool touched;        ///< Not so behind the nearest, but for itself.
-    Vec3 direction;      ///< Unit, from there to the centre, or opposite behind it.
-    double edge;         ///< Of the triangle, on average, when it was found [m].
+  /// Kinematics of a ball and a triangle.
+  struct BallTrianglePair {
+    TrianglePoint near;  ///< Nearest point of the triangle to the ball's centre.
+    double distance;     ///< Distance of the centre, negative behind the nearest triangle [m].
+    bool touched;    ///< Whether the ball touches this triangle; behind the nearest, only that one.
+    Vec3 direction;  ///< Unit vector from `near` to the centre, reversed behind.
+    double edge;     ///< Mean edge of the triangle when it became a candidate [m].
     int triangle;
-    int first;  ///< The triangle that was the nearest when the ball was found.
+    int first;  ///< Nearest triangle when the ball became a candidate.
   };
   Eigen::Vector3i nodesOf(int triangle) const { return triangles_.col(triangle); }
-  /// visit(&touch, meeting) of all candidates whose gap is less than `reach` [m]; the touch is
-  /// whole but for its motion.
+  /// Calls visit(&touch, pair) for all candidates with a gap below `reach` [m]; motion_W is not
+  /// set.
   template <class Visit>
-  void forEach(const Points& x, const std::vector<PlacedObstacle>& placed, double reach,
+  void forEach(const Points& x, const std::vector<PosedObstacle>& posed, double reach,
                const Visit& visit) const {
     measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const Group& group = groups_[g];
-      if (staysAway(placed, group, reach + ball(group).radius)) continue;
-      const Measured& known = measured(x, placed, g, reach + ball(group).radius);
+      if (staysAway(posed, group, reach + ball(group).radius)) continue;
+      const Measured& known = measured(x, posed, g, reach + ball(group).radius);
       for (std::size_t m = known.begin; m < known.end; ++m) {
-        const Meeting& meeting = meetings_[m];
-        const double gap = meeting.distance - ball(group).radius;
-        if (!(gap < reach) || !meeting.touched) continue;
+        const BallTrianglePair& pair = pairs_[m];
+        const double gap = pair.distance - ball(group).radius;
+        if (!(gap < reach) || !pair.touched) continue;
         Touch touch;
-        fill(placed, group, meeting, gap, &touch);
-        visit(&touch, meeting);
+        fill(posed, group, pair, gap, &touch);
+        visit(&touch, pair);
       }
     }
   }
-  /// Of each ball with candidates: visit(obstacle, radius [m], meeting) with the nearest triangle.
+  /// Calls visit(obstacle, radius [m], pair) for each ball with its nearest triangle.
   template <class Visit>
-  void forBalls(const Points& x, const std::vector<PlacedObstacle>& placed,
+  void forBalls(const Points& x, const std::vector<PosedObstacle>& posed,
                 const Visit& visit) const {
     measureAt(x);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const Measured& known = measured(x, placed, g, 0.0);
-      visit(groups_[g].obstacle, ball(groups_[g]).radius, meetings_[known.nearest]);
+      const Measured& known = measured(x, posed, g, 0.0);
+      visit(groups_[g].obstacle, ball(groups_[g]).radius, pairs_[known.nearest]);
     }
   }
-  /// A factor for d, 3 x n [m], with which no triangle goes deeper over a ball's centre than
-  /// kFollow of its edge; at most `largest`.
-  double maxStep(const Points& x, const Points& d, const std::vector<PlacedObstacle>& placed,
+  /// Factor on the step d, 3 x n [m], at most `largest`, so that no triangle passes a ball's centre
+  /// by more than kFollow of its edge.
+  double maxStep(const Points& x, const Points& d, const std::vector<PosedObstacle>& posed,
                  double largest) const;
 
-  /// Of a triangle's edge: so far a ball may be behind it for the surface to be brought back.
+  /// Depth of a ball behind a triangle from which contact returns, over the triangle's edge [-].
   static constexpr double kFollow = 0.25;
 
  private:
   struct Shape {
-    const instrument::Geometry* of;  // an instrument's; null: bone,
-    std::size_t kind;                // and what it is, if another one took its place
+    const instrument::Geometry* of;  // of an instrument; null: anatomy
+    std::size_t kind;                // variant index of the geometry
     double inscribed, bounding;
-    std::vector<TouchBall> balls;  // by their place along `axis`
+    std::vector<TouchBall> balls;  // sorted along `axis`
     int axis;
     double largest;                 // radius of a ball [m]
-    double resolution, too_coarse;  // distances of samples [m], see meets(), meetsAlone()
+    double resolution, too_coarse;  // distances of samples [m], see usesBalls(), usesBallsOnly()
   };
   struct Near {  // a triangle, with a ball around it
     int triangle;
@@ -137,24 +135,24 @@ class FacePoints {
     double edge, apart;
   };
   struct Ordered {
-    double apart;  // of the candidate, when it was found [m]
+    double apart;  // distance when found [m]
     int candidate, triangle;
   };
   struct Group {
     int obstacle, ball, begin, end;  // of its candidates
-    double area;                     // that it stands for [m^2]
-    int first;                       // the triangle that was nearest when they were found,
-    double edge;                     // and how long its edges were, on average [m]
-    // When they were found: whether it was behind the nearest, how far from there [m], and where.
+    double area;                     // area of the ball [m^2]
+    int first;                       // nearest triangle when found
+    double edge;                     // mean edge of that triangle [m]
+    // When found: whether behind the nearest triangle, the distance [m], and the centre.
     bool behind;
     double apart;
     Vec3 center_W;
-    int nearest;  // triangle, when it was asked for last
+    int nearest;  // nearest triangle in the last call
   };
 
   struct Measured {                   // of a group, at x:
-    double within;                    // triangles that are nearer [m] are among
-    std::size_t begin, end, nearest;  // these of meetings_
+    double within;                    // triangles nearer than this [m] are included
+    std::size_t begin, end, nearest;  // range in pairs_
   };
 
   const Shape* shapeOf(const Obstacle& obstacle);
@@ -162,11 +160,10 @@ class FacePoints {
   const TouchBall& ball(const Group& g) const { return shapes_[g.obstacle]->balls[g.ball]; }
   Mat3 corners(const Points& x, int triangle) const;
   void order(const Group& group);
-  Vec3 centerOf(const std::vector<PlacedObstacle>& placed, const Group& group) const {
-    return placed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
+  Vec3 centerOf(const std::vector<PosedObstacle>& posed, const Group& group) const {
+    return posed[group.obstacle].obstacle().X_WG_end * ball(group).center_G;
   }
-  bool staysAway(const std::vector<PlacedObstacle>& placed, const Group& group,
-                 double within) const;
+  bool staysAway(const std::vector<PosedObstacle>& posed, const Group& group, double within) const;
   void placeTriangles(const Points& x) const;
   // How far the triangle is from there, at least, or more than `far`: it lies in the disc in which
   // its plane cuts the ball around it. Deep in the tissue the ball alone would let most of the
@@ -185,18 +182,19 @@ class FacePoints {
     return std::sqrt(up * up + across * across);
   }
   static constexpr double kFarther = std::numeric_limits<double>::infinity();
-  // More than what counts as equally near [m].
+  // Tolerance for equal distances [m].
   static double withSlack(double distance) { return distance * (1.0 + 1e-8) + 1e-12; }
   void findNear(const Points& x, const Vec3& center, const Group& group, double within) const;
   void forget() { measured_anywhere_ = false; }
   void measureAt(const Points& x) const;
-  const Measured& measured(const Points& x, const std::vector<PlacedObstacle>& placed,
+  const Measured& measured(const Points& x, const std::vector<PosedObstacle>& posed,
                            std::size_t group, double within) const;
-  Measured measure(const Points& x, const std::vector<PlacedObstacle>& placed, Group* group,
+  Measured measure(const Points& x, const std::vector<PosedObstacle>& posed, Group* group,
                    double within) const;
-  Meeting meet(const Vec3& center, const Mat3& corners, int candidate, double* across) const;
-  void fill(const std::vector<PlacedObstacle>& placed, const Group& group, const Meeting& meeting,
-            double gap, Touch* touch) const;
+  BallTrianglePair measurePair(const Vec3& center, const Mat3& corners, int candidate,
+                               double* across) const;
+  void fill(const std::vector<PosedObstacle>& posed, const Group& group,
+            const BallTrianglePair& pair, double gap, Touch* touch) const;
 
   Eigen::Matrix3Xi triangles_;
   Eigen::VectorXd areas_;      // at rest [m^2]
@@ -214,19 +212,19 @@ class FacePoints {
   bool skip_far_ = true;
   std::vector<int> used_;
   std::vector<char> is_used_;
-  std::vector<Ordered> by_distance_;  // in each group the near ones first
-  Points found_at_;                   // x, when they were found,
-  mutable double moved_ = 0.0;        // and how far a corner is from there now, at most [m]
-  mutable Eigen::Matrix4Xd around_;   // of each triangle in use: middle and radius of a ball [m],
-  mutable Points normals_;            // and unit, outward,
-  mutable Points planes_;             // likewise, or zero where they are too flat
-  mutable Eigen::VectorXd ways_;      // and how far a corner is to go [m],
-  mutable std::vector<std::pair<int, double>> close_;  // of a group, with the least distance
-  // Energy, forces, stiffness and the longest step are asked for one after another at the same x.
+  std::vector<Ordered> by_distance_;  // of each group, ascending
+  Points found_at_;                   // positions when found
+  mutable double moved_ = 0.0;        // largest displacement of a corner since [m]
+  mutable Eigen::Matrix4Xd around_;   // bounding ball of each used triangle: middle and radius [m]
+  mutable Points normals_;            // normals, unit, outward
+  mutable Points planes_;             // normals, or zero for degenerate triangles
+  mutable Eigen::VectorXd ways_;      // largest displacement of a corner in a step [m]
+  mutable std::vector<std::pair<int, double>> close_;  // of a group: candidate, least distance
+  // Cache of one x: energy, forces, stiffness and step bound are evaluated in sequence.
   mutable bool measured_anywhere_ = false;
   mutable Points measured_at_;
   mutable std::vector<Measured> measured_;
-  mutable std::vector<Meeting> meetings_;
+  mutable std::vector<BallTrianglePair> pairs_;
 };
 
 }  // namespace palpate::contact

@@ -5,12 +5,12 @@
 #include <limits>
 #include <utility>
 
-#include "grips.h"
+#include "friction_state.h"
 
 namespace palpate::contact {
 namespace {
 
-// Of the smoothing width: how far a touch that clings may rise from its obstacle and be found.
+// Largest gap of a held touch within reach, in smoothing widths [-].
 constexpr double kReach = 10.0;
 
 class FrictionResponse final : public Response {
@@ -20,13 +20,13 @@ class FrictionResponse final : public Response {
         table_(settings.friction_with),
         reach_(std::max(kReach * settings.smoothing,
                         2.0 * settings.friction_with.strongestTeeth() / settings.stiffness)),
-        grips_(normal_.get(), &table_, settings.stiffness) {}
+        states_(normal_.get(), &table_, settings.stiffness) {}
 
   double reach() const override { return normal_->reach() + reach_; }
   bool clings(int number, int first, int last) const override {
-    return grips_.clings(number, first, last);
+    return states_.clings(number, first, last);
   }
-  bool active(const Touch& touch) const override { return pressed(touch) || grips_.clings(touch); }
+  bool active(const Touch& touch) const override { return pressed(touch) || states_.clings(touch); }
   bool followsMotion() const override { return true; }
   bool hasFriction() const override { return true; }
   bool rubs(const Touch& touch) const override {
@@ -35,57 +35,60 @@ class FrictionResponse final : public Response {
 
   double energy(const Touch& touch) const override {
     const double own = pressed(touch) ? normal_->energy(touch) : 0.0;
-    const Grip* grip = grips_.find(touch);
-    return grip ? own + grips_.energy(*grip, touch) : own;
+    const FrictionState* state = states_.find(touch);
+    return state ? own + states_.energy(*state, touch) : own;
   }
   TouchForce force(const Touch& touch) const override {
     TouchForce sum;
     if (pressed(touch)) sum = normal_->force(touch);
-    if (const Grip* grip = grips_.find(touch)) {
-      sum.normal += grips_.tension(*grip, touch) * touch.steepness;
-      sum.other_W += grips_.force(*grip, touch);
+    if (const FrictionState* state = states_.find(touch)) {
+      sum.normal += states_.tension(*state, touch) * touch.steepness;
+      sum.other_W += states_.force(*state, touch);
     }
     return sum;
   }
   Mat3 stiffness(const Touch& touch, fem::Tangent tangent) const override {
     Mat3 sum = Mat3::Zero();
     if (pressed(touch)) sum = normal_->stiffness(touch, tangent);
-    if (const Grip* grip = grips_.find(touch)) sum += grips_.stiffness(*grip, touch, tangent);
+    if (const FrictionState* state = states_.find(touch))
+      sum += states_.stiffness(*state, touch, tangent);
     return sum;
   }
 
   bool remembers() const override { return true; }
   void beginStep(const std::vector<Touch>& touches) override {
     if (normal_->remembers()) normal_->beginStep(touches);
-    grips_.begin(touches);
+    states_.begin(touches);
   }
   void endStep(const std::vector<Touch>& touches) override {
     if (normal_->remembers()) normal_->endStep(touches);
-    grips_.end(touches);
+    states_.end(touches);
   }
-  bool settled(const std::vector<Touch>& touches) override { return grips_.settled(touches); }
-  void settle(const std::vector<Touch>& touches) override { grips_.settle(touches); }
+  bool augmentationConverged(const std::vector<Touch>& touches) override {
+    return states_.augmentationConverged(touches);
+  }
+  void augment(const std::vector<Touch>& touches) override { states_.augment(touches); }
   void learn(const std::vector<Touch>& touches) override {
     if (normal_->remembers()) normal_->learn(touches);
   }
-  void confine(const std::vector<Touch>& touches) override { grips_.confine(touches); }
+  void confine(const std::vector<Touch>& touches) override { states_.confine(touches); }
 
-  void goOnFrom(const Response& old, const Places& now) override {
+  void goOnFrom(const Response& old, const SurfaceMap& now) override {
     const auto& other = dynamic_cast<const FrictionResponse&>(old);
     if (normal_->remembers()) normal_->goOnFrom(*other.normal_, now);
-    grips_.goOnFrom(other.grips_, now.sample);
+    states_.goOnFrom(other.states_, now.sample);
   }
   void forget() override {
     normal_->forget();
-    grips_.forget();
+    states_.forget();
   }
   void save(StateWriter* to) const override {
     if (normal_->remembers()) normal_->save(to);
-    grips_.save(to);
+    states_.save(to);
   }
   void restore(StateReader* from) override {
     if (normal_->remembers()) normal_->restore(from);
-    grips_.restore(from);
+    states_.restore(from);
   }
 
  private:
@@ -96,7 +99,7 @@ class FrictionResponse final : public Response {
   std::unique_ptr<Response> normal_;
   FrictionTable table_;
   double reach_;
-  Grips grips_;
+  FrictionStates states_;
 };
 
 }  // namespace

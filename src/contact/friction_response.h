@@ -7,26 +7,22 @@
 
 namespace palpate::contact {
 
-/// Has what touches cling, beside what `normal` answers: by dry friction, and to teeth.
+/// Adds dry friction, and holding by teeth, to the response `normal`.
 ///
-/// A touch is anchored where it began. Its spring, of a stiffness k and along the obstacle's
-/// surface only, has the stretch d, the obstacle's motion included, and the energy
+/// The stick point is where a touch began. A spring of stiffness k in the slip plane, with stretch
+/// d relative to the moving obstacle, has the energy
 ///
-///   k d^2 / 2  up to the force L,  then  L (d - L / (2 k)):  the anchor slides along,
+///   k d^2 / 2 up to the force L, then L (d - L / (2 k)): the stick point follows,
 ///
-/// which is the return mapping of Coulomb's law [Wriggers 2006, Computational contact
-/// mechanics], once continuously differentiable and convex. L = mu N with the normal force
-/// N that the step is expected to end with, going on as in the last one; the solution is sought
-/// again with that of the solution found, less a margin that grows, where friction is beyond mu N
-/// there or a touch slips for the first time, from when on mu is the kinetic one until the spring
-/// draws by less. So no stuck touch creeps, and none has more friction than Coulomb allows; what
-/// little is left above that at the step's end is taken off what is reported. A touch is
-/// frictionless in the step in which it begins.
+/// the return mapping of Coulomb's law [Wriggers 2006, Computational contact mechanics], C1 and
+/// convex. L = mu N with N extrapolated from the last step. Where friction exceeds mu N of the
+/// solution, or a touch begins to slip, an augmentation updates L with under-relaxation, and mu
+/// becomes the kinetic coefficient until the spring force is below L. Sticking touches so do not
+/// creep, and reported friction is at most mu N. A touch is frictionless in its first step.
 ///
-/// Teeth hold what was pressed where a step ended, along the surface by the spring without L, and
-/// away from it by another one for gap > 0. They let go of what draws by more than Friction::teeth
-/// times its area, until that touch has ended, and of all that an obstacle holds where it presses
-/// on it, as a whole, no more.
+/// Teeth hold samples that were pressed at a step's end: by the spring without limit, and by a
+/// second one for gap > 0. They release a touch above the traction Friction::teeth until it ends,
+/// and all touches of an obstacle without total pressure.
 std::unique_ptr<Response> withFriction(std::unique_ptr<Response> normal,
                                        const ResponseSettings& settings);
 

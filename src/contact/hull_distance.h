@@ -13,8 +13,8 @@ struct Nearest {
   Vec3 tangent;     ///< Unit, along the edge if `feature` is kEdge; else zero.
 };
 
-/// Signed distance of p to a convex polyhedron: outside to the nearest triangle, inside to the
-/// nearest plane (the first of equally near ones).
+/// Signed distance of p from a convex polyhedron: to the nearest triangle outside, to the nearest
+/// plane inside, the first of equally near ones.
 Nearest nearestOnHull(const instrument::ConvexHull& hull, const Vec3& p);
 
 }  // namespace palpate::contact

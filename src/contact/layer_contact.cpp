@@ -190,11 +190,11 @@ double LayerContact::leastGap(const Points& x) const {
 }
 
 double LayerContact::largestSquare(const Eigen::VectorXd& masses) const {
-  constexpr double kMeetings = 8.0;  // of a point, and as often it is a corner
+  constexpr double kMaxPairs = 8.0;  // of a point, and as often it is a corner
   const double curvature =
       settings_.pressure / (settings_.most - settings_.least) * ofQuotient(kFloor).curvature;
   // Each pair has two ends that may go against each other.
-  return 4.0 * kMeetings * curvature * areas_.cwiseQuotient(masses).maxCoeff();
+  return 4.0 * kMaxPairs * curvature * areas_.cwiseQuotient(masses).maxCoeff();
 }
 
 }  // namespace palpate::contact

@@ -7,8 +7,8 @@
 namespace palpate::contact {
 namespace {
 
-// Of a change. All of it would have elements that are pressed flat snap to and fro.
-constexpr double kTakenOver = 0.5;
+// Fraction of a change that is applied [-]; 1 lets compressed elements oscillate.
+constexpr double kUpdateFraction = 0.5;
 
 }  // namespace
 
@@ -16,11 +16,11 @@ void Multipliers::Share::operator+=(const Share& other) {
   weight += other.weight;
   change += other.change;
   inertia += other.inertia;
-  growing += other.growing;
-  forgotten += other.forgotten;
+  growth_fraction += other.growth_fraction;
+  decay_fraction += other.decay_fraction;
 }
 
-// Samples of a triangle follow one another, and ask for the same nodes.
+// Consecutive samples share a triangle, so its nodal values are cached.
 double Multipliers::at(const Touch& touch) const {
   double sum = 0.0;
   if (nodes_.empty()) return sum;
@@ -41,21 +41,21 @@ double Multipliers::atNode(int number, int node) const {
   return found != nodes_.end() && !key.before(*found) ? found->pressure : 0.0;
 }
 
-// The shares of each node, added up; they follow one another by obstacle and node.
-void Multipliers::gather(const std::vector<Touch>& touches, const WishOf& wish) {
+// Sums the contributions to each node, sorted by obstacle and node.
+void Multipliers::gather(const std::vector<Touch>& touches, const TargetOf& target) {
   shares_.clear();
   for (const Touch& touch : touches) {
-    const Wish w = wish(touch);
+    const MultiplierTarget w = target(touch);
     const double change = w.pressure - at(touch);
     for (int k = 0; k < 3; ++k) {
       const double weight = touch.weights[k] * w.weight;
       if (weight == 0.0) continue;
       const Node node{touch.number, touch.nodes[k], 0.0};
       shares_.push_back({node, shares_.size(), weight, weight * change, weight * w.inertia,
-                         weight * w.growing, weight * w.forgotten});
+                         weight * w.growth_fraction, weight * w.decay_fraction});
     }
   }
-  // Within a node in the order of the touches, which is fixed.
+  // Contributions to a node are in the fixed order of the touches.
   std::sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
     return a.at.before(b.at) || (!b.at.before(a.at) && a.order < b.order);
   });
@@ -70,22 +70,22 @@ void Multipliers::gather(const std::vector<Touch>& touches, const WishOf& wish) 
   shares_.resize(count);
 }
 
-void Multipliers::change(const std::vector<Touch>& touches, const WishOf& wish) {
-  gather(touches, wish);
+void Multipliers::change(const std::vector<Touch>& touches, const TargetOf& target) {
+  gather(touches, target);
   next_.clear();
   for (const Share& share : shares_) {
     const double borne = share.weight / (share.weight + share.inertia / share.weight);
-    double part = kTakenOver * borne * borne;
-    if (share.change > 0.0) part *= share.growing / share.weight;
+    double part = kUpdateFraction * borne * borne;
+    if (share.change > 0.0) part *= share.growth_fraction / share.weight;
     Node node = share.at;
     node.pressure = atNode(node.number, node.node) + part * share.change / share.weight;
-    node.pressure *= 1.0 - share.forgotten / share.weight;
+    node.pressure *= 1.0 - share.decay_fraction / share.weight;
     if (node.pressure > 0.0) next_.push_back(node);
   }
   put(&next_);
 }
 
-// Takes them, sorted, and gives back what was there.
+// Swaps the sorted nodes with the present ones.
 void Multipliers::put(std::vector<Node>* nodes) {
   nodes_.swap(*nodes);
   last_.known = false;
@@ -99,14 +99,14 @@ void Multipliers::clear() {
   largest_ = 0.0;
 }
 
-void Multipliers::goOnFrom(const Multipliers& old, const Response::Places& now) {
+void Multipliers::goOnFrom(const Multipliers& old, const Response::SurfaceMap& now) {
   std::vector<int> numbers;  // of obstacles, ascending
   for (const Node& node : old.nodes_) {
     if (numbers.empty() || numbers.back() != node.number) numbers.push_back(node.number);
   }
   next_.clear();
   for (int number : numbers) {
-    for (const Response::Places::Node& place : now.nodes) {
+    for (const Response::SurfaceMap::Node& place : now.nodes) {
       Node node{number, place.node, 0.0};
       for (int k = 0; k < 3; ++k) {
         node.pressure += place.weights[k] * old.atNode(number, place.old[k]);

@@ -10,38 +10,39 @@
 
 namespace palpate::contact {
 
-/// A pressure at the nodes where an obstacle touches, linear between them, zero elsewhere: a sorted
-/// list of nodes, for there are few.
+/// Contact multipliers of the augmented Lagrangian: pressures at touched nodes of each obstacle
+/// [Pa], linear on triangles, zero elsewhere. A sorted list of nodes.
 class Multipliers {
  public:
-  /// At the touch's sample [Pa], >= 0.
+  /// Multiplier at the touch's sample [Pa], >= 0.
   double at(const Touch& touch) const;
-  /// The largest [Pa].
+  /// Largest nodal multiplier [Pa].
   double largest() const { return largest_; }
 
-  /// What a touch asks for.
-  struct Wish {
-    double pressure;   ///< That there be [Pa];
-    double weight;     ///< its stiffness [N/m], as much as which it counts.
-    double inertia;    ///< Half of (weight / (weight + inertia))^2 of a change is taken over [N/m],
-    double growing;    ///< and if it is a growth that part of this;
-    double forgotten;  ///< and that part of the sum is lost.
+  /// Target of the multipliers around a touch.
+  struct MultiplierTarget {
+    double pressure;  ///< Target pressure [Pa].
+    double weight;    ///< Weight of the touch: contact stiffness [N/m].
+    double inertia;   ///< Mass over squared step [N/m]: a change is scaled by (weight / (weight +
+                      ///< inertia))^2 / 2.
+    double growth_fraction;  ///< Further factor of an increase [-].
+    double decay_fraction;   ///< Fraction by which the new multiplier decays [-].
   };
-  using WishOf = std::function<Wish(const Touch&)>;
-  /// Changes each node by the mean of what the touches around it ask for, not below zero; nodes
-  /// that no touch is near to are zero again.
-  void change(const std::vector<Touch>& touches, const WishOf& wish);
+  using TargetOf = std::function<MultiplierTarget(const Touch&)>;
+  /// Updates each node by the weighted mean of the targets around it, >= 0; nodes without a touch
+  /// become zero.
+  void change(const std::vector<Touch>& touches, const TargetOf& target);
 
   void clear();
-  /// Takes over those of another surface, `now` saying where its nodes are on this one.
-  void goOnFrom(const Multipliers& old, const Response::Places& now);
+  /// Takes over the multipliers of another surface by its map `now`.
+  void goOnFrom(const Multipliers& old, const Response::SurfaceMap& now);
   void save(StateWriter* to) const;
-  /// @throws std::invalid_argument as StateReader does; all is then as it was.
+  /// @throws std::invalid_argument as StateReader; the multipliers are then unchanged.
   void restore(StateReader* from);
 
  private:
   struct Node {
-    int number, node;  // of the obstacle, of the surface
+    int number, node;  // Obstacle::number, node of the surface
     double pressure;
     bool before(const Node& other) const {
       return number != other.number ? number < other.number : node < other.node;
@@ -50,24 +51,24 @@ class Multipliers {
   struct Share {
     Node at;
     std::size_t order;
-    double weight;  // of which the others are multiples
-    double change, inertia, growing, forgotten;
+    double weight;  // factor in the members below
+    double change, inertia, growth_fraction, decay_fraction;
     void operator+=(const Share& other);
   };
   struct Triangle {
     bool known;
     int number;
     Eigen::Vector3i nodes;
-    Vec3 pressures;  // of its nodes [Pa]
+    Vec3 pressures;  // at its nodes [Pa]
   };
   double atNode(int number, int node) const;
-  void gather(const std::vector<Touch>& touches, const WishOf& wish);
+  void gather(const std::vector<Touch>& touches, const TargetOf& target);
   void put(std::vector<Node>* nodes);
 
   std::vector<Node> nodes_, next_;
   std::vector<Share> shares_;
   double largest_ = 0.0;
-  mutable Triangle last_{false, 0, Eigen::Vector3i::Zero(), Vec3::Zero()};  // that was asked for
+  mutable Triangle last_{false, 0, Eigen::Vector3i::Zero(), Vec3::Zero()};  // of the last at()
 };
 
 }  // namespace palpate::contact

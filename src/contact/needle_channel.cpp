@@ -11,12 +11,12 @@ constexpr double kFree = 0.5;
 
 }  // namespace
 
-void NeedleChannel::place(const Vec3& origin, const Vec3& axis) {
+void NeedleChannel::setPose(const Vec3& origin, const Vec3& axis) {
   origin_ = origin;
   axis_ = axis;
 }
 
-void NeedleChannel::addTip(const Place& place, const Vec3& X, double force) {
+void NeedleChannel::addTip(const MaterialPoint& place, const Vec3& X, double force) {
   anchors_.push_back(
       {place, X, length_ + std::min(force, settings_.cutting_force) / stiffness_, 0.0});
   has_tip_ = true;
@@ -66,7 +66,7 @@ double NeedleChannel::value(const Points& x) const {
 
 double NeedleChannel::addGradient(const Points& x, Points* g) const {
   for (std::size_t k = 0; k < anchors_.size(); ++k) {
-    const Place& at = anchors_[k].place;
+    const MaterialPoint& at = anchors_[k].place;
     const Vec3 force = gradient(k, at.of(x));
     for (int i = 0; i < 4; ++i) g->col(at.nodes[i]) += at.weights[i] * force;
   }
@@ -76,7 +76,7 @@ double NeedleChannel::addGradient(const Points& x, Points* g) const {
 // Convex: one for all tangents.
 void NeedleChannel::addHessian(const Points& x, fem::Tangent, fem::Stiffness* K) const {
   for (std::size_t k = 0; k < anchors_.size(); ++k) {
-    const Place& at = anchors_[k].place;
+    const MaterialPoint& at = anchors_[k].place;
     const Limits limit = limits(k);
     const double pull = stiffness_ * along(k, at.of(x));
     Mat3 H = stiffness_ * Mat3::Identity();

@@ -49,8 +49,8 @@ bool RigidContact::mayTouch(double bounding_radius, const Vec3& origin_G) const 
   return signedDistanceValue(*fixed_, origin_G) <= bounding_radius + error_;
 }
 
-bool RigidContact::meets(const std::vector<TouchBall>& balls, double bounding_radius,
-                         const Pose& X_WT) const {
+bool RigidContact::wouldTouch(const std::vector<TouchBall>& balls, double bounding_radius,
+                              const Pose& X_WT) const {
   const Pose X_GT = X_GW_ * X_WT;
   if (!mayTouch(bounding_radius, X_GT.translation())) return false;
   return std::any_of(balls.begin(), balls.end(), [&](const TouchBall& ball) {

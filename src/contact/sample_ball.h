@@ -7,17 +7,17 @@
 
 namespace palpate::contact {
 
-/// A sampled distance may be steeper than 1 between the points where it is exact.
+/// Bound of the gradient of a sampled distance between grid points [-].
 constexpr double kSteepestDistance = 1.25;
 constexpr double kDistanceRounding = 1e-9;
 
-/// Around samples of a triangle that lie close together, wherever its corners go. Where its middle
-/// is far from an obstacle all of them are, and nobody need look at one.
+/// Bounding ball of samples of a triangle, in barycentric terms, valid for any corner positions.
+/// Where it is far from an obstacle, all its samples are skipped.
 struct SampleBall {
-  Vec3 middle = Vec3::Zero();  ///< Barycentric.
-  double spread = 0.0;         ///< Around it, at most, of the triangle's longest edge.
+  Vec3 middle = Vec3::Zero();  ///< Barycentric coordinates of the middle.
+  double spread = 0.0;         ///< Radius over the triangle's longest edge [-].
 
-  /// Of samples [begin, end), which have the barycentric coordinates weights(s).
+  /// Ball of the samples [begin, end) with barycentric coordinates weights(s).
   template <class Weights>
   static SampleBall around(int begin, int end, const Weights& weights) {
     Vec3 low = weights(begin), high = low;
@@ -28,21 +28,20 @@ struct SampleBall {
     SampleBall ball;
     ball.middle = 0.5 * (low + high);
     ball.middle /= ball.middle.sum();
-    // Between points of a triangle with weights v and w there is at most half of sum |v - w| of
-    // its longest edge.
+    // Points with weights v, w are at most sum |v - w| / 2 longest edges apart.
     for (int s = begin; s < end; ++s) {
       ball.spread = std::max(ball.spread, 0.5 * (weights(s) - ball.middle).template lpNorm<1>());
     }
     return ball;
   }
 
-  /// A gap [m] below those of all samples, or not a number. `corners`: 3 x 3 [m]; `offset` [m]: of
-  /// a sample from its triangle, at most; `error` [m]: see distanceError().
-  double leastGap(const Mat3& corners, double offset, const PlacedObstacle& placed,
+  /// Lower bound of the samples' gaps [m], or NaN. `corners`: 3 x 3 [m]; `offset`: largest offset
+  /// of a sample [m]; `error`: distanceError() [m].
+  double leastGap(const Mat3& corners, double offset, const PosedObstacle& posed,
                   double error) const;
 };
 
-/// Samples [begin, end) of a triangle, which follow one another.
+/// Consecutive samples [begin, end) of a triangle.
 struct SamplePart {
   int begin, end;
   SampleBall ball;

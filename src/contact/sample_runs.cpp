@@ -16,12 +16,12 @@ constexpr int kCandidatesOfPart = 8;  // candidates
 
 void SampleRuns::build(const std::vector<SurfaceSample>& samples,
                        const std::vector<SampleCandidate>& candidates,
-                       const std::vector<PlacedObstacle>& placed, double largest_offset) {
+                       const std::vector<PosedObstacle>& posed, double largest_offset) {
   triangles_.clear();
   parts_.clear();
   errors_.clear();
   offset_ = largest_offset;
-  for (const PlacedObstacle& obstacle : placed) {
+  for (const PosedObstacle& obstacle : posed) {
     errors_.push_back(distanceError(*obstacle.obstacle().geometry));
   }
   const auto weights = [&](int c) -> const Vec3& {
@@ -53,15 +53,15 @@ void SampleRuns::build(const std::vector<SurfaceSample>& samples,
   poses_.clear();
 }
 
-void SampleRuns::lookAt(const std::vector<PlacedObstacle>& placed) const {
-  if (poses_.size() != placed.size()) {
+void SampleRuns::lookAt(const std::vector<PosedObstacle>& posed) const {
+  if (poses_.size() != posed.size()) {
     poses_.clear();
-    for (const PlacedObstacle& obstacle : placed) poses_.push_back(obstacle.obstacle().X_WG_end);
-    places_.assign(placed.size(), places_.empty() ? 0 : places_.front() + 1);
+    for (const PosedObstacle& obstacle : posed) poses_.push_back(obstacle.obstacle().X_WG_end);
+    places_.assign(posed.size(), places_.empty() ? 0 : places_.front() + 1);
     return;
   }
-  for (std::size_t b = 0; b < placed.size(); ++b) {
-    const Pose& now = placed[b].obstacle().X_WG_end;
+  for (std::size_t b = 0; b < posed.size(); ++b) {
+    const Pose& now = posed[b].obstacle().X_WG_end;
     if (now.matrix() == poses_[b].matrix()) continue;
     poses_[b] = now;
     ++places_[b];
@@ -84,20 +84,20 @@ double SampleRuns::knownGap(std::size_t triangle, const Points& x) const {
 }
 
 double SampleRuns::measuredGap(std::size_t triangle, const Points& x,
-                               const std::vector<PlacedObstacle>& placed) const {
+                               const std::vector<PosedObstacle>& posed) const {
   const Run& run = triangles_[triangle];
   Known& known = known_[triangle];
-  known.least = leastGap(run, x, placed);
+  known.least = leastGap(run, x, posed);
   for (int k = 0; k < 3; ++k) known.at.col(k) = x.col(run.nodes[k]);
   known.place = places_[static_cast<std::size_t>(run.obstacle)];
   return known.least;
 }
 
 double SampleRuns::leastGap(const Run& run, const Points& x,
-                            const std::vector<PlacedObstacle>& placed) const {
+                            const std::vector<PosedObstacle>& posed) const {
   const auto obstacle = static_cast<std::size_t>(run.obstacle);
   const Mat3 corners = x(Eigen::all, run.nodes);
-  return run.ball.leastGap(corners, offset_, placed[obstacle], errors_[obstacle]);
+  return run.ball.leastGap(corners, offset_, posed[obstacle], errors_[obstacle]);
 }
 
 }  // namespace palpate::contact

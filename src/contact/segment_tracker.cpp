@@ -59,7 +59,7 @@ SegmentHit hitOf(const Points& x, const Eigen::Vector3i& t, int triangle, const 
 
 bool within(const SegmentHit& hit) { return hit.part >= 0.0 && hit.part <= 1.0; }
 
-Eigen::Matrix3Xi trianglesBeside(const Eigen::Matrix3Xi& triangles) {
+Eigen::Matrix3Xi neighboursOf(const Eigen::Matrix3Xi& triangles) {
   std::map<std::pair<int, int>, std::vector<int>> of;  // an edge, as it goes round each triangle
   for (int t = 0; t < triangles.cols(); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -85,7 +85,7 @@ struct SegmentTracker::Tree {
 
 SegmentTracker::SegmentTracker(const Points& X, const Eigen::Matrix3Xi& triangles)
     : triangles_(triangles),
-      beside_(trianglesBeside(triangles)),
+      neighbours_(neighboursOf(triangles)),
       tree_(std::make_unique<Tree>(Tree{TriangleTree(X, triangles), {}})) {
   fit(X);
 }
@@ -118,7 +118,7 @@ std::optional<SegmentHit> SegmentTracker::walk(const Points& x, const Vec3& begi
   const bool inward = p.turn < 0.0;
   for (int step = 0; step < kLongestWalk && p.turn != 0.0 && (p.turn < 0.0) == inward; ++step) {
     if (p.through()) return hitOf(x, triangles_.col(triangle), triangle, begin, d, p);
-    triangle = beside_(p.beyond(), triangle);
+    triangle = neighbours_(p.beyond(), triangle);
     if (triangle < 0) break;
     ++counts_.steps;
     p = passage(x, triangles_.col(triangle), begin, d);

@@ -11,55 +11,55 @@
 
 namespace palpate::contact {
 
-/// A surface as it moves: its nodes are those of a body, which begin at `first`.
+/// A moving contact surface; its nodes begin at column `first` of the points.
 struct MovingSurface {
   std::shared_ptr<const ContactSurface> fixed;
   int first;
-  std::vector<TriangleTree::Box> boxes;  ///< Of its tree, where it was searched last.
+  std::vector<TriangleTree::Box> boxes;  ///< Boxes of the tree at the last search.
 
   Eigen::Ref<const Points> part(const Points& x) const {
     return x.middleCols(first, fixed->atRest().cols());
   }
 };
 
-/// How far points are from where they were searched: a shift of all, and at most so far beside it
-/// [m].
+/// Displacement of points since the last search: a common shift, and a bound of the rest [m].
 struct Moved {
   Vec3 shift = Vec3::Zero();
   double rest = 0.0;
 };
 
-/// A sample and what is nearest to it of the other surface.
+/// A sample and the nearest point of the other surface.
 struct SurfaceTouch {
   int sample;
   int triangle = -1;
   TrianglePoint near;
   double gap;   ///< Signed distance [m], negative inside.
-  Vec3 normal;  ///< Its gradient by the sample: unit, out of the other surface.
+  Vec3 normal;  ///< Gradient of the gap by the sample, unit, outward of the other surface.
 };
 
-/// Samples of one surface against another one, or against itself: geometry alone.
+/// Kinematics of contact of one surface's samples with another surface, or itself.
 class SurfacePass {
  public:
-  /// `feels` and `other`, the same one twice for a surface with itself, outlive this.
+  /// `feels`: surface of the samples; `other`: the other surface, or the same for self-contact.
+  /// @pre Both outlive this.
   SurfacePass(const MovingSurface* feels, const MovingSurface* other);
 
   const MovingSurface& feels() const { return *feels_; }
   const MovingSurface& other() const { return *other_; }
   bool self() const { return feels_ == other_; }
-  /// By how much a sample is inside at rest, >= 0 [m].
+  /// Penetration of a sample at rest, >= 0 [m].
   double overlap(int sample) const { return overlaps_[static_cast<std::size_t>(sample)]; }
   int numCandidates() const { return static_cast<int>(candidates_.size()); }
 
-  /// See SurfaceContact::search(). The boxes of both surfaces are those at x, where no point is
-  /// farther than `moved` [m] from where it was at the last search, but for a shift of all: samples
-  /// that were so far away that they still are none are not looked at.
+  /// As SurfaceContact::search(). Skips samples that remain far after a displacement of `moved`
+  /// [m], without the common shift, since the last search.
+  /// @pre The boxes of both surfaces are those at x.
   void search(const Points& x, double way, double moved);
 
-  /// The nodes that gaps of candidates depend on, those of both surfaces, some more than once.
+  /// Adds the nodes of candidates, of both surfaces, with repetition.
   void addNodes(double way, std::vector<int>* nodes) const;
 
-  /// visit(touch, sample) of all candidates whose gap at x is less than `reach` [m].
+  /// Calls visit(touch, sample) for all candidates with a gap below `reach` [m] at x.
   template <class Visit>
   void forTouches(const Points& x, const Moved& moved, double reach, const Visit& visit) const {
     for (const Candidate& c : candidates_) {
@@ -70,7 +70,7 @@ class SurfacePass {
     }
   }
 
-  /// Of one of `feels`, in the points of both.
+  /// Position of a sample of `feels`; x: points of both [m].
   Vec3 position(const SurfaceSample& sample, const Points& x) const {
     Vec3 p = Vec3::Zero();
     for (int k = 0; k < 3; ++k) p += sample.weights[k] * x.col(feels_->first + sample.nodes[k]);
@@ -79,8 +79,8 @@ class SurfacePass {
 
  private:
   struct Candidate {
-    int sample, triangle;  // the nearest one where it was searched
-    double gap;            // there
+    int sample, triangle;  // nearest triangle at the search
+    double gap;            // gap at the search [m]
   };
   struct Near {
     double distance;
@@ -89,13 +89,13 @@ class SurfacePass {
       return std::make_pair(distance, triangle) < std::make_pair(o.distance, o.triangle);
     }
   };
-  struct Clear {  // how far a sample was from the other surface, less what both have moved since
+  struct Clear {  // distance of a sample from the other surface, minus displacements since
     double distance = 0.0;  // [m]
-    bool outside = false;   // of it, for sure
-    int triangle = -1;      // that was the nearest
+    bool outside = false;   // certainly outside
+    int triangle = -1;      // nearest
     bool holds(double gap, double depth) const { return distance > (outside ? gap : depth); }
   };
-  struct Patch {  // samples of one triangle, which follow one another
+  struct Patch {  // consecutive samples of one triangle
     Eigen::Vector3i nodes;
     int begin, end;
   };
@@ -118,9 +118,9 @@ class SurfacePass {
   std::vector<Patch> patches_;
   std::vector<double> overlaps_;
   std::vector<Clear> clear_;  // of each sample
-  double deepest_;            // that is found [m]
+  double deepest_;            // largest depth of candidates [m]
   std::vector<Candidate> candidates_;
-  TriangleTree::Box region_;  // around them
+  TriangleTree::Box region_;  // box around the candidates
 };
 
 }  // namespace palpate::contact

@@ -14,25 +14,25 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec3& n) {
   return t;
 }
 
-PlacedObstacle::PlacedObstacle(const Obstacle& obstacle, double margin)
+PosedObstacle::PosedObstacle(const Obstacle& obstacle, double margin)
     : obstacle_(obstacle),
       margin_(margin),
       radius_(inscribedRadius(*obstacle.geometry) + margin),
       X_GW_(obstacle.X_WG_end.inverse()),
       X_GW_begin_(obstacle.X_WG_begin.inverse()) {}
 
-void PlacedObstacle::move(const Obstacle& obstacle) {
+void PosedObstacle::move(const Obstacle& obstacle) {
   obstacle_ = obstacle;
   X_GW_ = obstacle.X_WG_end.inverse();
   X_GW_begin_ = obstacle.X_WG_begin.inverse();
 }
 
-void PlacedObstacle::beginHere() {
+void PosedObstacle::beginHere() {
   obstacle_.X_WG_begin = obstacle_.X_WG_end;
   X_GW_begin_ = X_GW_;
 }
 
-void PlacedObstacle::measureFrame(Touch* touch) const {
+void PosedObstacle::measureFrame(Touch* touch) const {
   const Distance distance = signedDistance(*obstacle_.geometry, touch->p_G);
   touch->R_WG = obstacle_.X_WG_end.linear();
   touch->normal_G = distance.normal_G;
@@ -41,7 +41,7 @@ void PlacedObstacle::measureFrame(Touch* touch) const {
   touch->normal_W = obstacle_.X_WG_end.linear() * distance.normal_G;
 }
 
-void PlacedObstacle::measureMotion(const Vec3& p_begin_W, Touch* touch) const {
+void PosedObstacle::measureMotion(const Vec3& p_begin_W, Touch* touch) const {
   touch->motion_W = obstacle_.X_WG_end.linear() * (touch->p_G - X_GW_begin_ * p_begin_W);
 }
 

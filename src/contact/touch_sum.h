@@ -33,8 +33,8 @@ inline Mat12 gapHessian(const SurfaceTouch& touch, const Mat3& corners) {
   return H;
 }
 
-/// Second derivatives of touches of samples of one triangle with one other triangle, added up: the
-/// matrix is searched for their nodes once.
+/// Sum of second derivatives over touches of one pair of triangles, so that the matrix is searched
+/// once per pair.
 class TouchSum {
  public:
   explicit TouchSum(fem::Stiffness* K) : K_(K) {}

@@ -11,9 +11,8 @@
 
 namespace palpate::contact {
 
-/// Triangles of a surface in a binary tree of boxes, halved along the longest side at rest until
-/// four are left. What the surface does does not change the tree, only its boxes, which are kept
-/// beside it by who moves the surface.
+/// Binary tree of bounding boxes over triangles, split along the longest side at rest down to four
+/// triangles. Boxes of a moving surface are stored by the caller.
 class TriangleTree {
  public:
   using Box = Eigen::AlignedBox3d;
@@ -21,12 +20,12 @@ class TriangleTree {
   /// `X` 3 x n [m], `triangles` 3 x m, m > 0.
   TriangleTree(const Points& X, const Eigen::Matrix3Xi& triangles);
 
-  /// The boxes of all nodes of the tree, the whole surface's first, at x.
+  /// Computes the boxes of all nodes at x, that of the whole surface first.
   void fit(const Eigen::Ref<const Points>& x, const Eigen::Matrix3Xi& triangles,
            std::vector<Box>* boxes) const;
 
-  /// visit(triangle) of all whose box is no farther from `box` than `reach()` [m], which may become
-  /// less on the way. Of two branches the nearer one comes first.
+  /// Calls visit(triangle) for all boxes not farther from `box` than reach() [m], which may
+  /// decrease meanwhile; nearer branches first.
   template <class Reach, class Visit>
   void forNear(const std::vector<Box>& boxes, const Box& box, const Reach& reach,
                const Visit& visit) const {
@@ -50,7 +49,7 @@ class TriangleTree {
     }
   }
 
-  /// visit(triangle) of all whose box the ray from `from` along `direction` meets.
+  /// Calls visit(triangle) for all boxes that the ray from `from` along `direction` intersects.
   template <class Visit>
   void forRay(const std::vector<Box>& boxes, const Vec3& from, const Vec3& direction,
               const Visit& visit) const {
@@ -72,15 +71,15 @@ class TriangleTree {
     }
   }
 
-  /// visit(triangle) of all whose box the segment from `begin` to `end` meets, by the axes that
-  /// part a segment and a box [Ericson 2005, Real-time collision detection, sec. 5.3.3].
+  /// Calls visit(triangle) for all boxes that the segment intersects, by separating axes [Ericson
+  /// 2005, Real-time collision detection, sec. 5.3.3].
   template <class Visit>
   void forSegment(const std::vector<Box>& boxes, const Vec3& begin, const Vec3& end,
                   const Visit& visit) const {
     const Vec3 middle = 0.5 * (begin + end), half = 0.5 * (end - begin), way = half.cwiseAbs();
     for (std::size_t k = 0; k < nodes_.size();) {
       const Node& node = nodes_[k];
-      // Rounding must part nothing that meets.
+      // Conservative against rounding.
       const Vec3 room = 0.5 * (1.0 + 1e-9) * boxes[k].sizes() + 1e-12 * (way + middle.cwiseAbs());
       const Vec3 off = middle - boxes[k].center(), turned = half.cross(off).cwiseAbs();
       bool meets = (off.cwiseAbs().array() <= (room + way).array()).all();
@@ -102,9 +101,9 @@ class TriangleTree {
  private:
   static constexpr std::size_t kDeepest = 64;  // halves: of 2^64 triangles
   struct Node {
-    int second;      ///< The second half; the first one follows. -1: none.
-    int begin, end;  ///< Of `order_`.
-    int next = 0;    ///< The one after all below this one.
+    int second;      ///< Index of the second child; the first follows the node. -1: leaf.
+    int begin, end;  ///< Range of `order_`.
+    int next = 0;    ///< Index after the subtree.
   };
   static double squaredDistance(const Box& a, const Box& b) { return a.squaredExteriorDistance(b); }
   void split(int begin, int end, const Points& middles);

@@ -39,7 +39,7 @@ double spreadOf(const Eigen::MatrixXd& features) {
 EnrichedShape::EnrichedShape(const DeformationDatabase& database, const FeatureSettings& feature,
                              double sigma)
     : settings_(feature),
-      places_(mesh::nearestPlaces(database.coarse, database.fine.points)),
+      places_(mesh::nearestSurfacePoints(database.coarse, database.fine.points)),
       coarse_orders_(ordersOf(database.coarse.points, database.numCoarse(), feature.from_contact)),
       fine_orders_(ordersOf(database.fine.points, database.numCoarse(), feature.from_contact)) {
   const Eigen::Index m = database.numCoarse(), n = database.numFine();

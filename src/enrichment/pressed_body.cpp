@@ -27,7 +27,7 @@ PressedBody::PressedBody(const std::string& element, mesh::TetMesh mesh,
     : mesh_(std::move(mesh)),
       boundary_{mesh_.points, mesh::trianglesOf(mesh::boundaryFaces(mesh_))},
       areas_(pointAreas(boundary_)),
-      places_(mesh::nearestPlaces(boundary_, surface)),
+      places_(mesh::nearestSurfacePoints(boundary_, surface)),
       patch_(patch),
       elasticity_(fem::makeElasticity(element, mesh_, composition, pool)),
       load_(Points::Zero(3, mesh_.numPoints())) {

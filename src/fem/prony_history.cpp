@@ -33,7 +33,7 @@ PronyHistory::PronyHistory(const Composition& composition, const std::vector<Ele
   }
   state_.factor.assign(state_.terms.size(), 1.0);
   if (viscous_) {
-    first_place_.assign(static_cast<std::size_t>(num_elements), -1);
+    first_slot_.assign(static_cast<std::size_t>(num_elements), -1);
     for (const ElementRun& run : runs) addBatches(run);
     S_end_.resize(batches_.size());
     state_.S = state_.H = SharedBatches(batches_.size());
@@ -46,7 +46,7 @@ void PronyHistory::addBatches(const ElementRun& run) {
   const auto first = static_cast<int>(kBatchSize * batches_.size());
   const auto num_elements = static_cast<int>(run.elements.size());
   for (int k = 0; k < num_elements; ++k) {
-    first_place_[run.elements[k]] = first + points_per_element_ * k;
+    first_slot_[run.elements[k]] = first + points_per_element_ * k;
   }
   auto num_Q = static_cast<int>(state_.Q.size());
   for (int k = 0; k < points_per_element_ * num_elements; k += kBatchSize) {
@@ -56,20 +56,20 @@ void PronyHistory::addBatches(const ElementRun& run) {
   state_.Q = SharedBatches(static_cast<std::size_t>(num_Q));
 }
 
-PronyHistory::Place PronyHistory::place(int e, int q) const {
-  const int at = first_place_[e] + q;
+PronyHistory::Slot PronyHistory::slot(int e, int q) const {
+  const int at = first_slot_[e] + q;
   return {at / kBatchSize, at % kBatchSize};
 }
 
-int PronyHistory::batchOf(int e) const { return first_place_[e] < 0 ? -1 : place(e, 0).batch; }
+int PronyHistory::batchOf(int e) const { return first_slot_[e] < 0 ? -1 : slot(e, 0).batch; }
 
 Mat3 PronyHistory::stress(int e, int q) const {
-  if (first_place_[e] < 0) return Mat3::Zero();
-  return tensorAt(state_.H.data()[place(e, q).batch], place(e, q).lane);
+  if (first_slot_[e] < 0) return Mat3::Zero();
+  return tensorAt(state_.H.data()[slot(e, q).batch], slot(e, q).lane);
 }
 
 void PronyHistory::setStressAtEnd(int e, int q, const Mat3& S) {
-  setTensorAt(S, &S_end_[place(e, q).batch], place(e, q).lane);
+  setTensorAt(S, &S_end_[slot(e, q).batch], slot(e, q).lane);
 }
 
 void PronyHistory::setTerms(double h) {

@@ -82,11 +82,11 @@ class PronyHistory {
     int first_Q;  // of its terms' Q, which follow one another
   };
   // Where a point is in all arrays but Q.
-  struct Place {
+  struct Slot {
     int batch, lane;
   };
   const std::vector<Term>& terms(const Batch& batch) const { return state_.terms[batch.solid]; }
-  Place place(int e, int q) const;
+  Slot slot(int e, int q) const;
   void addBatches(const ElementRun& run);
   void setTerms(double h);
   int numTensors(int batch) const;
@@ -98,7 +98,7 @@ class PronyHistory {
   int points_per_element_;
   ThreadPool* pool_;
   bool viscous_ = false;
-  std::vector<int> first_place_;  // of each element, 8 batch + lane; -1: not viscous
+  std::vector<int> first_slot_;  // of each element, 8 batch + lane; -1: not viscous
   std::vector<Batch> batches_;
   State state_;
   std::vector<SymmetricBatch> S_end_;

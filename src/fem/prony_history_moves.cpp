@@ -22,14 +22,14 @@ template <class TensorAt>
 void PronyHistory::setAll(const TensorAt& tensor) {
   SymmetricBatch *S = state_.S.rewrite().now, *H = state_.H.rewrite().now,
                  *Q = state_.Q.rewrite().now;
-  for (int e = 0; e < static_cast<int>(first_place_.size()); ++e) {
+  for (int e = 0; e < static_cast<int>(first_slot_.size()); ++e) {
     for (int q = 0; q < points_per_element_; ++q) {
-      if (first_place_[e] < 0) {
+      if (first_slot_[e] < 0) {
         tensor(e, q, 0);
         tensor(e, q, 1);
         continue;
       }
-      const Place at = place(e, q);
+      const Slot at = slot(e, q);
       setTensorAt(tensor(e, q, 0), &S[at.batch], at.lane);
       setTensorAt(tensor(e, q, 1), &H[at.batch], at.lane);
       for (int k = 2; k < numTensors(at.batch); ++k) {
@@ -48,12 +48,12 @@ void PronyHistory::goOnFrom(const PronyHistory& old, const mesh::MeshChange& cha
   if (empty()) return;
   const PointChange from(change, points_per_element_, old_volumes);
   setAll([&](int e, int q, int k) -> Mat3 {
-    if (first_place_[e] < 0) return Mat3::Zero();
+    if (first_slot_[e] < 0) return Mat3::Zero();
     const int solid = batches_[batchOf(e)].solid;
     const auto before = [&](const PointChange::Source& source) {
       const int batch = old.batchOf(source.element);
       if (batch < 0 || old.batches_[batch].solid != solid) fail();
-      const Place at = old.place(source.element, source.point);
+      const Slot at = old.slot(source.element, source.point);
       return tensorAt(old.tensors(at.batch, k), at.lane);
     };
     const PointChange::Sources sources = from.sources(e, q);
@@ -65,7 +65,7 @@ void PronyHistory::goOnFrom(const PronyHistory& old, const mesh::MeshChange& cha
 }
 
 void PronyHistory::save(StateWriter* out) const {
-  const std::size_t num_points = first_place_.size() * points_per_element_;
+  const std::size_t num_points = first_slot_.size() * points_per_element_;
   out->put(static_cast<std::int64_t>(num_points));
   if (empty()) return;
   out->put(state_.factor);
@@ -75,14 +75,14 @@ void PronyHistory::save(StateWriter* out) const {
       out->put(term.gain);
     }
   }
-  for (int e = 0; e < static_cast<int>(first_place_.size()); ++e) {
+  for (int e = 0; e < static_cast<int>(first_slot_.size()); ++e) {
     for (int q = 0; q < points_per_element_; ++q) {
-      if (first_place_[e] < 0) {  // S, H
+      if (first_slot_[e] < 0) {  // S, H
         out->put(Mat3::Zero().eval());
         out->put(Mat3::Zero().eval());
         continue;
       }
-      const Place at = place(e, q);
+      const Slot at = slot(e, q);
       for (int k = 0; k < numTensors(at.batch); ++k) {
         out->put(tensorAt(tensors(at.batch, k), at.lane));
       }
@@ -91,7 +91,7 @@ void PronyHistory::save(StateWriter* out) const {
 }
 
 void PronyHistory::restore(StateReader* in) {
-  const std::size_t num_points = first_place_.size() * points_per_element_;
+  const std::size_t num_points = first_slot_.size() * points_per_element_;
   if (in->count(1) != static_cast<std::int64_t>(num_points)) StateReader::fail();
   if (empty()) return;
   in->getSame(&state_.factor);

@@ -58,7 +58,7 @@ bool ToolProxy::follow(const LinkPoses& commanded, double dt, const Free& is_fre
     return true;
   }
   waiting_ = !is_free(commanded);
-  if (!waiting_) place(commanded);
+  if (!waiting_) startAt(commanded);
   return there();
 }
 
@@ -67,7 +67,7 @@ void ToolProxy::leave() {
   waiting_ = false;
 }
 
-void ToolProxy::place(const LinkPoses& poses) {
+void ToolProxy::startAt(const LinkPoses& poses) {
   poses_ = poses;
   velocity_.setZero();
   angular_velocity_.setZero();

@@ -20,7 +20,7 @@ constexpr std::size_t kLongestName = 60;  // in a report
 void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
   const Element* origin = parent.FirstChildElement("origin");
   if (origin == nullptr) return;
-  checkNumbers(*origin, "xyz", 3, Range::kPlace, Need::kOptional, problems);
+  checkNumbers(*origin, "xyz", 3, Range::kPosition, Need::kOptional, problems);
   checkNumbers(*origin, "rpy", 3, Range::kDirection, Need::kOptional, problems);
 }
 
@@ -33,7 +33,7 @@ struct Bounds {
 
 Bounds boundsOf(Range range) {
   switch (range) {
-    case Range::kPlace:
+    case Range::kPosition:
       return {100.0, false, false, " in [-100, 100]"};
     case Range::kDirection:
       return {1e6, false, false, " in [-1e6, 1e6]"};

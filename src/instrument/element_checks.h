@@ -20,7 +20,7 @@ enum class Need { kOptional, kRequired };
 /// Finite; a place, at most 100 m from its frame; an angle or a direction, at most 1e6; a length,
 /// above 0 and at most 100 m; a scale, not 0 and at most 1e6. An instrument is no town, and what is
 /// finite must be so in all products too.
-enum class Range { kFinite, kPlace, kDirection, kLength, kScale };
+enum class Range { kFinite, kPosition, kDirection, kLength, kScale };
 
 /// Checks that `attribute` of `element` is `count` numbers in `range` separated by blanks; adds a
 /// problem otherwise. Returns the numbers, or nothing if they are absent or wrong.

@@ -158,7 +158,7 @@ class Cutter {
 
 }  // namespace
 
-void Cutaway::place(const Points& x, Points* vertices) const {
+void Cutaway::interpolate(const Points& x, Points* vertices) const {
   vertices->setZero(3, corners.cols());
   for (Eigen::Index v = 0; v < corners.cols(); ++v) {
     for (int k = 0; k < 4; ++k) {

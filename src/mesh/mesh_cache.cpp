@@ -52,7 +52,7 @@ struct AddWhere {
   }
 };
 
-void addTo(ContentHash* hash, const FinePlace& place) {
+void addTo(ContentHash* hash, const RefinementZone& place) {
   const AddWhere to{hash};
   to.add(place.finest);
   to.add(place.growth);
@@ -70,7 +70,7 @@ std::uint64_t meshKey(const SurfaceMesh& surface, const MeshingOptions& options,
   hash.add(static_cast<std::uint64_t>(options.sharp_edges));
   hash.add(surface.points.data(), sizeof(double) * surface.points.size());
   hash.add(surface.triangles.data(), sizeof(int) * surface.triangles.size());
-  for (const FinePlace& place : options.edge_length.near) addTo(&hash, place);
+  for (const RefinementZone& place : options.edge_length.near) addTo(&hash, place);
   return hash.value();
 }
 

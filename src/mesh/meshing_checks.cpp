@@ -17,7 +17,7 @@ bool isPositive(double length) { return length > 0.0 && std::isfinite(length); }
 
 std::string keyOf(std::size_t place) { return "edge_length.near[" + std::to_string(place) + "]"; }
 
-void checkPlace(const FinePlace& place, const std::string& file, const std::string& key) {
+void checkZone(const RefinementZone& place, const std::string& file, const std::string& key) {
   if (!isPositive(place.finest)) {
     throw InputError(file, key + ".finest", formatNumber(place.finest),
                      "must be a positive number [m]");
@@ -46,8 +46,8 @@ std::string extentText(const std::vector<SurfaceMesh>& bodies) {
 SizeEstimate& operator+=(SizeEstimate& sum, const SizeEstimate& other) {
   sum.tets += other.tets;
   sum.complete &= other.complete;
-  for (std::size_t i = 0; i < sum.of_place.size(); ++i) {
-    sum.of_place[i] += other.of_place[i];
+  for (std::size_t i = 0; i < sum.of_zone.size(); ++i) {
+    sum.of_zone[i] += other.of_zone[i];
     sum.felt[i] = sum.felt[i] || other.felt[i];
   }
   return sum;
@@ -58,8 +58,8 @@ void refuseTooMany(const SizeEstimate& estimate, const MeshingOptions& options) 
   std::ostringstream text;
   text << "is too small: it would make " << (estimate.complete ? "about " : "more than ")
        << estimate.tets << " tetrahedra, more than " << kMaxTets;
-  const auto most = std::max_element(estimate.of_place.begin(), estimate.of_place.end());
-  if (most == estimate.of_place.end() || *most < 0.5 * estimate.tets) {
+  const auto most = std::max_element(estimate.of_zone.begin(), estimate.of_zone.end());
+  if (most == estimate.of_zone.end() || *most < 0.5 * estimate.tets) {
     const double length = options.edge_length.coarsest;
     if (estimate.complete && options.edge_length.uniform()) {
       text << "; must be at least " << length * std::cbrt(estimate.tets / kMaxTets)
@@ -67,8 +67,8 @@ void refuseTooMany(const SizeEstimate& estimate, const MeshingOptions& options) 
     }
     refuseEdgeLength(options, text.str());
   }
-  const std::size_t place = static_cast<std::size_t>(most - estimate.of_place.begin());
-  const FinePlace& fine = options.edge_length.near[place];
+  const std::size_t place = static_cast<std::size_t>(most - estimate.of_zone.begin());
+  const RefinementZone& fine = options.edge_length.near[place];
   text << "; raise it, lower radius (" << fine.radius << " m), or raise growth (" << fine.growth
        << ")";
   throw InputError(options.file, keyOf(place) + ".finest", formatNumber(fine.finest), text.str());
@@ -88,7 +88,7 @@ void checkMeshing(const SurfaceMesh& surface, const MeshingOptions& options) {
   const double length = options.edge_length.coarsest;
   if (!isPositive(length)) refuseEdgeLength(options, "must be a positive number [m]");
   for (std::size_t i = 0; i < options.edge_length.near.size(); ++i) {
-    checkPlace(options.edge_length.near[i], options.file, keyOf(i));
+    checkZone(options.edge_length.near[i], options.file, keyOf(i));
   }
   if (!(enclosedVolume(surface) > 0.0)) {
     throw InputError(options.file, "", "", "the surface must be closed and face outward");
@@ -105,7 +105,7 @@ std::vector<double> expectTets(const std::vector<SurfaceMesh>& bodies,
                                const MeshingOptions& options) {
   const SizeField& field = options.edge_length;
   SizeEstimate all;
-  all.of_place.assign(field.near.size(), 0.0);
+  all.of_zone.assign(field.near.size(), 0.0);
   all.felt.assign(field.near.size(), false);
   std::vector<double> expected;
   for (const SurfaceMesh& body : bodies) {

@@ -25,7 +25,7 @@ class Counter {
     const Vec3 low = surface.points.rowwise().minCoeff();
     const Vec3 high = surface.points.rowwise().maxCoeff();
     smallest_ = 0.5 * kBorder * (high - low).norm();
-    result_.of_place.assign(field.near.size(), 0.0);
+    result_.of_zone.assign(field.near.size(), 0.0);
     result_.felt.assign(field.near.size(), false);
     // The large ones first, so that all of the body is looked at before time is up.
     boxes_.push_back({0.5 * (low + high), 0.5 * (high - low), Side::kUnknown});
@@ -70,7 +70,7 @@ class Counter {
 
   void feel(const Vec3& middle, double reach) {
     for (std::size_t i = 0; i < result_.felt.size(); ++i) {
-      if (sizes_.ofPlace(i, middle, -reach) < sizes_.field().coarsest) result_.felt[i] = true;
+      if (sizes_.ofZone(i, middle, -reach) < sizes_.field().coarsest) result_.felt[i] = true;
     }
   }
 
@@ -78,9 +78,9 @@ class Counter {
     const double size = sizes_.at(middle);
     const double tets = estimateTets(volume, size);
     result_.tets += tets;
-    for (std::size_t i = 0; i < result_.of_place.size(); ++i) {
-      if (sizes_.ofPlace(i, middle) > size) continue;
-      result_.of_place[i] += tets;
+    for (std::size_t i = 0; i < result_.of_zone.size(); ++i) {
+      if (sizes_.ofZone(i, middle) > size) continue;
+      result_.of_zone[i] += tets;
       break;
     }
     if (result_.tets > most_) result_.complete = false;

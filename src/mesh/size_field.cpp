@@ -30,7 +30,7 @@ struct DistanceToRegion {
   }
 };
 
-struct DistanceToPlace {
+struct DistanceToZone {
   const SurfaceDistance& surface;
   const Vec3& p;
 
@@ -56,16 +56,16 @@ double distanceTo(const Polyline& line, const Vec3& p) {
 BodySizes::BodySizes(SizeField field, const SurfaceDistance& surface)
     : field_(std::move(field)), surface_(surface) {}
 
-double BodySizes::ofPlace(std::size_t i, const Vec3& p, double shift) const {
-  const FinePlace& place = field_.near[i];
-  const double distance = std::visit(DistanceToPlace{surface_, p}, place.where);
+double BodySizes::ofZone(std::size_t i, const Vec3& p, double shift) const {
+  const RefinementZone& place = field_.near[i];
+  const double distance = std::visit(DistanceToZone{surface_, p}, place.where);
   return place.finest + place.growth * std::max(0.0, distance + shift - place.radius);
 }
 
 double BodySizes::at(const Vec3& p, double shift) const {
   double size = field_.coarsest;
   for (std::size_t i = 0; i < field_.near.size(); ++i) {
-    size = std::min(size, ofPlace(i, p, shift));
+    size = std::min(size, ofZone(i, p, shift));
   }
   return size;
 }

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 
 namespace palpate::mesh {
 namespace {
@@ -109,7 +109,7 @@ SurfaceMesh splitTriangles(const SurfaceMesh& surface) {
 void moveOnto(const SurfaceMesh& surface, Eigen::Index first, Points* points) {
   const Points moved = points->rightCols(points->cols() - first);
   Points there;
-  interpolate(nearestPlaces(surface, moved), surface.points, &there);
+  interpolate(nearestSurfacePoints(surface, moved), surface.points, &there);
   points->rightCols(points->cols() - first) = there;
 }
 

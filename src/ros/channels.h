@@ -55,7 +55,7 @@ struct ReportFrame {
 struct SurfacePicture {
   Points positions;  ///< World, 3 x n [m].
   std::shared_ptr<const Eigen::Matrix3Xi> triangles;
-  std::uint64_t revision = 0;  ///< See tissue::Shape.
+  std::uint64_t revision = 0;  ///< See tissue::SurfaceState.
   /// At rest, of the same revision; shared likewise. Null while nobody wants cells.
   std::shared_ptr<const mesh::CellMesh> cells = {};
 };

@@ -124,7 +124,7 @@ void CutawayMarkers::cut(std::size_t i) {
 void CutawayMarkers::updateOrgan(const SurfacePicture& picture, std::size_t i) {
   if (!picture.positions.allFinite()) return;  // the last good one stays
   Organ& organ = organs_[i];
-  organ.cut.place(picture.positions, &organ.vertices);
+  organ.cut.interpolate(picture.positions, &organ.vertices);
   Marker& m = message_.markers[i];
   m.points.resize(static_cast<std::size_t>(organ.vertices.cols()));
   for (std::size_t k = 0; k < m.points.size(); ++k) {

@@ -219,7 +219,8 @@ void LiveCycle::writePicture(Steady::time_point now) {
   picture.stamp = stamp_;
   const bool cells = channels_.cells_wanted.load(std::memory_order_relaxed);
   for (int i = 0; i < simulator_.numOrgans(); ++i) {
-    picture.organs.push_back(surfaces_.take(simulator_.shape(i), static_cast<std::size_t>(i)));
+    picture.organs.push_back(
+        surfaces_.take(simulator_.surfaceState(i), static_cast<std::size_t>(i)));
     if (cells) surfaces_.addCells(simulator_, i, &picture.organs.back());
   }
   if (solved_any_) {

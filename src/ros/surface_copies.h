@@ -11,7 +11,7 @@ namespace palpate::node {
 /// Copies organs' surfaces for pictures; triangles and cells only when they have become others.
 class SurfaceCopies {
  public:
-  SurfacePicture take(const tissue::Shape& shape, std::size_t organ) {
+  SurfacePicture take(const tissue::SurfaceState& shape, std::size_t organ) {
     if (organ >= last_.size()) last_.resize(organ + 1);
     Last& last = last_[organ];
     if (!last.copy || last.revision != shape.revision) {

@@ -21,7 +21,7 @@
 namespace palpate::node {
 namespace {
 
-constexpr double kSettles = 1.0;  // [s] left out at the start
+constexpr double kSettlingTime = 1.0;  // [s] left out at the start
 
 struct WireParams {
   std::string wrench = "/probe/spatial/measured_cf";
@@ -59,7 +59,7 @@ About about() {
 class Wire {
  public:
   explicit Wire(const WireParams& params) : topic_(params.wrench), seconds_(params.seconds) {
-    came_.reserve(static_cast<std::size_t>(2000.0 * (seconds_ + kSettles)));
+    came_.reserve(static_cast<std::size_t>(2000.0 * (seconds_ + kSettlingTime)));
   }
 
   int run(bool realtime) {
@@ -69,7 +69,7 @@ class Wire {
       subscriber =
           handle.subscribe(topic_, 1000, &Wire::hear, this, ros::TransportHints().tcpNoDelay());
     }
-    const Steady::time_point end = Steady::now() + seconds(kSettles + seconds_);
+    const Steady::time_point end = Steady::now() + seconds(kSettlingTime + seconds_);
     Steady::time_point tick = Steady::now();
     while (Steady::now() < end && !Ending::asked()) {
       if (topic_.empty()) {
@@ -82,7 +82,7 @@ class Wire {
     }
     std::vector<double> periods;  // [ms]
     for (std::size_t k = 1; k < came_.size(); ++k) {
-      if (came_[k] - came_.front() < seconds(kSettles)) continue;
+      if (came_[k] - came_.front() < seconds(kSettlingTime)) continue;
       periods.push_back(1e3 * inSeconds(came_[k] - came_[k - 1]));
     }
     if (periods.empty()) {

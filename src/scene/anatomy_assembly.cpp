@@ -70,7 +70,7 @@ void assembleAnatomy(const Scene& scene, const Progress& progress, SceneParts* p
 
 void warnOfOrgansInAnatomy(const Scene& scene, SceneParts* parts) {
   for (std::size_t i = 0; i < parts->organs.size(); ++i) {
-    const Points& x = parts->organs[i].shape().positions;
+    const Points& x = parts->organs[i].surfaceState().positions;
     for (const AnatomyPart& part : parts->anatomy) {
       const Pose X_GW = part.X_WG.inverse();
       double depth = 0.0;

@@ -9,7 +9,7 @@
 
 namespace palpate::scene {
 
-void describe(keys::FieldVisitor& v, FinePlaceConfig& place) {
+void describe(keys::FieldVisitor& v, RefinementZoneConfig& place) {
   v.number({"finest", "m", "Length of the edges there.", keys::Need::kRequired}, place.finest,
            edgeLengthRange());
   v.number({"radius", "m", "Edges begin to grow at this distance from the place."}, place.radius,

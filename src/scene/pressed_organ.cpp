@@ -13,7 +13,7 @@
 #include "palpate/mesh/cell_mesh.h"
 #include "palpate/mesh/mesh_cache.h"
 #include "palpate/mesh/surface_levels.h"
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 #include "palpate/scene/composition.h"
 #include "palpate/scene/tissue_file.h"
 
@@ -51,7 +51,7 @@ std::vector<int> freePoints(const Body& body, const Points& points,
                                    mesh::trianglesOf(mesh::boundaryFaces(body.mesh))};
   std::vector<int> found;
   int i = 0;
-  for (const mesh::FacePlace& place : mesh::nearestPlaces(boundary, points)) {
+  for (const mesh::SurfacePoint& place : mesh::nearestSurfacePoints(boundary, points)) {
     bool free = true;
     for (int k = 0; k < 3; ++k) free &= body.free.col(place.nodes[k]).minCoeff() > 0.0;
     if (within) free &= (points.col(i) - within->center).norm() <= within->radius;

@@ -66,32 +66,31 @@ void describe(keys::FieldVisitor& v, OrganConfig& organ) {
            tissue::modelNames());
   v.choice({"element", "", "Finite element, of models `fem` and `enriched`."}, organ.element,
            fem::elementNames());
+  v.section({"adapt", "",
+             "Mesh adaptation of model `fem`: tetrahedra are refined near tools, before they "
+             "touch, and coarsened behind them."},
+            organ.adapt);
   v.section(
-      {"adapt", "",
-       "How the mesh of model `fem` follows the tools: tetrahedra are split where a tool comes "
-       "near, before it touches, and joined behind it."},
-      organ.adapt);
-  v.section({"springs", "",
-             "Of models `mass_spring` and `cloth`: what their springs are, and how they go on."},
-            organ.springs);
-  v.section({"cloth", "", "Of model `cloth`: a sheet, and how it begins."}, organ.cloth);
+      {"springs", "", "Settings of models `mass_spring` and `cloth`: springs and integrator."},
+      organ.springs);
+  v.section({"cloth", "", "Settings of model `cloth`: the sheet and its initial positions."},
+            organ.cloth);
   describeSource(v, organ, surface, tetrahedra);
-  v.section({"sampling", "", "Particles of model `sampled_elasticity`."}, organ.sampling);
-  v.section({"honeycomb", "", "The cells of model `honeycomb`, and how they are solved."},
-            organ.honeycomb);
-  v.section({"hybrid", "", "Of model `hybrid`: which part is of tensors."}, organ.hybrid);
-  v.section({"enriched", "",
-             "Of model `enriched`: the fine surface that its elements carry, and what it learns "
-             "from."},
-            organ.enriched);
-  v.section({"neural", "", "Of model `neural`: what it has learned, and when it lets go."},
+  v.section({"sampling", "", "Settings of model `sampled_elasticity`."}, organ.sampling);
+  v.section({"honeycomb", "", "Settings of model `honeycomb`."}, organ.honeycomb);
+  v.section({"hybrid", "", "Settings of model `hybrid`."}, organ.hybrid);
+  v.section(
+      {"enriched", "", "Settings of model `enriched`: the fine surface and its training data."},
+      organ.enriched);
+  v.section({"neural", "",
+             "Settings of model `neural`: the surrogate, and when finite elements take over."},
             organ.neural);
   describe(v, static_cast<BodyConfig&>(organ));
   v.rule(organ.model != "cloth" || organ.regions.empty(), "regions",
          "model cloth has one material; leave regions out");
   v.rule(organ.model != "bem" || organ.regions.empty(), "regions",
          "model bem has one material; leave regions out");
-  v.section({"damping", "", "Rayleigh damping, beside what the material itself loses."},
+  v.section({"damping", "", "Rayleigh damping, in addition to the material's own viscosity."},
             organ.damping);
   v.list({"supports", "", "What holds the organ; it needs some where there is gravity."},
          organ.supports, 0);

@@ -12,13 +12,13 @@ constexpr double kSlide = 1000.0;
 // Sine of the angle by which normals may differ in a plane.
 constexpr double kPlane = 1e-9;
 
-void addGlue(const SupportPlace& place, tissue::Surroundings* surroundings) {
+void addGlue(const SelectedSupport& place, tissue::Surroundings* surroundings) {
   for (const int i : place.nodes) surroundings->free.col(i).setZero();
   if (place.motion) surroundings->carried.push_back({place.nodes, *place.motion});
 }
 
 // The axis of the world that all faces are across, or -1.
-int axisAcross(const SupportPlace& place) {
+int axisAcross(const SelectedSupport& place) {
   Vec3 largest = Vec3::Zero();  // component by component, of the unit normals
   for (Eigen::Index t = 0; t < place.faces.cols(); ++t) {
     const Vec3 a = place.points.col(place.faces(0, t)), b = place.points.col(place.faces(1, t));
@@ -31,7 +31,7 @@ int axisAcross(const SupportPlace& place) {
   return -1;
 }
 
-void addSlide(const SupportPlace& place, tissue::Surroundings* surroundings) {
+void addSlide(const SelectedSupport& place, tissue::Surroundings* surroundings) {
   const int axis = axisAcross(place);
   if (axis >= 0) {
     for (const int i : place.faces.reshaped()) surroundings->free(axis, i) = 0.0;
@@ -44,7 +44,7 @@ void addSlide(const SupportPlace& place, tissue::Surroundings* surroundings) {
   surroundings->springs.push_back({place.nodes, constants, std::nullopt});
 }
 
-void addSprings(const SupportPlace& place, tissue::Surroundings* surroundings) {
+void addSprings(const SelectedSupport& place, tissue::Surroundings* surroundings) {
   surroundings->springs.push_back({place.nodes, place.config.springs, place.motion});
 }
 

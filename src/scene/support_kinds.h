@@ -11,7 +11,7 @@
 namespace palpate::scene {
 
 /// A support, and where it is on a mesh.
-struct SupportPlace {
+struct SelectedSupport {
   const SupportConfig& config;
   std::vector<int> nodes;                ///< Selected, ascending.
   Points points;                         ///< Of the whole mesh, world, 3 x n [m].
@@ -24,7 +24,7 @@ struct SupportPlace {
 struct SupportKind {
   const char* name;
   bool on_faces;  ///< It needs a face.
-  void (*add)(const SupportPlace& place, tissue::Surroundings* surroundings);
+  void (*add)(const SelectedSupport& place, tissue::Surroundings* surroundings);
 };
 /// `name`: one of supportKindNames().
 const SupportKind& supportKind(const std::string& name);

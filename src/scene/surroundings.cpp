@@ -123,9 +123,9 @@ tissue::Surroundings surroundingsOf(const Scene& scene, const OrganConfig& organ
     const SupportConfig& config = organ.supports[s];
     const SupportKind& kind = supportKind(config.kind);
     const std::string own_key = supportKey(key, s);
-    SupportPlace place{config, selected(mesh.points, config.select, scene, own_key),
-                       points, {},
-                       0.0,    motionOf(config, X_WO.linear(), scene, own_key + ".motion")};
+    SelectedSupport place{config, selected(mesh.points, config.select, scene, own_key),
+                          points, {},
+                          0.0,    motionOf(config, X_WO.linear(), scene, own_key + ".motion")};
     if (kind.on_faces) {
       place.faces = selectedFaces(surface, place.nodes, scene, own_key);
       place.young_modulus = youngModulus(organ, scene, key);

@@ -55,7 +55,7 @@ std::vector<std::string> jointNames(std::vector<std::string> columns, const std:
 }  // namespace
 
 mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_t index) {
-  const FinePlaceConfig& place = organ.edge_length.near[index];
+  const RefinementZoneConfig& place = organ.edge_length.near[index];
   const std::string key =
       "organ " + organ.name + ".edge_length.near[" + std::to_string(index) + "]";
   const InstrumentConfig& config = findInstrument(scene, place.instrument, key);

@@ -57,7 +57,7 @@ bool AnatomyContact::isFree(std::size_t i, const LinkPoses& links) const {
   if (shapes_.empty()) return true;
   for (const contact::RigidContact& contact : contacts_) {
     for (const Shape& shape : shapes_[i]) {
-      if (contact.meets(shape.balls, shape.bounding_radius, links[shape.link] * shape.X_LG)) {
+      if (contact.wouldTouch(shape.balls, shape.bounding_radius, links[shape.link] * shape.X_LG)) {
         return false;
       }
     }

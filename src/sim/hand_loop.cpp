@@ -77,7 +77,7 @@ const HandTick& HandLoop::tick(const HandIntent& intent) {
   if (device_ticks) rendered_ = newest(&forces_, t, rendered_);
 
   if (settings_.prescribed) {
-    hand_.place(intent.position + settings_.tick * intent.velocity, intent.velocity);
+    hand_.setState(intent.position + settings_.tick * intent.velocity, intent.velocity);
   } else {
     hand_.tick(intent.position, intent.velocity, rendered_, intent.push, settings_.tick);
   }

@@ -76,16 +76,16 @@ bool Simulator::isFree(int i, const LinkPoses& poses) const {
   return impl_->isFree(static_cast<std::size_t>(i), poses);
 }
 
-void Simulator::place(int i, const Points& positions, const Points& velocities) {
-  const scene::OrganPlace& place = impl_->parts.organs[static_cast<std::size_t>(i)];
+void Simulator::setPositions(int i, const Points& positions, const Points& velocities) {
+  const scene::OrganHandle& place = impl_->parts.organs[static_cast<std::size_t>(i)];
   const auto fits = [&](const Points& given) {
-    return given.cols() == place.shape().positions.cols() && given.allFinite();
+    return given.cols() == place.surfaceState().positions.cols() && given.allFinite();
   };
   if (!fits(positions) || !fits(velocities)) {
     throw std::invalid_argument("these are not the points of organ " + organName(i) +
                                 ", or not finite");
   }
-  place.tissue->place(place.organ, positions, velocities);
+  place.tissue->setPositions(place.organ, positions, velocities);
 }
 
 LinkPoses Simulator::linkPoses(int i, const Eigen::VectorXd& joints) const {
@@ -108,21 +108,23 @@ int Simulator::controlLink(int i) const {
 }
 int Simulator::numOrgans() const { return static_cast<int>(impl_->parts.organs.size()); }
 const std::string& Simulator::organName(int i) const { return impl_->scene.organs[i].name; }
-tissue::Shape Simulator::shape(int i) const { return impl_->parts.organs[i].shape(); }
+tissue::SurfaceState Simulator::surfaceState(int i) const {
+  return impl_->parts.organs[i].surfaceState();
+}
 int Simulator::numAnatomy() const { return static_cast<int>(impl_->parts.anatomy.size()); }
 mesh::SurfaceMesh Simulator::anatomySurface(int i) const {
   const scene::AnatomyPart& part = impl_->parts.anatomy[static_cast<std::size_t>(i)];
   return {part.X_WG * part.surface.points, part.surface.triangles};
 }
-const Points& Simulator::positions(int i) const { return shape(i).positions; }
+const Points& Simulator::positions(int i) const { return surfaceState(i).positions; }
 mesh::CellMesh Simulator::cells(int i) const {
-  const scene::OrganPlace& place = impl_->parts.organs[i];
+  const scene::OrganHandle& place = impl_->parts.organs[i];
   mesh::CellMesh cells = place.tissue->cells(place.organ);
-  if (cells.numCells() == 0) cells.cells = place.shape().triangles;
+  if (cells.numCells() == 0) cells.cells = place.surfaceState().triangles;
   return cells;
 }
 std::vector<std::string> Simulator::methods(int i) const {
-  const scene::OrganPlace& place = impl_->parts.organs[i];
+  const scene::OrganHandle& place = impl_->parts.organs[i];
   return place.tissue->methods(place.organ);
 }
 bool Simulator::wantsFastBlas() const {

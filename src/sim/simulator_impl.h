@@ -101,7 +101,7 @@ struct Simulator::Impl {
   /// Grows with every change of the mesh of one of its organs.
   static std::uint64_t revision(const tissue::TissueModel& model) {
     std::uint64_t sum = 0;
-    for (int i = 0; i < model.numOrgans(); ++i) sum += model.shape(i).revision;
+    for (int i = 0; i < model.numOrgans(); ++i) sum += model.surfaceState(i).revision;
     return sum;
   }
   /// `before`: revision(model) when the cycle began.

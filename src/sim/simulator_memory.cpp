@@ -23,7 +23,7 @@ bool arePoses(const LinkPoses& poses) {
 }
 
 // Whether what was saved is a body of which geometry can be computed.
-bool isSensible(const tissue::Shape& shape) {
+bool isSensible(const tissue::SurfaceState& shape) {
   return (shape.positions.array().abs() <= kReach).all() && shape.velocities.allFinite();
 }
 
@@ -57,8 +57,8 @@ void Simulator::Impl::restore(const SimulatorState& state) {
                                   error.what());
     }
   }
-  for (const scene::OrganPlace& organ : parts.organs) {
-    if (!isSensible(organ.shape())) throw std::invalid_argument("an organ is nowhere");
+  for (const scene::OrganHandle& organ : parts.organs) {
+    if (!isSensible(organ.surfaceState())) throw std::invalid_argument("an organ is nowhere");
   }
   StateReader tools(state.tools);
   restoreTools(&tools);
@@ -115,14 +115,14 @@ void Simulator::Impl::restoreTools(StateReader* in) {
   // A state may be of a scene whose tools had no proxy.
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool active = scene.instruments[i].proxy.active;
-    if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].place(poses[i]);
+    if (active && proxies[i].poses().size() != poses[i].size()) proxies[i].startAt(poses[i]);
   }
 }
 
 std::uint64_t Simulator::Impl::stateHash() const {
   StateHash hash;
-  for (const scene::OrganPlace& organ : parts.organs) {
-    const tissue::Shape shape = organ.shape();
+  for (const scene::OrganHandle& organ : parts.organs) {
+    const tissue::SurfaceState shape = organ.surfaceState();
     hash.add(static_cast<std::uint64_t>(shape.positions.cols()));
     hash.add(shape.positions.data(), static_cast<std::size_t>(shape.positions.size()));
     hash.add(shape.velocities.data(), static_cast<std::size_t>(shape.velocities.size()));

@@ -38,8 +38,8 @@ bool Simulator::Impl::isFree(std::size_t i, const LinkPoses& links) const {
   if (!anatomy.isFree(i, links)) return false;
   for (const instrument::CollisionBody& shape : parts.instruments[i].bodies()) {
     const Pose X_WG = links[shape.link] * shape.X_LG;
-    for (const scene::OrganPlace& organ : parts.organs) {
-      const tissue::Shape tissue = organ.shape();
+    for (const scene::OrganHandle& organ : parts.organs) {
+      const tissue::SurfaceState tissue = organ.surfaceState();
       if (contact::overlaps(shape.geometry, X_WG, tissue.positions, tissue.triangles,
                             scene.contact.smoothing)) {
         return false;

@@ -18,7 +18,7 @@ constexpr double kLoosest = 1e-3, kTightest = 1e-12;
 constexpr double kIterationsBelowFactor = 30.0;
 // For few right sides solves take 2.6 times what unit_costs.h says, for large fronts factors
 // a 2.3th of it: pressed cube of 24,576 tetrahedra, AVX-512.
-constexpr double kSolveBesideFactor = 6.0;
+constexpr double kSolveCostOverFactor = 6.0;
 // About what a factor costs: 12 to 27 of them for blocks of 64 to 6859 nodes, 37 to 150 with
 // averaged volumes; AMD EPYC, beside a build. Random scenes take as long with 12, and a tenth
 // longer with 7.
@@ -42,7 +42,7 @@ bool CholmodSolver::iterationsPay(const fem::Stiffness& A) {
   const double iterations = pressures_->prepare(A);
   if (iterations <= kIterationsBelowFactor || !A.volume().metric->isDiagonal()) return true;
   const CholmodFactor& own = pressures_->analyze(A);
-  const double each = kSolveBesideFactor * triangularSolveSeconds(own.nonzeros());
+  const double each = kSolveCostOverFactor * triangularSolveSeconds(own.nonzeros());
   factor_->analyze(A);
   return factorizationSeconds(own.flops()) + iterations * each <
          factorizationSeconds(factor_->factor().flops());

@@ -15,35 +15,35 @@ std::vector<fem::ElasticEnergy*> energiesOf(const std::vector<const Potential*>&
 
 }  // namespace
 
-void PlacedTerms::gather(const Points& all, Points* own) const {
+void MappedTerms::gather(const Points& all, Points* own) const {
   own->resize(3, own_.cols());
-  for (int i = 0; i < static_cast<int>(own_.cols()); ++i) own->col(i) = all.col(place_.of(i));
+  for (int i = 0; i < static_cast<int>(own_.cols()); ++i) own->col(i) = all.col(node_map_.of(i));
 }
 
-double PlacedTerms::value(const Points& x) const {
+double MappedTerms::value(const Points& x) const {
   gather(x, &own_);
   double sum = 0.0;
   for (const fem::EnergyTerm* term : terms_) sum += term->value(own_);
   return sum;
 }
 
-double PlacedTerms::addGradient(const Points& x, Points* g) const {
+double MappedTerms::addGradient(const Points& x, Points* g) const {
   gather(x, &own_);
   own_d_.setZero();
   double sum = 0.0;
   for (const fem::EnergyTerm* term : terms_) sum += term->addGradient(own_, &own_d_);
-  for (int i = 0; i < static_cast<int>(own_.cols()); ++i) g->col(place_.of(i)) += own_d_.col(i);
+  for (int i = 0; i < static_cast<int>(own_.cols()); ++i) g->col(node_map_.of(i)) += own_d_.col(i);
   return sum;
 }
 
-void PlacedTerms::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
+void MappedTerms::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const {
   gather(x, &own_);
-  K->setPlace(place_);
+  K->setNodeMap(node_map_);
   for (const fem::EnergyTerm* term : terms_) term->addHessian(own_, tangent, K);
-  K->setPlace({});
+  K->setNodeMap({});
 }
 
-double PlacedTerms::maxStep(const Points& x, const Points& d) const {
+double MappedTerms::maxStep(const Points& x, const Points& d) const {
   gather(x, &own_);
   gather(d, &own_d_);
   double largest = 1.0;
@@ -53,7 +53,7 @@ double PlacedTerms::maxStep(const Points& x, const Points& d) const {
   return largest;
 }
 
-bool PlacedTerms::conservative() const {
+bool MappedTerms::conservative() const {
   return std::all_of(terms_.begin(), terms_.end(),
                      [](const fem::EnergyTerm* term) { return term->conservative(); });
 }
@@ -64,13 +64,13 @@ JointPotential::JointPotential(const std::vector<const Potential*>& members)
   for (std::size_t k = 0; k < members.size(); ++k) {
     const auto count = static_cast<int>(members[k]->free.cols());
     all_.free.middleCols(firstNode(k), count) = members[k]->free;
-    terms_.push_back(std::make_unique<PlacedTerms>(members[k]->terms,
-                                                   fem::Stiffness::Place{firstNode(k)}, count));
+    terms_.push_back(std::make_unique<MappedTerms>(members[k]->terms,
+                                                   fem::Stiffness::NodeMap{firstNode(k)}, count));
     all_.terms.push_back(terms_.back().get());
   }
 }
 
-fem::Stiffness::Place JointPotential::placeOf(std::size_t a, std::size_t b) const {
+fem::Stiffness::NodeMap JointPotential::nodeMapOf(std::size_t a, std::size_t b) const {
   if (a == b) return {firstNode(a)};
   return {firstNode(a), static_cast<int>(members_[a]->free.cols()), firstNode(b)};
 }

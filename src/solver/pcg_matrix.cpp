@@ -74,7 +74,7 @@ void PcgMatrix::takeRows(const fem::Stiffness& A) {
 
 void PcgMatrix::takeVolumes(const fem::BlockMatrix& K,
                             const fem::VolumeStiffness::Pattern& pattern) {
-  pressures_ = PressurePlaces(K, pattern, nodes_);
+  pressures_ = PressureLayout(K, pattern, nodes_);
   std::vector<std::vector<SlicedRows::Entry>> columns(static_cast<std::size_t>(nodes_.count()));
   for (int p = 0; p < pressures_.count(); ++p) {
     for (int k = pattern.start[p]; k < pattern.start[p + 1]; ++k) {

@@ -11,7 +11,7 @@
 #include "coarse_space.h"
 #include "kernels/pcg_kernels.h"
 #include "palpate/fem/stiffness.h"
-#include "pressure_places.h"
+#include "pressure_layout.h"
 #include "sliced_rows.h"
 
 namespace palpate::solver {
@@ -100,7 +100,7 @@ class PcgMatrix {
   Chunks chunks_;
   Points points_;
   SliceOrder nodes_;
-  PressurePlaces pressures_;
+  PressureLayout pressures_;
   SlicedRows rows_, others_, columns_;     // of K, of B (those not in rows_), of B^T
   std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
   std::vector<int> place_;                 // in rows_, of each slot

@@ -12,7 +12,7 @@ const std::vector<InteractionEntry>& interactions() {
   return kInteractions;
 }
 
-bool mayMeet(const InteractingBody& a, const InteractingBody& b, double reach) {
+bool boxesOverlap(const InteractingBody& a, const InteractingBody& b, double reach) {
   const double margin = a.way + b.way + reach;
   return (a.low.array() <= b.high.array() + margin).all() &&
          (b.low.array() <= a.high.array() + margin).all();

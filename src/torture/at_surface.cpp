@@ -6,7 +6,7 @@
 
 namespace palpate::torture {
 
-OnSurface nearestOnSurface(const tissue::Shape& shape, const Vec3& p_W) {
+OnSurface nearestOnSurface(const tissue::SurfaceState& shape, const Vec3& p_W) {
   double nearest = std::numeric_limits<double>::infinity();
   OnSurface found;
   for (Eigen::Index t = 0; t < shape.triangles.cols(); ++t) {

@@ -12,6 +12,6 @@ struct OnSurface {
 };
 
 /// The one that is nearest to p_W [m], of all triangles.
-OnSurface nearestOnSurface(const tissue::Shape& shape, const Vec3& p_W);
+OnSurface nearestOnSurface(const tissue::SurfaceState& shape, const Vec3& p_W);
 
 }  // namespace palpate::torture

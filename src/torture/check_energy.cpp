@@ -125,7 +125,7 @@ class Energy : public Criterion {
   // Elements as flat as that have an energy beside their law's, which becomes that when they are
   // brought back.
   bool isGuarded(const sim::Simulator& simulator) {
-    const std::uint64_t revision = simulator.shape(0).revision;
+    const std::uint64_t revision = simulator.surfaceState(0).revision;
     if (!guard_ || revision_ != revision) {
       const mesh::CellMesh cells = simulator.cells(0);
       mesh::TetMesh mesh;

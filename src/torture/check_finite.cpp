@@ -10,7 +10,7 @@ class Finite : public Criterion {
  public:
   std::string check(const Cycle& cycle) override {
     for (int i = 0; i < cycle.simulator.numOrgans(); ++i) {
-      const tissue::Shape shape = cycle.simulator.shape(i);
+      const tissue::SurfaceState shape = cycle.simulator.surfaceState(i);
       if (!shape.positions.allFinite()) return "positions";
       if (!shape.velocities.allFinite()) return "velocities";
     }

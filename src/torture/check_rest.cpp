@@ -29,7 +29,7 @@ class Rest : public Criterion {
     }
     for (int i = 0; i < simulator.numOrgans(); ++i) {
       rest_.push_back(simulator.positions(i));
-      revision_.push_back(simulator.shape(i).revision);
+      revision_.push_back(simulator.surfaceState(i).revision);
     }
     without_weight_ = scene.gravity.isZero();
   }
@@ -57,7 +57,8 @@ class Rest : public Criterion {
   double offOf(int i) const {
     const auto k = static_cast<std::size_t>(i);
     const Points& now = simulator_.positions(i);
-    if (simulator_.shape(i).revision == revision_[k]) return (now - rest_[k]).cwiseAbs().maxCoeff();
+    if (simulator_.surfaceState(i).revision == revision_[k])
+      return (now - rest_[k]).cwiseAbs().maxCoeff();
     // Another mesh: where it would be without weight.
     if (!without_weight_) return 0.0;
     return (now - simulator_.cells(i).points).cwiseAbs().maxCoeff();

@@ -49,7 +49,7 @@ double leastAtFour(double near, double other, const mesh::CellMesh& rest, const 
 const mesh::CellMesh& OrganCells::of(const sim::Simulator& simulator, int organ) {
   kept_.resize(static_cast<std::size_t>(simulator.numOrgans()));
   Kept& kept = kept_[static_cast<std::size_t>(organ)];
-  const std::uint64_t revision = simulator.shape(organ).revision;
+  const std::uint64_t revision = simulator.surfaceState(organ).revision;
   if (!kept.made || kept.revision != revision) {
     kept = {simulator.cells(organ), revision, true};
   }

@@ -69,8 +69,8 @@ void RecomputedResidual::remember(const sim::Simulator& simulator) {
   if (!knows()) return;
   x_before_ = x_;
   v_before_ = v_;
-  x_ = simulator.shape(0).positions;
-  v_ = simulator.shape(0).velocities;
+  x_ = simulator.surfaceState(0).positions;
+  v_ = simulator.surfaceState(0).velocities;
 }
 
 // Of what may take explicit steps, those that have Newton's iterations.
@@ -85,7 +85,7 @@ bool RecomputedResidual::isOneStep(const Cycle& cycle) const {
 
 // What acts at a point of the surface acts on the corners of its triangle; of a triangle whose
 // corners were put where they are, what holds them is told as one force.
-void RecomputedResidual::take(const sim::ContactPoint& point, const tissue::Shape& shape,
+void RecomputedResidual::take(const sim::ContactPoint& point, const tissue::SurfaceState& shape,
                               Points* forces) const {
   const OnSurface at = nearestOnSurface(shape, point.p_W);
   const bool put = scene_.method == "newton_bicgstab";
@@ -103,7 +103,7 @@ void RecomputedResidual::take(const sim::ContactPoint& point, const tissue::Shap
 double RecomputedResidual::unbalanced(const Cycle& cycle, const Points& forces, double k,
                                       const Points& x_hat, const Points& v_hat) const {
   const TortureOrgan& organ = scene_.organs.front();
-  const tissue::Shape shape = cycle.simulator.shape(0);
+  const tissue::SurfaceState shape = cycle.simulator.surfaceState(0);
   Points left = forces;
   if (!isStatic(scene_)) {
     const Points v = (shape.positions - x_hat) / k;

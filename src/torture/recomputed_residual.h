@@ -31,7 +31,8 @@ class RecomputedResidual {
   bool isOneStep(const Cycle& cycle) const;
   double unbalanced(const Cycle& cycle, const Points& forces, double k, const Points& x_hat,
                     const Points& v_hat) const;
-  void take(const sim::ContactPoint& point, const tissue::Shape& shape, Points* forces) const;
+  void take(const sim::ContactPoint& point, const tissue::SurfaceState& shape,
+            Points* forces) const;
 
   const TortureScene& scene_;
   mesh::CellMesh rest_;

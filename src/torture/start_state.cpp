@@ -41,7 +41,7 @@ void turnGravity(const SceneFiles& files, sim::Simulator* simulator) {
   sim::Simulator other(turned);
   for (int i = 0; i < simulator->numOrgans(); ++i) {
     const Points& x = other.positions(i);
-    simulator->place(i, x, Points::Zero(3, x.cols()));
+    simulator->setPositions(i, x, Points::Zero(3, x.cols()));
   }
 }
 
@@ -55,12 +55,12 @@ void writeStart(const TortureScene& scene, const SceneFiles& files, sim::Simulat
     const Points x = simulator->positions(last);
     Points v = Points::Zero(3, x.cols());
     v.row(2).setConstant(-scene.thrown);
-    simulator->place(last, x, v);
+    simulator->setPositions(last, x, v);
   } else {
     for (int i = 0; i < simulator->numOrgans(); ++i) {
       const Points rest = simulator->positions(i);
-      simulator->place(i, displaced(scene, scene.organs[static_cast<std::size_t>(i)], rest),
-                       Points::Zero(3, rest.cols()));
+      simulator->setPositions(i, displaced(scene, scene.organs[static_cast<std::size_t>(i)], rest),
+                              Points::Zero(3, rest.cols()));
     }
   }
   io::writeState(files.state, simulator->state());

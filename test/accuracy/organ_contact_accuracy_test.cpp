@@ -150,7 +150,7 @@ struct Balls {
           u.z() = up * (u.z() + 0.5 * approach);
           at.col(i) = X + u;
         }
-        tissue->place(k, at, Points::Zero(3, at.cols()));
+        tissue->setPositions(k, at, Points::Zero(3, at.cols()));
       }
       const tissue::TissueStep& done = tissue->step({}, 0.1);
       EXPECT_TRUE(done.ok()) << solver::toString(done.status);
@@ -264,7 +264,7 @@ TEST(OrganContactAccuracy, LayerOnLayer) {
           Layers::kPressure);
   Points x = tissue->positions(1);
   x.row(2).array() -= down;
-  tissue->place(1, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(1, x, Points::Zero(3, x.cols()));
   const tissue::TissueStep& step = tissue->step({}, 0.1);
   EXPECT_TRUE(step.ok()) << solver::toString(step.status);
   const double force = (*tissue->reports())[1].interaction_force.z();

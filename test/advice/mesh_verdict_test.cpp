@@ -129,7 +129,7 @@ class GradedSlab : public ::testing::Test {
     organ.surface = test::sourceFolder() + "/config/organs/slab.obj";
     organ.element = element;
     organ.pose = {};
-    scene::FinePlaceConfig place;
+    scene::RefinementZoneConfig place;
     place.finest = finest;
     place.radius = 0.01;
     place.where = mesh::Polyline{{Vec3(0.0, 0.0, 0.03)}};

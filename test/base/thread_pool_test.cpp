@@ -58,7 +58,7 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
 TEST(ThreadPool, DoesTasksBesideLoops) {
   for (const int threads : {1, 2, 3}) {
     ThreadPool pool(threads);
-    ThreadPool::Beside one(&pool), another(&pool), third(&pool), alone(nullptr);
+    ThreadPool::BackgroundTask one(&pool), another(&pool), third(&pool), alone(nullptr);
     for (int round = 0; round < 300; ++round) {
       std::vector<int> visits(200, 0), besides(4 * 200, 0);
       const auto loop = [&](int* counts) {
@@ -91,12 +91,12 @@ TEST(ThreadPool, DoesNothingMoreOfATaskThatIsGivenUp) {
     ThreadPool pool(threads);
     for (int round = 0; round < 300; ++round) {
       int by_the_dying = 0, by_the_living = 0;
-      ThreadPool::Beside living(&pool);
+      ThreadPool::BackgroundTask living(&pool);
       {
-        ThreadPool::Beside dying(&pool);
+        ThreadPool::BackgroundTask dying(&pool);
         dying.begin([&] { ++by_the_dying; });
         living.begin([&] { ++by_the_living; });
-        living.giveUp();
+        living.cancel();
         EXPECT_FALSE(living.underWay());
       }
       const int dead = by_the_dying, given_up = by_the_living;

@@ -18,7 +18,7 @@ constexpr double kFine = 1e-3, kCoarse = 6e-3;  // between samples [m]
 // A block, a ball in its top, a plate under it.
 class AnatomySamples : public ::testing::Test {
  protected:
-  AnatomySamples() { both.meetAnatomy(x, triangles, kCoarse); }
+  AnatomySamples() { both.addAnatomySamples(x, triangles, kCoarse); }
 
   std::vector<Obstacle> obstacles() const { return {tool(), bone()}; }
   Obstacle tool() const {
@@ -88,7 +88,7 @@ TEST_F(AnatomySamples, GoOnWithTheirOwnKind) {
   ContactPotential old(sampleSurface(x, triangles, kFine), makeResponse(settings));
   ContactPotential next(sampleSurface(x, triangles, kFine), makeResponse(settings));
   for (ContactPotential* potential : {&old, &next}) {
-    potential->meetAnatomy(x, triangles, kCoarse);
+    potential->addAnatomySamples(x, triangles, kCoarse);
     potential->setObstacles(obstacles());
     potential->findCandidates(x, {0.002, 0.002});
   }

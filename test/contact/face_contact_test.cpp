@@ -42,7 +42,7 @@ struct Block {
     mesh.points.row(0).array() -= 0.02;
     mesh.points.row(1).array() -= 0.02;
     mesh.points.row(2).array() -= 0.02;
-    potential.meetFaces(mesh.points, triangles, kSpacing);
+    potential.addFaceContact(mesh.points, triangles, kSpacing);
   }
   void place(const Tool& tool, const Pose& X_WG) {
     potential.setObstacles({{&tool.geometry, 0, X_WG, X_WG}});

@@ -21,7 +21,7 @@ class FarSamples : public ::testing::TestWithParam<std::pair<std::string, instru
  protected:
   FarSamples() {
     for (ContactPotential* potential : {&quick, &plain}) {
-      potential->meetFaces(mesh.points, triangles, kSpacing);
+      potential->addFaceContact(mesh.points, triangles, kSpacing);
     }
     plain.setSkips(true, false);
     tool = Pose(Eigen::Translation3d(0.02, 0.02, 0.025));

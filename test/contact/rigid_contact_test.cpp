@@ -93,11 +93,11 @@ TEST(RigidContact, LooksAtNothingThatIsFar) {
   RigidContact contact(&bone, Pose::Identity(), kStiffness);
   const auto at = [](double x) { return Pose(Eigen::Translation3d(x, 0.002, 0.010)); };
   EXPECT_FALSE(contact.add(touchBalls(ball), 0.002, at(-0.01)));
-  EXPECT_FALSE(contact.meets(touchBalls(ball), 0.002, at(-0.01)));
+  EXPECT_FALSE(contact.wouldTouch(touchBalls(ball), 0.002, at(-0.01)));
   EXPECT_TRUE(contact.add(touchBalls(ball), 0.002, at(-0.001)));
-  EXPECT_TRUE(contact.meets(touchBalls(ball), 0.002, at(-0.001)));
+  EXPECT_TRUE(contact.wouldTouch(touchBalls(ball), 0.002, at(-0.001)));
   // Hung up in the hook it touches nothing, though it is within the hull.
-  EXPECT_FALSE(contact.meets(touchBalls(ball), 0.002, at(0.010)));
+  EXPECT_FALSE(contact.wouldTouch(touchBalls(ball), 0.002, at(0.010)));
 }
 
 struct Felt {

@@ -13,10 +13,10 @@ namespace {
 
 Touch measure(const Obstacle& obstacle, const Vec3& p_begin_W, const Vec3& p_W) {
   Touch touch;
-  const PlacedObstacle placed(obstacle);
-  placed.measureGap(p_W, &touch);
-  placed.measureFrame(&touch);
-  placed.measureMotion(p_begin_W, &touch);
+  const PosedObstacle posed(obstacle);
+  posed.measureGap(p_W, &touch);
+  posed.measureFrame(&touch);
+  posed.measureMotion(p_begin_W, &touch);
   return touch;
 }
 
@@ -53,7 +53,7 @@ TEST(Touch, HasGapFrameAndCurvatureOfTheDistance) {
       EXPECT_LT((touch.R_WG * touch.normal_G - touch.normal_W).norm(), 1e-15) << name;
       EXPECT_LT((touch.normal_G - d.normal_G).norm(), 1e-15) << name;
       EXPECT_EQ(touch.curvature_G, d.hessian_G) << name;
-      EXPECT_EQ(PlacedObstacle(obstacle).gap(p_W), touch.gap) << name;
+      EXPECT_EQ(PosedObstacle(obstacle).gap(p_W), touch.gap) << name;
     }
   }
 }
@@ -65,13 +65,13 @@ TEST(Touch, IsNearerByTheMarginOfASheet) {
   constexpr double kMargin = 0.003;
   for (const auto& [name, geometry] : testShapes()) {
     const Obstacle obstacle{&geometry, 0, randomPose(&rng, 0.01), randomPose(&rng, 0.01)};
-    const PlacedObstacle thin(obstacle), thick(obstacle, kMargin);
+    const PosedObstacle thin(obstacle), thick(obstacle, kMargin);
     EXPECT_EQ(thick.radius(), thin.radius() + kMargin) << name;
     const Vec3 p_W = obstacle.X_WG_end * Vec3(randomPoints(&rng, 1, 0.01).col(0));
     Touch a, b;
-    for (const auto& [placed, touch] : {std::pair(&thin, &a), std::pair(&thick, &b)}) {
-      placed->measureGap(p_W, touch);
-      placed->measureFrame(touch);
+    for (const auto& [posed, touch] : {std::pair(&thin, &a), std::pair(&thick, &b)}) {
+      posed->measureGap(p_W, touch);
+      posed->measureFrame(touch);
     }
     EXPECT_EQ(b.gap, a.gap - kMargin) << name;
     EXPECT_EQ(thick.gap(p_W), b.gap) << name;
@@ -140,18 +140,18 @@ TEST(Touch, MotionIsThatSinceTheStepBegan) {
   std::mt19937 rng{5};
   const instrument::Geometry ball = instrument::Sphere{0.01};
   Obstacle obstacle{&ball, 0, randomPose(&rng, 0.01), randomPose(&rng, 0.01)};
-  PlacedObstacle placed(obstacle);
+  PosedObstacle posed(obstacle);
   const Vec3 p = randomPoints(&rng, 1, 0.01).col(0);
-  placed.beginHere();
+  posed.beginHere();
   Touch touch;
-  placed.measureGap(p, &touch);
-  placed.measureMotion(p, &touch);
+  posed.measureGap(p, &touch);
+  posed.measureMotion(p, &touch);
   EXPECT_EQ(touch.motion_W.norm(), 0.0);
   obstacle.X_WG_begin = obstacle.X_WG_end;
   obstacle.X_WG_end.translation().x() += 1e-3;
-  placed.move(obstacle);
-  placed.measureGap(p, &touch);
-  placed.measureMotion(p, &touch);
+  posed.move(obstacle);
+  posed.measureGap(p, &touch);
+  posed.measureMotion(p, &touch);
   EXPECT_LT((touch.motion_W + Vec3(1e-3, 0.0, 0.0)).norm(), 1e-17);
 }
 

@@ -65,7 +65,7 @@ class Resume : public ::testing::TestWithParam<Case> {
     for (int k = begin; k < end; ++k) {
       if (k == GetParam().thrown) {
         const Points x = simulator->positions(0);
-        simulator->place(0, x, Points::Constant(3, x.cols(), 1e200));
+        simulator->setPositions(0, x, Points::Constant(3, x.cols(), 1e200));
       }
       between(k);
       const auto cycle = static_cast<std::size_t>(k);

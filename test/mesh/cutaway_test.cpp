@@ -25,7 +25,7 @@ struct Integrals {
 
 Integrals integrate(const Cutaway& cut, const Points& x) {
   Points p;
-  cut.place(x, &p);
+  cut.interpolate(x, &p);
   Integrals all;
   for (Eigen::Index m = 0; m < cut.numTriangles(); ++m) {
     const Vec3 a = p.col(3 * m), b = p.col(3 * m + 1), c = p.col(3 * m + 2);
@@ -37,7 +37,7 @@ Integrals integrate(const Cutaway& cut, const Points& x) {
 
 double areaOfCuts(const Cutaway& cut, const Points& x, int solid = -1) {
   Points p;
-  cut.place(x, &p);
+  cut.interpolate(x, &p);
   double sum = 0.0;
   for (Eigen::Index m = cut.num_outer; m < cut.numTriangles(); ++m) {
     if (solid >= 0 && cut.solid[static_cast<std::size_t>(m)] != solid) continue;
@@ -69,7 +69,7 @@ TEST(Cutaway, IsClosedAndHasTheVolumeThatIsLeft) {
     EXPECT_LT(all.area.norm(), 1e-15);
     EXPECT_NEAR(all.volume, kSize.prod() - volumeIn(box), 1e-12 * kSize.prod());
     Points p;
-    cut.place(body.points, &p);
+    cut.interpolate(body.points, &p);
     for (Eigen::Index v = 3 * cut.num_outer; v < p.cols(); ++v) {
       const double off = ((p.col(v) - box.low).cwiseAbs().minCoeff());
       EXPECT_LT(std::min(off, (p.col(v) - box.high).cwiseAbs().minCoeff()), 1e-12);

@@ -23,8 +23,8 @@ namespace {
 
 using test::contains;
 
-FinePlace nearPoint(const Vec3& point, double finest, double radius, double growth = 0.3) {
-  FinePlace place;
+RefinementZone nearPoint(const Vec3& point, double finest, double radius, double growth = 0.3) {
+  RefinementZone place;
   place.finest = finest;
   place.radius = radius;
   place.growth = growth;
@@ -32,7 +32,7 @@ FinePlace nearPoint(const Vec3& point, double finest, double radius, double grow
   return place;
 }
 
-MeshingOptions graded(double coarsest, std::vector<FinePlace> near) {
+MeshingOptions graded(double coarsest, std::vector<RefinementZone> near) {
   MeshingOptions options;
   options.edge_length = {coarsest, std::move(near)};
   options.file = "organ.obj";
@@ -103,11 +103,11 @@ TEST(GradedMesh, IsFineNearAPointOfTheLiver) {
 }
 
 TEST(GradedMesh, IsFineAlongAPathAndInARegion) {
-  FinePlace path;
+  RefinementZone path;
   path.finest = 0.004;
   path.radius = 0.005;
   path.where = Polyline{{Vec3(0.02, 0.02, 0.1), Vec3(0.08, 0.02, 0.1), Vec3(0.08, 0.08, 0.1)}};
-  FinePlace ball = path;
+  RefinementZone ball = path;
   ball.where = SphereRegion{Vec3(0.03, 0.07, 0.03), 0.01};
   const MeshingOptions options = graded(0.015, {path, ball});
   expectSound(boxSurface(0.1, 1), options, Vec3(0.08, 0.02, 0.1), 0.008);
@@ -115,7 +115,7 @@ TEST(GradedMesh, IsFineAlongAPathAndInARegion) {
 }
 
 TEST(GradedMesh, IsFineAtTheSurface) {
-  FinePlace skin;
+  RefinementZone skin;
   skin.finest = 0.006;
   skin.growth = 0.6;
   skin.where = OwnSurface{};
@@ -162,19 +162,19 @@ TEST(GradedMesh, IsRememberedByItsWholeField) {
     EXPECT_TRUE(files.insert(cacheFile(box, other, "d")).second) << count;
     EXPECT_EQ(files.size(), ++count);
   };
-  expectNew([](FinePlace& p) { p.finest += 1e-15; });
-  expectNew([](FinePlace& p) { p.growth += 1e-15; });
-  expectNew([](FinePlace& p) { p.radius += 1e-15; });
-  expectNew([](FinePlace& p) { p.where = Polyline{{Vec3(0.05, 0.05, 0.1 + 1e-15)}}; });
-  expectNew([](FinePlace& p) { p.where = Polyline{{Vec3::Zero(), Vec3(0.05, 0.05, 0.1)}}; });
-  expectNew([](FinePlace& p) { p.where = OwnSurface{}; });
-  expectNew([](FinePlace& p) { p.where = PlaneRegion{0, 0.1, 0.0}; });
-  expectNew([](FinePlace& p) { p.where = PlaneRegion{1, 0.1, 0.0}; });
-  expectNew([](FinePlace& p) { p.where = PlaneRegion{0, 0.1, 1e-9}; });
-  expectNew([](FinePlace& p) { p.where = SphereRegion{Vec3::Zero(), 0.1}; });
-  expectNew([](FinePlace& p) { p.where = SphereRegion{Vec3::Zero(), 0.2}; });
-  expectNew([](FinePlace& p) { p.where = BoxRegion{Vec3::Zero(), Vec3::Ones()}; });
-  expectNew([](FinePlace& p) { p.where = BoxRegion{Vec3::Zero(), Vec3(1, 1, 2)}; });
+  expectNew([](RefinementZone& p) { p.finest += 1e-15; });
+  expectNew([](RefinementZone& p) { p.growth += 1e-15; });
+  expectNew([](RefinementZone& p) { p.radius += 1e-15; });
+  expectNew([](RefinementZone& p) { p.where = Polyline{{Vec3(0.05, 0.05, 0.1 + 1e-15)}}; });
+  expectNew([](RefinementZone& p) { p.where = Polyline{{Vec3::Zero(), Vec3(0.05, 0.05, 0.1)}}; });
+  expectNew([](RefinementZone& p) { p.where = OwnSurface{}; });
+  expectNew([](RefinementZone& p) { p.where = PlaneRegion{0, 0.1, 0.0}; });
+  expectNew([](RefinementZone& p) { p.where = PlaneRegion{1, 0.1, 0.0}; });
+  expectNew([](RefinementZone& p) { p.where = PlaneRegion{0, 0.1, 1e-9}; });
+  expectNew([](RefinementZone& p) { p.where = SphereRegion{Vec3::Zero(), 0.1}; });
+  expectNew([](RefinementZone& p) { p.where = SphereRegion{Vec3::Zero(), 0.2}; });
+  expectNew([](RefinementZone& p) { p.where = BoxRegion{Vec3::Zero(), Vec3::Ones()}; });
+  expectNew([](RefinementZone& p) { p.where = BoxRegion{Vec3::Zero(), Vec3(1, 1, 2)}; });
 }
 
 std::string refusal(const MeshingOptions& options) {
@@ -202,7 +202,7 @@ TEST(GradedMesh, RefusesPlacesThatAreNone) {
   EXPECT_TRUE(contains(with(0.01, 0.0, 1.5), "must be in (0, 1]"));
   EXPECT_TRUE(
       contains(refusal(graded(-0.02, {nearPoint(top, 0.01, 0.0)})), "edge_length.coarsest"));
-  FinePlace nowhere = nearPoint(top, 0.01, 0.0);
+  RefinementZone nowhere = nearPoint(top, 0.01, 0.0);
   nowhere.where = Polyline{};
   EXPECT_TRUE(contains(refusal(graded(0.02, {nowhere})), "must have a point"));
 }

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-FinePlace placeAt(decltype(FinePlace::where) where, double finest = 0.002, double growth = 0.3,
-                  double radius = 0.0) {
-  FinePlace place;
+RefinementZone placeAt(decltype(RefinementZone::where) where, double finest = 0.002,
+                       double growth = 0.3, double radius = 0.0) {
+  RefinementZone place;
   place.where = std::move(where);
   place.finest = finest;
   place.growth = growth;
@@ -85,7 +85,7 @@ TEST(SizeField, GrowsFromARadiusOnUpToTheCoarsest) {
   EXPECT_DOUBLE_EQ(sizes.at(Vec3(0, 0, 0.028)), 0.007);
   EXPECT_DOUBLE_EQ(sizes.at(Vec3(0, 0, 0.060)), 0.015);
   EXPECT_DOUBLE_EQ(sizes.at(Vec3(0, 0, 0.070)), 0.015);
-  EXPECT_DOUBLE_EQ(sizes.ofPlace(0, Vec3(0, 0, 0.108)), 0.027);
+  EXPECT_DOUBLE_EQ(sizes.ofZone(0, Vec3(0, 0, 0.108)), 0.027);
   EXPECT_DOUBLE_EQ(sizes.at(Vec3(0, 0, 0.028), -0.01), 0.0045);
   EXPECT_DOUBLE_EQ(sizes.at(Vec3(0, 0, 0.028), 0.01), 0.0095);
 }
@@ -97,14 +97,13 @@ TEST(SizeField, TheSmallestHoldsAndChangesNoFasterThanItGrows) {
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = Vec3::Constant(0.05) + random.vector(0.1);
     double least = field.coarsest;
-    for (std::size_t i = 0; i < field.near.size(); ++i)
-      least = std::min(least, sizes.ofPlace(i, p));
+    for (std::size_t i = 0; i < field.near.size(); ++i) least = std::min(least, sizes.ofZone(i, p));
     ASSERT_EQ(sizes.at(p), least);
     const Vec3 q = p + random.vector(std::pow(10.0, -1.0 - k % 5));
     ASSERT_LE(std::abs(sizes.at(p) - sizes.at(q)), 1.0 * (p - q).norm() * (1.0 + 1e-12));
     const double shift = random.uniform(0.0, 0.003);
     for (std::size_t i = 0; i < field.near.size(); ++i) {
-      ASSERT_LE(std::abs(sizes.ofPlace(i, p) - sizes.ofPlace(i, q)),
+      ASSERT_LE(std::abs(sizes.ofZone(i, p) - sizes.ofZone(i, q)),
                 field.near[i].growth * (p - q).norm() * (1.0 + 1e-12) + 1e-15);
     }
     ASSERT_GE(sizes.at(p, shift), sizes.at(p));
@@ -138,8 +137,8 @@ TEST(SizeEstimate, OfAPlaceIsTheIntegral) {
   const double exact = sum + estimateTets(1e-3 - ball, 0.014);
   const SizeEstimate estimate = estimateTets(boxSurface(0.1, 2), field, 1e9);
   EXPECT_NEAR(estimate.tets, exact, 0.04 * exact);
-  EXPECT_NEAR(estimate.of_place[0], sum, 0.04 * exact);
-  EXPECT_EQ(estimate.of_place[1], 0.0);
+  EXPECT_NEAR(estimate.of_zone[0], sum, 0.04 * exact);
+  EXPECT_EQ(estimate.of_zone[1], 0.0);
   EXPECT_TRUE(estimate.felt[0]);
   EXPECT_FALSE(estimate.felt[1]);
   EXPECT_EQ(estimateTets(boxSurface(0.1, 2), field, 1e9).tets, estimate.tets);
@@ -152,7 +151,7 @@ TEST(SizeEstimate, StopsWhereThereAreTooMany) {
   const SizeEstimate estimate = estimateTets(boxSurface(0.1, 2), field, 1e4);
   EXPECT_FALSE(estimate.complete);
   EXPECT_GT(estimate.tets, 1e4);
-  EXPECT_GT(estimate.of_place[0], 0.8 * estimate.tets);
+  EXPECT_GT(estimate.of_zone[0], 0.8 * estimate.tets);
 }
 
 }  // namespace

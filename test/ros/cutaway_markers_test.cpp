@@ -56,7 +56,7 @@ class Shown {
 
  private:
   void take() {
-    picture.organs = {copies_.take(simulator.shape(0), 0)};
+    picture.organs = {copies_.take(simulator.surfaceState(0), 0)};
     copies_.addCells(simulator, 0, &picture.organs[0]);
   }
 
@@ -163,7 +163,7 @@ TEST(CutawayMarkers, WaitForCells) {
   SurfaceCopies copies;
   CutawayMarkers markers(simulator, CutawayConfig());
   Picture picture;
-  picture.organs.push_back(copies.take(simulator.shape(0), 0));
+  picture.organs.push_back(copies.take(simulator.surfaceState(0), 0));
   for (const Marker& m : markers.update(picture).markers) EXPECT_EQ(m.action, Marker::DELETE);
   copies.addCells(simulator, 0, &picture.organs[0]);
   const auto before = markers.update(picture).markers[0].points;

@@ -19,7 +19,7 @@ class Markers : public ::testing::Test {
   Picture picture() {
     Picture taken;
     for (int i = 0; i < 2; ++i) {
-      taken.organs.push_back(copies.take(simulator.shape(i), static_cast<std::size_t>(i)));
+      taken.organs.push_back(copies.take(simulator.surfaceState(i), static_cast<std::size_t>(i)));
     }
     return taken;
   }
@@ -36,7 +36,7 @@ TEST_F(Markers, FollowTrianglesThatBecomeOthers) {
     const visualization_msgs::MarkerArray message = markers.update(picture());
     for (int i = 0; i < 2; ++i) {
       const visualization_msgs::Marker& m = message.markers[static_cast<std::size_t>(i)];
-      const tissue::Shape shape = simulator.shape(i);
+      const tissue::SurfaceState shape = simulator.surfaceState(i);
       EXPECT_EQ(m.action, visualization_msgs::Marker::ADD);
       ASSERT_EQ(m.points.size(), static_cast<std::size_t>(shape.triangles.size()));
       for (Eigen::Index c = 0; c < shape.triangles.size(); ++c) {
@@ -73,7 +73,7 @@ TEST_F(Markers, AreThinOnSmallOrgans) {
   const sim::Simulator simulator_of_small(small);
   SceneMarkers thin(simulator_of_small, 0.02);
   Picture taken;
-  taken.organs.push_back(SurfaceCopies().take(simulator_of_small.shape(0), 0));
+  taken.organs.push_back(SurfaceCopies().take(simulator_of_small.surfaceState(0), 0));
   const visualization_msgs::MarkerArray& message = thin.update(taken);
   EXPECT_NEAR(message.markers[1].scale.x, 0.12 * 0.0035, 1e-12);
   EXPECT_NEAR(message.markers[2].scale.z, 0.12 * 0.012, 1e-12);
@@ -125,7 +125,7 @@ TEST(AnatomyMarkers, ContactsOfToolsHaveAListOfTheirOwn) {
   const sim::StepResult& result = simulator.step({simulator.linkPoses(0, q)}, 0.01);
   SurfaceCopies copies;
   Picture picture;
-  picture.organs.push_back(copies.take(simulator.shape(0), 0));
+  picture.organs.push_back(copies.take(simulator.surfaceState(0), 0));
   picture.contacts = result.contacts;
   picture.spatial = {result.instruments[0].spatial};
   picture.X_WC = {result.instruments[0].X_WC};

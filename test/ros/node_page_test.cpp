@@ -26,7 +26,7 @@
 #include "topics.h"
 #include "visualization_msgs/MarkerArray.h"
 
-namespace palpate::node::readme_test {
+namespace palpate::node::node_page_test {
 namespace {
 
 using Row = std::vector<std::string>;  // cells
@@ -131,4 +131,4 @@ TEST(NodePage, HasTheParametersOfTheNode) {
 }
 
 }  // namespace
-}  // namespace palpate::node::readme_test
+}  // namespace palpate::node::node_page_test

@@ -142,7 +142,7 @@ TEST(Scene, EdgesMayDifferFromPlaceToPlace) {
   EXPECT_EQ(field.near[0].growth, 0.5);
   ASSERT_EQ(std::get<mesh::Polyline>(field.near[0].where).points.size(), 1u);
   EXPECT_EQ(std::get<mesh::Polyline>(field.near[0].where).points[0], Vec3(1, 2, 3));
-  EXPECT_EQ(field.near[1].growth, mesh::FinePlace().growth);
+  EXPECT_EQ(field.near[1].growth, mesh::RefinementZone().growth);
   EXPECT_EQ(field.near[1].radius, 0.0);
   ASSERT_EQ(std::get<mesh::Polyline>(field.near[1].where).points.size(), 2u);
   EXPECT_EQ(std::get<mesh::Polyline>(field.near[1].where).points[1], Vec3(0, 0.1, 0));

@@ -24,7 +24,7 @@ Vec3 drawnBack(const test::ShippedReplay& replay, int organ) {
   const scene::Scene& scene = simulator.scene();
   const Points rest = simulator.cells(organ).points;
   const Points own = scene.organs[organ].pose.pose().inverse() * rest;
-  const tissue::Shape shape = simulator.shape(organ);
+  const tissue::SurfaceState shape = simulator.surfaceState(organ);
   Vec3 force = Vec3::Zero();
   for (Eigen::Index f = 0; f < shape.triangles.cols(); ++f) {
     const Eigen::Vector3i t = shape.triangles.col(f);

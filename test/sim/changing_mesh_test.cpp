@@ -24,14 +24,14 @@ TEST_F(ChangingMesh, ShowsItsNewShapeAfterEveryCycle) {
   EXPECT_EQ(simulator.positions(0).cols(), 7 * 7 * 4 - 5 * 5 * 2);  // none of those inside
   Lockstep lockstep(&simulator);
   Eigen::Index points = simulator.positions(0).cols();
-  Eigen::Index triangles = simulator.shape(0).triangles.cols();
-  std::uint64_t revision = simulator.shape(0).revision;
+  Eigen::Index triangles = simulator.surfaceState(0).triangles.cols();
+  std::uint64_t revision = simulator.surfaceState(0).revision;
   for (int k = 0; k < 5; ++k) {
     const StepReport& report = lockstep.advance(0.01 * k, poses).report;
     EXPECT_EQ(report.mesh_changes, 2);
     EXPECT_EQ(report.nodes, simulator.positions(0).cols() + simulator.positions(1).cols());
     for (int organ = 0; organ < 2; ++organ) {
-      const tissue::Shape shape = simulator.shape(organ);
+      const tissue::SurfaceState shape = simulator.surfaceState(organ);
       EXPECT_EQ(shape.positions.cols(), points + k + 1);
       EXPECT_EQ(shape.velocities.cols(), points + k + 1);
       EXPECT_EQ(shape.triangles.cols(), triangles + 2 * (k + 1));
@@ -40,8 +40,8 @@ TEST_F(ChangingMesh, ShowsItsNewShapeAfterEveryCycle) {
     }
   }
   simulator.reset();
-  EXPECT_EQ(simulator.shape(0).triangles.cols(), triangles);
-  EXPECT_GT(simulator.shape(0).revision, revision + 5);
+  EXPECT_EQ(simulator.surfaceState(0).triangles.cols(), triangles);
+  EXPECT_GT(simulator.surfaceState(0).revision, revision + 5);
 }
 
 TEST_F(ChangingMesh, TellsWhichOrganTouched) {
@@ -61,7 +61,7 @@ TEST_F(ChangingMesh, IsWrittenAsTheSurfaceThatItHasThen) {
   for (int k = 0; k < 3; ++k) {
     simulator.step(poses, 0.01);
     const mesh::CellMesh cells = simulator.cells(1);
-    EXPECT_EQ(cells.cells, simulator.shape(1).triangles);
+    EXPECT_EQ(cells.cells, simulator.surfaceState(1).triangles);
     const Points displacement = simulator.positions(1) - cells.points;
     const std::string file = slab.folder().path("other.vtu");
     formats::writeVtu(file, cells, {{"displacement", displacement}}, {});
@@ -74,13 +74,13 @@ TEST_F(ChangingMesh, ComesBackWithTheState) {
   simulator.step(poses, 0.01);
   const SimulatorState state = simulator.state();
   const Points x = simulator.positions(0);
-  const Eigen::Matrix3Xi triangles = simulator.shape(0).triangles;
+  const Eigen::Matrix3Xi triangles = simulator.surfaceState(0).triangles;
   simulator.step(poses, 0.01);
-  const std::uint64_t revision = simulator.shape(0).revision;
+  const std::uint64_t revision = simulator.surfaceState(0).revision;
   simulator.restore(state);
   EXPECT_EQ(simulator.positions(0), x);
-  EXPECT_EQ(simulator.shape(0).triangles, triangles);
-  EXPECT_GT(simulator.shape(0).revision, revision);
+  EXPECT_EQ(simulator.surfaceState(0).triangles, triangles);
+  EXPECT_GT(simulator.surfaceState(0).revision, revision);
   EXPECT_TRUE(simulator.state() == state);
 }
 
@@ -94,9 +94,9 @@ TEST_F(ChangingMesh, HasALoadThatCanBeJudged) {
 TEST_F(ChangingMesh, CannotBePlacedWhereItHasOtherPoints) {
   const Points before = simulator.positions(1);
   simulator.step(poses, 0.01);
-  EXPECT_THROW(simulator.place(1, before, before), std::invalid_argument);
+  EXPECT_THROW(simulator.setPositions(1, before, before), std::invalid_argument);
   const Points now = simulator.positions(1);
-  simulator.place(1, 1.01 * now, 0.0 * now);
+  simulator.setPositions(1, 1.01 * now, 0.0 * now);
   EXPECT_EQ(simulator.positions(1), 1.01 * now);
 }
 

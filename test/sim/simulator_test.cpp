@@ -103,10 +103,10 @@ TEST_F(SimulatorOnSlab, BadInputIsAStatusAndChangesNothing) {
 TEST_F(SimulatorOnSlab, PlacesPointsWithoutAPast) {
   const Points x = simulator.positions(0);
   const Points v = Points::Constant(3, x.cols(), 0.01);
-  EXPECT_THROW(simulator.place(0, x.leftCols(5), v), std::invalid_argument);
-  EXPECT_THROW(simulator.place(0, x, std::nan("") * v), std::invalid_argument);
-  simulator.place(0, x, v);
-  EXPECT_EQ(simulator.shape(0).velocities, v);
+  EXPECT_THROW(simulator.setPositions(0, x.leftCols(5), v), std::invalid_argument);
+  EXPECT_THROW(simulator.setPositions(0, x, std::nan("") * v), std::invalid_argument);
+  simulator.setPositions(0, x, v);
+  EXPECT_EQ(simulator.surfaceState(0).velocities, v);
 }
 
 TEST_F(SimulatorOnSlab, SaysWhereTheTimeWent) {

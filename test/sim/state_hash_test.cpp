@@ -132,7 +132,7 @@ TEST_F(HashedRuns, SayWhatTheHashCosts) {
   for (int k = 30; k < 90; ++k) {
     cycles += simulator.step({simulator.linkPoses(0, press[k])}, 0.01).report.phases.cycle();
   }
-  const tissue::Shape shape = simulator.shape(0);
+  const tissue::SurfaceState shape = simulator.surfaceState(0);
   constexpr int kTimes = 20000;
   std::uint64_t sum = 0;
   const double begin = steadySeconds();

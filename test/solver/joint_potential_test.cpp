@@ -132,7 +132,7 @@ TEST_P(SideBySide, TheMatrixActsOnEachAsItsOwn) {
 TEST_P(SideBySide, WhatActsBetweenThemIsFoundInMatrixAndSolve) {
   const Springs springs(static_cast<int>(n), static_cast<int>(m));
   const std::vector<const fem::EnergyTerm*> terms = {&springs};
-  const PlacedTerms between(terms, joint.placeOf(0, 1), static_cast<int>(n + m));
+  const MappedTerms between(terms, joint.nodeMapOf(0, 1), static_cast<int>(n + m));
   joint.setFurther({&between});
   fem::Stiffness K = joint.makeMatrix();
   joint.all().hessian(x, fem::Tangent::kExact, &K);
@@ -158,7 +158,7 @@ TEST_P(SideBySide, WhatActsBetweenThemIsFoundInMatrixAndSolve) {
 TEST_P(SideBySide, IsSolvedInTheBodiesOwnOrders) {
   const Springs springs(static_cast<int>(n), static_cast<int>(m));
   const std::vector<const fem::EnergyTerm*> terms = {&springs};
-  const PlacedTerms between(terms, joint.placeOf(0, 1), static_cast<int>(n + m));
+  const MappedTerms between(terms, joint.nodeMapOf(0, 1), static_cast<int>(n + m));
   joint.setFurther({&between});
   BlockPcg of_a(2000, nullptr, bestIsa(), a.mesh.points), of_b(2000);
   fem::Stiffness K_a = a.elasticity->makeMatrix(), K = joint.makeMatrix();
@@ -223,8 +223,8 @@ TEST(JointPcg, NeedsAsManyIterationsAsTheBodiesAlone) {
 
 // The nodes of a pair lie where the two are in the group, in whatever order.
 TEST_P(SideBySide, APairIsPlacedByItsMembers) {
-  const fem::Stiffness::Place forward = joint.placeOf(0, 1), back = joint.placeOf(1, 0),
-                              alone = joint.placeOf(1, 1);
+  const fem::Stiffness::NodeMap forward = joint.nodeMapOf(0, 1), back = joint.nodeMapOf(1, 0),
+                                alone = joint.nodeMapOf(1, 1);
   EXPECT_EQ(forward.of(0), 0);
   EXPECT_EQ(forward.of(static_cast<int>(n)), n);
   EXPECT_EQ(back.of(0), n);

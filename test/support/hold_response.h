@@ -54,7 +54,7 @@ class HoldResponse final : public contact::Response {
     }
     held_.swap(held);
   }
-  void goOnFrom(const contact::Response& old, const Places& now) override {
+  void goOnFrom(const contact::Response& old, const SurfaceMap& now) override {
     for (const auto& [key, stretch_G] : dynamic_cast<const HoldResponse&>(old).held_) {
       const int sample = now.sample(key.first);
       if (sample >= 0) held_[{sample, key.second}] = stretch_G;

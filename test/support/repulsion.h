@@ -177,7 +177,7 @@ class Repulsion final : public tissue::Interaction {
   /// Within a body it acts where `least_at_rest` says how.
   bool possible(const tissue::InteractingBody& a, const tissue::InteractingBody& b) const override {
     if (&a == &b) return settings_.least_at_rest > 0.0;
-    return tissue::mayMeet(a, b, settings_.reach);
+    return tissue::boxesOverlap(a, b, settings_.reach);
   }
   std::unique_ptr<tissue::InteractionTerm> make(const tissue::InteractingBody& a,
                                                 const tissue::InteractingBody& b) const override {

@@ -29,7 +29,7 @@ class SplittingModel final : public tissue::TissueModel {
   }
 
   int numOrgans() const override { return static_cast<int>(now_.size()); }
-  tissue::Shape shape(int organ) const override {
+  tissue::SurfaceState surfaceState(int organ) const override {
     const Organ& o = now_[static_cast<std::size_t>(organ)];
     return {o.x, o.v, o.triangles, revision_};
   }
@@ -52,7 +52,7 @@ class SplittingModel final : public tissue::TissueModel {
     now_ = start_;
     ++revision_;
   }
-  void place(int organ, const Points& positions, const Points& velocities) override {
+  void setPositions(int organ, const Points& positions, const Points& velocities) override {
     now_[static_cast<std::size_t>(organ)].x = positions;
     now_[static_cast<std::size_t>(organ)].v = velocities;
   }

@@ -111,7 +111,8 @@ TEST(AdaptiveMesh, SpreadsWorkOverSeveralChanges) {
     }
   }
   EXPECT_GT(nodes.size(), 2u);
-  EXPECT_EQ(tissue->shape(0).revision, other->shape(0).revision - 1);  // of the restored state
+  EXPECT_EQ(tissue->surfaceState(0).revision,
+            other->surfaceState(0).revision - 1);  // of the restored state
   // As fine in the end as was asked for.
   const mesh::CellMesh cells = tissue->cells(0);
   double longest = 0.0;

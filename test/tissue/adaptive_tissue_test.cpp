@@ -32,7 +32,7 @@ class AdaptiveTissue : public ::testing::TestWithParam<const char*> {
   }
 };
 
-double areaOf(const Shape& shape) {
+double areaOf(const SurfaceState& shape) {
   double sum = 0.0;
   for (Eigen::Index t = 0; t < shape.triangles.cols(); ++t) {
     const Vec3 a = shape.positions.col(shape.triangles(0, t));
@@ -46,15 +46,15 @@ double areaOf(const Shape& shape) {
 TEST_P(AdaptiveTissue, IsRefinedBeforeAToolTouchesAndJoinedBehindIt) {
   const auto tissue = slabFor().make();
   const Eigen::Index coarse = tissue->positions().cols();
-  const double area = areaOf(tissue->shape(0));
-  std::uint64_t revision = tissue->shape(0).revision;
+  const double area = areaOf(tissue->surfaceState(0));
+  std::uint64_t revision = tissue->surfaceState(0).revision;
   Ball ball(Vec3(0.05, 0.05, 0.2));
   Eigen::Index most = 0;
   bool touched = false;
   for (int k = 0; k <= 400; ++k) {
     const double way = 0.2 - 0.001 * std::min(k, 155) + 0.001 * std::max(0, k - 245);
     const TissueStep& step = tissue->step(ball.to(Vec3(0.05, 0.05, way)), kStep);
-    const Shape shape = tissue->shape(0);
+    const SurfaceState shape = tissue->surfaceState(0);
     ASSERT_EQ(shape.velocities.cols(), shape.positions.cols());
     ASSERT_LT(shape.triangles.maxCoeff(), shape.positions.cols());
     if (shape.positions.cols() != most) {
@@ -72,7 +72,7 @@ TEST_P(AdaptiveTissue, IsRefinedBeforeAToolTouchesAndJoinedBehindIt) {
   }
   EXPECT_TRUE(touched);
   EXPECT_EQ(tissue->positions().cols(), coarse);
-  EXPECT_NEAR(areaOf(tissue->shape(0)), area, 1e-3 * area);
+  EXPECT_NEAR(areaOf(tissue->surfaceState(0)), area, 1e-3 * area);
 }
 
 // What the hand feels when a mesh changes that the tool presses: the ball rests, and then a second
@@ -90,10 +90,10 @@ TEST_P(AdaptiveTissue, HardlyMovesTheForceWhereTheMeshChangesElsewhere) {
       const Vec3 at(0.03, 0.05, 0.052 - 0.0002 * std::min(k, 40));
       const Vec3 near(std::abs(0.2 - 0.0025 * k) + 0.075, 0.05, 0.06);
       const auto far = other.to(near)[0];
-      const std::uint64_t before = beside->shape(0).revision;
+      const std::uint64_t before = beside->surfaceState(0).revision;
       const Vec3 expected = onTool(alone->step(ball.to(at), kStep));
       const Vec3 force = onTool(beside->step({same.to(at)[0], far}, kStep));
-      changes += beside->shape(0).revision - before;
+      changes += beside->surfaceState(0).revision - before;
       if (k > 45) {
         EXPECT_LT((force - expected).norm(), 0.01 * expected.norm()) << k << " " << viscous;
       }
@@ -159,7 +159,7 @@ TEST_P(AdaptiveTissue, BalancesForcesOfTwoStepsBefore) {
   const auto tissue = slab.make();
   Ball ball(Vec3(0.03, 0.05, 0.06)), other(Vec3(0.2, 0.05, 0.06));
   int changes = 0;
-  std::uint64_t before = tissue->shape(0).revision;
+  std::uint64_t before = tissue->surfaceState(0).revision;
   for (int k = 0; k < 60; ++k) {
     const Vec3 at(0.03, 0.05, 0.048 + 0.004 * std::cos(0.3 * k));
     const Vec3 near(std::abs(0.2 - 0.0025 * k) + 0.075, 0.05, 0.06);
@@ -169,7 +169,7 @@ TEST_P(AdaptiveTissue, BalancesForcesOfTwoStepsBefore) {
     EXPECT_LE((step.support_force + step.inertia_force - onTool(step)).norm(),
               2.0 * std::sqrt(nodes) * std::max(step.residual, step.tolerance) + 1e-9)
         << k;
-    const std::uint64_t now = tissue->shape(0).revision;
+    const std::uint64_t now = tissue->surfaceState(0).revision;
     changes += now != before && !step.contacts.empty();
     before = now;
   }
@@ -199,14 +199,14 @@ TEST_P(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
 }
 
 // The only helper is busy, so that nobody makes it; then it is made, and taken.
-TEST_P(AdaptiveTissue, DoesNotWaitForTheNextMeshWhenItIsAskedToEnd) {
+TEST_P(AdaptiveTissue, DoesNotWaitForTheMeshAdaptationWhenItIsAskedToEnd) {
   ThreadPool pool(2);
   const auto tissue = slabFor(0.007).make(&pool);
   const Eigen::Index coarse = tissue->positions().cols();
   const solver::Interrupt at_once = [] { return true; };
   tissue->setInterrupt(&at_once);
   std::atomic<bool> open{false};
-  ThreadPool::Beside busy(&pool);
+  ThreadPool::BackgroundTask busy(&pool);
   busy.begin([&] {
     while (!open) std::this_thread::yield();
   });
@@ -229,16 +229,16 @@ TEST_P(AdaptiveTissue, GoesBackToItsEquilibriumUnderGravity) {
   AdaptiveSlab slab = slabFor();
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);
   const auto first = slab.make(), other = slab.make();
-  const Points settled = first->positions();
-  ASSERT_GT((settled - first->cells(0).points).cwiseAbs().maxCoeff(), 1e-5);
+  const Points equilibrium = first->positions();
+  ASSERT_GT((equilibrium - first->cells(0).points).cwiseAbs().maxCoeff(), 1e-5);
   Ball ball(Vec3(0.05, 0.05, 0.052));
   for (int k = 0; k < 10; ++k) first->step(ball.to(Vec3(0.05, 0.05, 0.05)), kStep);
-  ASSERT_GT(first->positions().cols(), settled.cols());
+  ASSERT_GT(first->positions().cols(), equilibrium.cols());
   other->restore(first->state());
   for (int k = 0; k < 20; ++k) other->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);
-  ASSERT_EQ(other->positions().cols(), settled.cols());
+  ASSERT_EQ(other->positions().cols(), equilibrium.cols());
   other->reset();
-  EXPECT_EQ(other->positions(), settled);
+  EXPECT_EQ(other->positions(), equilibrium);
 }
 
 // Refined and joined hundreds of times by a hand that does what it likes, and let go: nothing is
@@ -268,8 +268,8 @@ TEST_P(AdaptiveTissue, IsSteadyUnderRandomMotion) {
   }
   EXPECT_EQ(failed, 0);
   // As often as its way, 1 mm a cycle, makes it worth a look; some ways end where it was fine.
-  EXPECT_GT(static_cast<double>(tissue->shape(0).revision),
-            0.5 * cycles / (kWorthALook * slab.adapt.finest / 0.001 + kTimeBeside / kStep));
+  EXPECT_GT(static_cast<double>(tissue->surfaceState(0).revision),
+            0.5 * cycles / (kMinToolMotion * slab.adapt.finest / 0.001 + kBackgroundTime / kStep));
   EXPECT_LT(most_energy, 0.01);  // 1 N over 10 mm
   TissueStep last;
   for (int k = 0; k < 300; ++k) last = tissue->step(ball.to(Vec3(0.05, 0.05, 0.3)), kStep);

@@ -107,7 +107,7 @@ TEST(BoundaryElements, RestWhereNothingActs) {
   const auto tissue = test::makeOrgans({block}, s, nullptr, "bem");
   const Points X = tissue->positions();
   EXPECT_EQ(tissue->cells(0).points, X);
-  EXPECT_EQ(tissue->cells(0).cells, tissue->shape(0).triangles);
+  EXPECT_EQ(tissue->cells(0).cells, tissue->surfaceState(0).triangles);
   EXPECT_EQ(tissue->step({}, kStep).support_force, Vec3::Zero());
   EXPECT_EQ(tissue->positions(), X);
   EXPECT_TRUE(tissue->step({}, kStep).slept);
@@ -138,7 +138,7 @@ TEST(BoundaryElements, GoOnFromWhereTheyArePut) {
   press(tissue.get(), 0.02, 0.003);
   const Points x = tissue->positions(), v = tissue->velocities();
   tissue->reset();
-  tissue->place(0, x, v);
+  tissue->setPositions(0, x, v);
   const TissueStep& after = press(tissue.get(), 0.02, 0.003);
   EXPECT_TRUE(after.ok());
   EXPECT_LT((tissue->positions() - x).cwiseAbs().maxCoeff(), 1e-8);

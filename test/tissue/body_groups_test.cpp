@@ -135,7 +135,7 @@ template <int refusals>
 class Fussy final : public Interaction {
  public:
   bool possible(const InteractingBody& a, const InteractingBody& b) const override {
-    return &a != &b && mayMeet(a, b, test::RepulsionSettings().reach);
+    return &a != &b && boxesOverlap(a, b, test::RepulsionSettings().reach);
   }
   std::unique_ptr<InteractionTerm> make(const InteractingBody& a,
                                         const InteractingBody& b) const override {

@@ -250,13 +250,13 @@ TEST(HollowOrgan, KeepsItsContentOnAdaptedMeshes) {
   const auto tissue = makeAdaptiveTissue(hollow.mesh, hollow.composition(), hollow.surroundings,
                                          hollow.settings, {0.005, 0.3});
   Ball ball;
-  std::uint64_t revision = tissue->shape(0).revision;
+  std::uint64_t revision = tissue->surfaceState(0).revision;
   int changes = 0;
   double pressure = 0.0;
   for (int k = 0; k < 80; ++k) {
     const TissueStep& step = tissue->step({ball.next()}, kStep);
     ASSERT_TRUE(step.ok());
-    const Shape shape = tissue->shape(0);
+    const SurfaceState shape = tissue->surfaceState(0);
     EXPECT_LE(imbalance(step).norm(),
               std::sqrt(static_cast<double>(shape.positions.cols())) * step.tolerance + 1e-9);
     changes += shape.revision != revision;

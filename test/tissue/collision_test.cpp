@@ -36,7 +36,7 @@ struct Collision {
               ->masses());
       Points v = Points::Zero(3, organ.mesh.numPoints());
       v.row(0).setConstant(k == 0 ? 0.4 : -0.4);
-      tissue->place(k, organ.mesh.points, v);
+      tissue->setPositions(k, organ.mesh.points, v);
     }
   }
   Vec3 momentum(int k) const { return tissue->velocities(k) * masses[static_cast<std::size_t>(k)]; }

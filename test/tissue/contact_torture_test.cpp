@@ -64,7 +64,7 @@ class Scene {
     if (thrown_) {
       Points v = Points::Zero(3, rest_[1].cols());
       v.row(2).setConstant(-between(0.05, 0.5));
-      tissue_->place(1, rest_[1], v);
+      tissue_->setPositions(1, rest_[1], v);
     }
     for (const instrument::Geometry& s : shapes_) poses_.push_back(outside(s));
     if (chance(0.1)) poses_[0].translation() = 0.5 * size_;  // it begins inside
@@ -167,7 +167,7 @@ class Scene {
     if (out.tools_inside > 0 || !solver::balanced(out.status)) return false;
     for (std::size_t k = 0; k < shapes_.size(); ++k) {
       for (int o = 0; o < tissue_->numOrgans(); ++o) {
-        const Shape shape = tissue_->shape(o);
+        const SurfaceState shape = tissue_->surfaceState(o);
         if (contact::hasSunkIn(shapes_[k], poses_[k], shape.positions, shape.triangles))
           return true;
       }

@@ -110,7 +110,7 @@ TEST_P(EveryMethodThatIsLate, ComesOutOfAShapeThatIsInsideOut) {
       }
     }
     tissue->setInterrupt(nullptr);
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     tissue->setInterrupt(&at_once);
     for (int k = 0; k < (alone ? 200 : 1000); ++k) {
       tissue->step({}, kStep);

@@ -7,7 +7,7 @@
 
 #include "dented_block.h"
 #include "model_variants.h"
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 #include "support/contains.h"
 #include "tissue/enriched/fine_surface.h"
 #include "tissue/enriched/learned_detail.h"
@@ -139,8 +139,8 @@ TEST(EnrichedTissue, DetailComesAndGoesSmoothly) {
     test::Visit visit;
     double largest = 0.0, fastest = 0.0, before = 0.0, held = 0.0, rough = 0.0;
     const enrichment::DeformationDatabase database = test::dentedBlock(organ.mesh);
-    const std::vector<mesh::FacePlace> places =
-        mesh::nearestPlaces(boundaryOf(organ.mesh), database.fine.points);
+    const std::vector<mesh::SurfacePoint> places =
+        mesh::nearestSurfacePoints(boundaryOf(organ.mesh), database.fine.points);
     Points now, last = Points::Zero(3, database.numFine());
     while (visit.time() < 2.0) {
       const TissueStep& step = tissue->step({visit.next()}, test::kStep);

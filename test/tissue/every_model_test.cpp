@@ -78,7 +78,7 @@ TEST_P(EveryModel, KeepsItsMomentum) {
     const Vec3 r = x.col(i) - middle;
     v.col(i) = Vec3(0.02, 0.01, 0.03) + Vec3(0.3, -0.2, 0.5).cross(r) + 2.0 * r.z() * r / 0.03;
   }
-  tissue->place(0, x, v);
+  tissue->setPositions(0, x, v);
   const Points begin = tissue->positions();
   for (int k = 0; k < 40; ++k) {
     const TissueStep& step = tissue->step({}, kStep);

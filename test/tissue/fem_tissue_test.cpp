@@ -159,7 +159,7 @@ TEST(FemTissue, KeepsItsLastGoodStateWhenASolveFails) {
   const Points good = tissue->positions();
   Points bad = tissue->velocities();
   bad(0, 100) = std::numeric_limits<double>::infinity();
-  tissue->place(0, good, bad);
+  tissue->setPositions(0, good, bad);
   const TissueStep& failed = tissue->step({}, kStep);
   EXPECT_FALSE(failed.ok());
   EXPECT_EQ(tissue->positions(), good);
@@ -177,7 +177,7 @@ TEST(FemTissue, SaysWhenAnElementIsInsideOut) {
   // Held at its bottom and mirrored above it: it cannot come back within a microsecond.
   Points mirrored = tissue->positions(0);
   mirrored.row(2) = 2.0 * slab.mesh.points.row(2).minCoeff() - mirrored.row(2).array();
-  tissue->place(0, mirrored, Points::Zero(3, mirrored.cols()));
+  tissue->setPositions(0, mirrored, Points::Zero(3, mirrored.cols()));
   tissue->step({}, 1e-6);
   EXPECT_LT(step.min_jacobian, 0.0);
   EXPECT_EQ(step.status, solver::SolveStatus::kInverted);

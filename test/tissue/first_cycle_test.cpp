@@ -33,7 +33,7 @@ TEST_P(MethodThatFactorises, HasDoneSoBeforeTheFirstCycle) {
   const std::size_t loaded = memory();
   tissue->reset();
   EXPECT_EQ(memory(), loaded);
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_EQ(memory(), loaded);
   tissue->step({}, kStep);
   EXPECT_NEAR(static_cast<double>(memory()), loaded, 0.1 * loaded);

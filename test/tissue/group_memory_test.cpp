@@ -140,7 +140,7 @@ TEST(FrozenGroup, IsPutBackWhereItFailsForGood) {
   const Points rest[] = {tissue->positions(0), tissue->positions(1)};
   Points x = rest[0];
   x.row(0).array() += 0.01;
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int put_back = 0;
   for (int k = 0; k < 80; ++k) {
     tissue->step({}, kStep);
@@ -183,13 +183,13 @@ TEST(GroupMesh, BecomesAnotherWithinAContact) {
   Balls balls = pushRight();
   balls.add(Vec3(0.025, 0.025, 0.07), -Vec3::UnitZ(), 0.7);
   for (int k = 0; k < 140; ++k) {
-    const std::uint64_t revision = tissue->shape(0).revision;
+    const std::uint64_t revision = tissue->surfaceState(0).revision;
     const auto obstacles = balls.next();
     const TissueStep& step = tissue->step(obstacles, kStep);
     again->step(obstacles, kStep);
     ASSERT_TRUE(step.ok()) << solver::toString(step.status) << ' ' << k;
     ASSERT_EQ(tissue->positions(0), again->positions(0));
-    const bool changed = tissue->shape(0).revision != revision;
+    const bool changed = tissue->surfaceState(0).revision != revision;
     const double force = (*tissue->reports())[1].interaction_force.norm();
     changes += changed;
     in_contact += changed && force > 0.01;

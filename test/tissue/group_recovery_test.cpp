@@ -157,7 +157,7 @@ int cyclesToRest(TissueModel* tissue, double dt, int* worst = nullptr, int* toge
 void expectPutBack(const OrganSketch& slab, const Points& x, double dt) {
   const std::vector<OrganSketch> organs = {slab, neighbour()};
   const auto tissue = makeOrgans(organs, settings()), alike = makeOrgans(organs, settings());
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int worst = 0, together = 0;
   EXPECT_GT(cyclesToRest(tissue.get(), dt, &worst, &together), 0);
   EXPECT_EQ(worst, static_cast<int>(Recovery::kPutBack));
@@ -189,7 +189,7 @@ TEST(GroupRecovery, LeavesOthersAsTheyAre) {
   const auto all = makeOrgans({slab, neighbour(), pair[0], pair[1]}, remember);
   const auto alone = makeOrgans(pair, remember);
   const Points x = mirrored(slab);
-  all->place(0, x, Points::Zero(3, x.cols()));
+  all->setPositions(0, x, Points::Zero(3, x.cols()));
   bool put_back = false;
   for (int k = 0; k < 600 && !(put_back && k % 50 == 0); ++k) {
     put_back |= all->step({}, 0.01).recovery == static_cast<int>(Recovery::kPutBack);

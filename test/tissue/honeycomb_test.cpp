@@ -229,7 +229,7 @@ TEST(Honeycomb, FillsWhatIsNoBox) {
   double volume = 0.0;
   Vec3 area = Vec3::Zero();
   const Points X = tissue->cells(0).points;
-  const Shape shape = tissue->shape(0);
+  const SurfaceState shape = tissue->surfaceState(0);
   for (const auto& t : shape.triangles.colwise()) {
     volume += X.col(t[0]).dot(X.col(t[1]).cross(X.col(t[2]))) / 6.0;
     area += (X.col(t[1]) - X.col(t[0])).cross(X.col(t[2]) - X.col(t[0]));
@@ -244,7 +244,7 @@ TEST(Honeycomb, FillsWhatIsNoBox) {
 TEST(Honeycomb, GoesOnFromWhereItIsPlaced) {
   const auto tissue = makeBlock({}), other = makeBlock({});
   hold(tissue.get());
-  other->place(0, tissue->positions(), tissue->velocities());
+  other->setPositions(0, tissue->positions(), tissue->velocities());
   EXPECT_LT((other->positions() - tissue->positions()).cwiseAbs().maxCoeff(), 1e-4);
   for (int k = 0; k < 5; ++k) EXPECT_TRUE(other->step({}, kStep).ok());
   other->step({}, kStep);

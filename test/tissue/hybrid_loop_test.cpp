@@ -73,7 +73,7 @@ TEST(HybridLoop, IsStableUpToAStepThatIsKnown) {
     Eigen::Index at = 0;
     (x.colwise() - Vec3(0.03, 0.03, 0.03)).colwise().squaredNorm().minCoeff(&at);
     x.col(at) += Vec3(1e-4, 0.5e-4, 0.7e-4);
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     double largest = 0.0;
     for (int k = 0; k < 150; ++k) {
       tissue->step({}, h);

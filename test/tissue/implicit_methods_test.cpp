@@ -129,8 +129,8 @@ double worstError(double h, double tolerance) {
   const auto tissue = slab.make(), reference = exact.make();
   Points v = Points::Zero(3, slab.mesh.numPoints());
   v.row(0) = 5.0 * slab.mesh.points.row(2);  // shear, 0.2 m/s at the top
-  tissue->place(0, slab.mesh.points, v);
-  reference->place(0, slab.mesh.points, v);
+  tissue->setPositions(0, slab.mesh.points, v);
+  reference->setPositions(0, slab.mesh.points, v);
   double worst = 0.0;
   for (double t = 0.0; t < 0.2 - 1e-9; t += h) {
     EXPECT_TRUE(tissue->step({}, h).ok());

@@ -72,7 +72,7 @@ Vec3 onTool(const TissueStep& step) {
 TEST(Islands, AreTheOnePieceWithinTolerance) {
   TwoSlabs slabs;
   const auto islands = slabs.make(true), one = slabs.make(false);
-  EXPECT_EQ(islands->shape(0).triangles, one->shape(0).triangles);
+  EXPECT_EQ(islands->surfaceState(0).triangles, one->surfaceState(0).triangles);
   EXPECT_EQ(islands->cells(0).points, one->cells(0).points);
   double peak = 0.0, difference = 0.0, apart = 0.0;
   for (int k = 0; k < 150; ++k) {
@@ -129,7 +129,7 @@ TEST(Islands, ResetAndRestoreRepeatEveryBit) {
   EXPECT_EQ(a->positions(), b->positions());
   const Points x = a->positions(), v = a->velocities();
   a->reset();
-  a->place(0, x, v);
+  a->setPositions(0, x, v);
   EXPECT_EQ(a->positions(), x);
   EXPECT_EQ(a->velocities(), v);
 }

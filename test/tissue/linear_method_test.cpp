@@ -111,7 +111,7 @@ TEST(LinearPrecomputed, ForgetsItsPast) {
 
   const Points x = slow->positions(), v = slow->velocities();
   slow->reset();
-  slow->place(0, x, v);
+  slow->setPositions(0, x, v);
   const TissueStep& after = slow->step({{&ball, 0, at(0.042), at(0.042)}}, kStep);
   EXPECT_EQ(after.newton_iterations, 0);
   EXPECT_LT((slow->positions() - x).cwiseAbs().maxCoeff(), 1e-9);

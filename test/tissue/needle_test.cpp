@@ -154,11 +154,11 @@ TEST(Needle, ThatIsGoneLetsGo) {
 TEST(NeedleChannel, GradientAndHessianAreThoseOfTheValue) {
   test::Random random;
   contact::NeedleChannel channel({0.1, 0.05, 3.0}, 0.02, 200.0, 1e-3);
-  channel.place(Vec3(0.0, 0.0, 0.02), -Vec3::UnitZ());
+  channel.setPose(Vec3(0.0, 0.0, 0.02), -Vec3::UnitZ());
   Points x = random.points(12, 2e-3);
   for (int k = 0; k < 3; ++k) {
-    contact::NeedleChannel::Place place{{4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3},
-                                        {0.1, 0.2, 0.3, 0.4}};
+    contact::NeedleChannel::MaterialPoint place{{4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3},
+                                                {0.1, 0.2, 0.3, 0.4}};
     channel.addTip(place, Vec3::Zero(), 0.02);
     channel.endStep(x);
     x.row(2).array() += 1e-3;

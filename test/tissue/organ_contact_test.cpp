@@ -87,7 +87,7 @@ TEST(OrganContact, ExchangesMomentumAndMakesNoEnergy) {
             ->masses());
     Points v = Points::Zero(3, organ.mesh.numPoints());
     v.row(0).setConstant(k == 0 ? 0.4 : -0.4);
-    tissue->place(k, organ.mesh.points, v);
+    tissue->setPositions(k, organ.mesh.points, v);
   }
   const auto momentum = [&](int k) -> Vec3 {
     return tissue->velocities(k) * masses[static_cast<std::size_t>(k)];
@@ -187,7 +187,7 @@ TEST(OrganContact, StopsWhatIsThrown) {
   Depth depth(organs[0], &organs[1]);
   Points v = Points::Zero(3, organs[1].mesh.numPoints());
   v.row(2).setConstant(-0.6);
-  probe->place(1, organs[1].mesh.points, v);
+  probe->setPositions(1, organs[1].mesh.points, v);
   double deepest = 0.0, most = 0.0, least = 1.0;
   for (int k = 0; k < 150; ++k) {
     const TissueStep& step = probe->step({}, 0.005);

@@ -24,7 +24,7 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnew) {
     const Points rest = tissue->positions();
     Points inside_out = rest;
     inside_out.row(2) *= -1.0;
-    tissue->place(0, inside_out, Points::Zero(3, rest.cols()));
+    tissue->setPositions(0, inside_out, Points::Zero(3, rest.cols()));
     const TissueStep& first = tissue->step({}, kStep);
     EXPECT_EQ(first.status, solver::SolveStatus::kInverted) << method;
     EXPECT_TRUE(std::isfinite(first.elastic_energy)) << method;
@@ -49,7 +49,7 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereForcesCannotBeReckonedWith) {
     Points stretched = rest;
     // W = a / 2b (exp(b (I1 - 3)) - 1), where the isochoric I1 is about the stretch's 4/3rd power.
     stretched.row(0) *= std::pow(3.0 + std::log(1e250) / 1.5, 0.75);
-    tissue->place(0, stretched, Points::Zero(3, rest.cols()));
+    tissue->setPositions(0, stretched, Points::Zero(3, rest.cols()));
     const TissueStep& first = tissue->step({}, kStep);
     EXPECT_EQ(first.status, solver::SolveStatus::kInverted) << method;
     EXPECT_EQ(first.recovery, static_cast<int>(Recovery::kPutBack)) << method;
@@ -94,7 +94,7 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewWhereItIsCarriedTo) {
       }
       Points inside_out = tissue->positions();
       inside_out.row(2) *= -1.0;
-      tissue->place(0, inside_out, Points::Zero(3, inside_out.cols()));
+      tissue->setPositions(0, inside_out, Points::Zero(3, inside_out.cols()));
       const TissueStep& put = tissue->step({}, kStep);
       EXPECT_EQ(put.recovery, static_cast<int>(Recovery::kPutBack)) << method;
       alike->step({}, kStep);
@@ -134,7 +134,7 @@ TEST(OutsideOfItsLaw, AnOrganBeginsAnewThatIsHeldAndCarried) {
     for (int k = 0; k < 124; ++k) tissue->step({}, kStep);
     Points inside_out = tissue->positions();
     inside_out.row(2) *= -1.0;
-    tissue->place(0, inside_out, Points::Zero(3, inside_out.cols()));
+    tissue->setPositions(0, inside_out, Points::Zero(3, inside_out.cols()));
     EXPECT_EQ(tissue->step({}, kStep).recovery, static_cast<int>(Recovery::kPutBack)) << method;
     for (int k = 0; k < 50; ++k) tissue->step({}, kStep);
     for (int k = 0; k < 50; ++k) {

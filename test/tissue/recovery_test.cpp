@@ -78,7 +78,7 @@ TEST(Recovery, PutsBackWhatRestsTurnedInsideOut) {
   const auto tissue = slab.make();
   Points x = slab.mesh.points;
   x.row(2) *= -1.0;  // through the plane that holds it
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int worst = 0;
   bool slept = false;
   for (int k = 0; k < 2000 && !slept; ++k) {
@@ -107,7 +107,7 @@ TEST(Recovery, PutsBackWhatIterationsLeaveTurnedInsideOut) {
     const Points rest = slab.mesh.points;
     Points x = rest;
     x.row(2) *= -1.0;
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     int worst = 0;
     for (int k = 0; k < 250; ++k) worst = std::max(worst, tissue->step({}, 0.0026).recovery);
     EXPECT_EQ(worst, told(Recovery::kPutBack)) << cells;
@@ -126,7 +126,7 @@ TEST(Recovery, PutsBackWhatTremblesTurnedInsideOut) {
   const Vec3 middle = rest.rowwise().mean();
   const Points inverted = (-rest).colwise() + 2.0 * middle;
   const Points x = rest + (inverted - rest).cwiseProduct(slab.free);
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int worst = 0, k = 0;
   for (bool slept = false; k < 400 && !slept; ++k) {
     const TissueStep& step = tissue->step({}, 0.005);
@@ -144,7 +144,7 @@ TEST(Recovery, RollsBackWhatAllFailIn) {
   const auto tissue = slab.make();
   Points v = tissue->velocities();
   v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
-  tissue->place(0, slab.mesh.points, v);
+  tissue->setPositions(0, slab.mesh.points, v);
   const TissueStep& step = tissue->step({}, kStep);
   EXPECT_EQ(step.recovery, told(Recovery::kRolledBack));
   EXPECT_EQ(tissue->positions(), slab.mesh.points);
@@ -157,7 +157,7 @@ TEST(Recovery, IsOnlyLateWhereThereIsNoTimeForShorterSteps) {
   const auto tissue = slab.make();
   Points v = tissue->velocities();
   v(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
-  tissue->place(0, slab.mesh.points, v);
+  tissue->setPositions(0, slab.mesh.points, v);
   const solver::Interrupt at_once = [] { return true; };
   tissue->setInterrupt(&at_once);
   const TissueStep& step = tissue->step({}, kStep);
@@ -230,7 +230,7 @@ TEST(Recovery, PutsBackWhatFailsAgainWithoutATool) {
     state = 1664525u * state + 1013904223u;
     if (slab.free.data()[i] != 0.0) x.data()[i] = 0.1 * (state / 4294967296.0);
   }
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   int frozen = 0, put_back = 0;
   for (int k = 0; k < 200; ++k) {
     const TissueStep& step = tissue->step({}, kStep);

@@ -239,7 +239,7 @@ TEST(SampledElasticity, MovesWhereVelocitiesChangeByMoreThanTheyMay) {
   const auto tissue = test::makeVariant(sampled, organ, settings);
   Points moved = organ.mesh.points;
   moved.row(2) *= 0.9;
-  tissue->place(0, moved, Points::Zero(3, moved.cols()));
+  tissue->setPositions(0, moved, Points::Zero(3, moved.cols()));
   const double before = (tissue->positions() - organ.mesh.points).norm();
   EXPECT_EQ(tissue->step({}, 0.01).status, solver::SolveStatus::kIterationLimit);
   for (int k = 0; k < 200; ++k) tissue->step({}, 0.01);

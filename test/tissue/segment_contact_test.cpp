@@ -350,7 +350,7 @@ TEST(SegmentContact, WalksAndAsksTheTreeOnce) {
   SegmentContact contact(&body);
   const Rod rod;
   const auto go = [&](const Vec3& from, const Vec3& to) {
-    body.sweep.begin({rod.move(from, to)}, body.x, 0.0);
+    body.tool_path.begin({rod.move(from, to)}, body.x, 0.0);
     contact.beginStage(body.x, 0.0, 1.0);
     contact.holdWhatPenetrates(body.x);
   };

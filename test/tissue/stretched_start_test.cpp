@@ -31,7 +31,7 @@ TEST_P(StretchedStart, ComesBackWithoutFlyingApart) {
   const auto tissue = slab.make();
   const Points& X = slab.mesh.points;
   const Points x = X + 9.0 * X.cwiseProduct(slab.free);
-  tissue->place(0, x, Points::Zero(3, X.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, X.cols()));
   const double size = x.colwise().norm().maxCoeff();
   double energy = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 300; ++k) {

@@ -71,7 +71,7 @@ class Strokes : public ::testing::TestWithParam<StruckTool> {
     return false;
   }
   bool wrong(const Pose& X_WG) const {
-    const Shape shape = tissue->shape(0);
+    const SurfaceState shape = tissue->surfaceState(0);
     return contact::hasSunkIn(GetParam().geometry, X_WG, shape.positions, shape.triangles);
   }
 

@@ -270,13 +270,13 @@ TEST(Surroundings, GoOnOnAdaptedMeshes) {
         makeAdaptiveTissue(held.mesh, fem::Composition::uniform(held.law, held.density),
                            held.surroundings, held.settings, {0.006, 0.3});
     Ball ball(0.004);
-    std::uint64_t revision = adaptive->shape(0).revision;
+    std::uint64_t revision = adaptive->surfaceState(0).revision;
     int changes = 0;
     double weight = 0.0;
     for (int k = 1; k <= 200; ++k) {
       const TissueStep& step = adaptive->step({ball.to(ball.comes(kStep * k))}, kStep);
       ASSERT_TRUE(step.ok());
-      const Shape shape = adaptive->shape(0);
+      const SurfaceState shape = adaptive->surfaceState(0);
       EXPECT_LE(imbalance(step).norm(),
                 std::sqrt(static_cast<double>(shape.positions.cols())) * step.tolerance + 1e-9);
       changes += shape.revision != revision;

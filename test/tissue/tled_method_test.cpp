@@ -38,7 +38,7 @@ struct Bar {
     auto tissue = slab.make();
     Points v(3, slab.mesh.numPoints());
     for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) = velocity(slab.mesh.points.col(i));
-    tissue->place(0, slab.mesh.points, v);
+    tissue->setPositions(0, slab.mesh.points, v);
     return tissue;
   }
 };
@@ -70,7 +70,7 @@ TEST(Tled, KeepsTheEnergyOfFibresThatGoSlack) {
                             poseFromXyzRpy(Vec3::Zero(), Vec3(0.3, 0.5, 0.1)).linear());
   const auto tissue = makeFemTissue(bar.slab.mesh, composition, bar.slab.free, bar.slab.settings);
   const Points& X = bar.slab.mesh.points;
-  tissue->place(0, X, test::Random(3).points(X.cols(), 0.02).cwiseProduct(bar.slab.free));
+  tissue->setPositions(0, X, test::Random(3).points(X.cols(), 0.02).cwiseProduct(bar.slab.free));
   const double begin = energy(tissue->step({}, 1e-4));
   double largest = 0.0;
   for (int k = 0; k < 300; ++k) {
@@ -266,7 +266,7 @@ TEST(Tled, GoesOnFromARestoredState) {
   }
   const Points x = halves->positions(), v = halves->velocities();
   halves->reset();
-  halves->place(0, x, v);
+  halves->setPositions(0, x, v);
   for (int k = 0; k < 5; ++k) {
     const Vec3 f = test::onTool(whole->step({a.next()}, kStep));
     const Vec3 g = test::onTool(halves->step({b.next()}, kStep));
@@ -356,7 +356,7 @@ TEST(Tled, KeepsItsLastGoodStateWhenACycleFails) {
   const Points good = tissue->positions();
   Points bad = tissue->velocities();
   bad(0, slab.mesh.numPoints() - 1) = std::numeric_limits<double>::infinity();
-  tissue->place(0, good, bad);
+  tissue->setPositions(0, good, bad);
   EXPECT_FALSE(tissue->step({}, kStep).ok());
   EXPECT_EQ(tissue->positions(), good);
   EXPECT_TRUE(tissue->velocities().isZero());

@@ -39,7 +39,7 @@ TEST(TledOrImplicit, TakesNoMoreThanSoManySubSteps) {
   const LiverSlab slab = dampedSlab();
   const auto tissue = slab.make();
   const int at_rest = tissue->step({}, kStep).sweep_stages;
-  tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  tissue->setPositions(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
   for (int k = 0; k < 20; ++k) {
     const TissueStep& step = tissue->step({}, kStep);
     EXPECT_TRUE(solver::usable(step.status)) << k << " " << toString(step.status);
@@ -53,7 +53,7 @@ TEST(TledOrImplicit, TakesImplicitStepsWhereItWouldTakeThousands) {
   const auto tissue = slab.make();
   const int at_rest = tissue->step({}, kStep).sweep_stages;
   const auto stepsIn = [&](double many) {
-    tissue->place(0, slab.mesh.points, Points::Zero(3, slab.mesh.numPoints()));
+    tissue->setPositions(0, slab.mesh.points, Points::Zero(3, slab.mesh.numPoints()));
     return tissue->step({}, many / at_rest * kStep);
   };
   const TissueStep few = stepsIn(1500.0);
@@ -68,9 +68,9 @@ TEST(TledOrImplicit, TakesImplicitStepsWhereItWouldTakeThousands) {
 TEST(TledOrImplicit, ComesBackToRestAndToSubSteps) {
   const LiverSlab slab = dampedSlab();
   const auto tissue = slab.make(), fresh = slab.make();
-  tissue->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  tissue->setPositions(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
   EXPECT_GT(tissue->step({}, kTooLong).newton_iterations, 0);  // implicit
-  tissue->place(0, tissue->positions(), tissue->velocities());
+  tissue->setPositions(0, tissue->positions(), tissue->velocities());
   EXPECT_EQ(tissue->step({}, kStep).newton_iterations, 0);
   EXPECT_GT(tissue->step({}, kTooLong).newton_iterations, 0);
   double before = energy(tissue->step({}, kStep));
@@ -98,7 +98,7 @@ TEST(TledOrImplicit, IsTheImplicitMethodFromThereOn) {
   implicit.settings.method = "implicit_pcg";
   const auto a = given_up.make(), b = implicit.make();
   for (const auto* tissue : {&a, &b}) {
-    (*tissue)->place(0, thrown(given_up), Points::Zero(3, given_up.mesh.numPoints()));
+    (*tissue)->setPositions(0, thrown(given_up), Points::Zero(3, given_up.mesh.numPoints()));
   }
   LiverPress press(0.006, 0.1), same(0.006, 0.1);
   for (int k = 0; k < 15; ++k) {
@@ -112,7 +112,7 @@ TEST(TledOrImplicit, IsTheImplicitMethodFromThereOn) {
 TEST(TledOrImplicit, GoesOnFromASavedStateWithTheSameBits) {
   const LiverSlab slab = dampedSlab();
   const auto one = slab.make(), other = slab.make();
-  one->place(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
+  one->setPositions(0, thrown(slab), Points::Zero(3, slab.mesh.numPoints()));
   for (int k = 0; k < 3; ++k) one->step({}, k == 0 ? kTooLong : kStep);
   other->restore(one->state());
   for (int k = 0; k < 5; ++k) {
@@ -150,12 +150,12 @@ TEST(TledOrImplicit, TakesImplicitStepsFromWhereItIsPlacedInverted) {
   const auto tissue = slab.make();
   Points x = slab.mesh.points;
   x.row(2) *= -0.5;
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   const TissueStep& step = tissue->step({}, kStep);
   EXPECT_GT(step.newton_iterations, 0);
   EXPECT_EQ(step.recovery, static_cast<int>(Recovery::kShorterSteps));
   x.row(2) *= -1.0;
-  tissue->place(0, x, Points::Zero(3, x.cols()));
+  tissue->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_EQ(tissue->step({}, kStep).newton_iterations, 0);
 }
 
@@ -177,7 +177,7 @@ TEST(TledOrImplicit, MakesNoEnergyInCyclesThatAreCut) {
     tissue->setInterrupt(&soon);
     Points x = slab.mesh.points;
     x.row(2) *= of.scale;
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     double first = 0.0, most = 0.0;
     for (int k = 0; k < 3000; ++k) {
       asked = 0;
@@ -204,7 +204,7 @@ TEST(TledOrImplicit, GivesUpACycleThatGainsEnergy) {
     Points v = slab.free.cwiseProduct(Points(slab.mesh.points));
     v.topRows(2).setZero();
     v *= -of.rate;
-    tissue->place(0, slab.mesh.points, v);
+    tissue->setPositions(0, slab.mesh.points, v);
     const TissueStep& step = tissue->step({}, kStep);
     // Of four layers of points, of a sixth, a third, a third and a sixth of its mass.
     const double mass = 1060.0 * 0.1 * 0.1 * 0.04,

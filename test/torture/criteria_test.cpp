@@ -119,7 +119,7 @@ TEST_F(Criteria, SeeAShapeInsideOutThatIsToldToBeConverged) {
   // What is told is fine, what is shown is not.
   Points x = simulator->positions(0);
   x.row(2) *= -1.0;
-  simulator->place(0, x, Points::Zero(3, x.cols()));
+  simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_NE(told("inverted", lockstep->result()), "");
 }
 
@@ -132,8 +132,8 @@ TEST_F(Criteria, SeeAResidualThatIsNotThatOfTheForces) {
   Points x = simulator->positions(0);
   x(2, x.cols() - 1) += 1e-6;
   const sim::StepResult honest = lockstep->result();
-  // The criterion must not know it: place() is of the simulator alone.
-  simulator->place(0, x, Points::Zero(3, x.cols()));
+  // The criterion must not know it: setPositions() is of the simulator alone.
+  simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_NE(told("truth", honest), "");
 }
 
@@ -160,7 +160,7 @@ TEST_P(Residuals, AreComputedAnewOfEachElement) {
       EXPECT_EQ(residual.numChecked(), 1) << law << " " << integrator;
       Points x = simulator->positions(0);
       x(2, x.cols() - 1) += 1e-5;
-      simulator->place(0, x, Points::Zero(3, x.cols()));
+      simulator->setPositions(0, x, Points::Zero(3, x.cols()));
       EXPECT_NE(told("truth", last), "") << law << " " << integrator;
     }
   }
@@ -199,7 +199,7 @@ TEST_F(Criteria, SeeForcesAndPointsBeyondAllBounds) {
   EXPECT_EQ(told("bounded", result), "");
   Points x = simulator->positions(0);
   x.col(x.cols() - 1) += Vec3(12.0 * scene.size(), 0.0, 0.0);
-  simulator->place(0, x, Points::Zero(3, x.cols()));
+  simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_NE(told("bounded", result), "");
 }
 
@@ -272,9 +272,9 @@ TEST_F(Criteria, AskOfACycleThatWasCutShortOnlyWhereItsBodiesAre) {
     const Points x = simulator->positions(0);
     Points off = x;
     off(2, off.cols() - 1) += 1e-3 * scene.size();
-    simulator->place(0, off, Points::Zero(3, x.cols()));
+    simulator->setPositions(0, off, Points::Zero(3, x.cols()));
     EXPECT_NE(rest->finish(), "");
-    simulator->place(0, x, Points::Zero(3, x.cols()));
+    simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   }
 }
 
@@ -284,7 +284,7 @@ TEST_F(Criteria, LetSpringsLieInsideOutWhereTheyAreToldTo) {
   sim::StepResult result = play(scene.trajectory.t.size());
   Points x = simulator->positions(0);
   x.row(2) *= -1.0;
-  simulator->place(0, x, Points::Zero(3, x.cols()));
+  simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   rest->check(cycle(result));
   EXPECT_NE(rest->finish(), "");
   result.report.status = solver::SolveStatus::kInverted;
@@ -304,7 +304,7 @@ TEST_F(Criteria, SeeWhatDoesNotComeBack) {
   play(scene.trajectory.t.size());
   Points x = simulator->positions(0);
   x(0, x.cols() - 1) += 1.1e-4 * scene.size();
-  simulator->place(0, x, Points::Zero(3, x.cols()));
+  simulator->setPositions(0, x, Points::Zero(3, x.cols()));
   EXPECT_NE(all.at("rest")->finish(), "");
 }
 

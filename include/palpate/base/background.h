@@ -6,21 +6,20 @@
 
 namespace palpate {
 
-/// One task at a time, done beside by a thread of its own, or, without one, when it is waited for:
-/// for work of many cycles, which would keep a helper away from loops for as long. Short work is
-/// better done by ThreadPool::Beside.
+/// Runs one task at a time in a thread of its own, or without one in wait(). For tasks of many
+/// cycles, which would occupy a pool thread; use ThreadPool::BackgroundTask for short ones.
 class Background {
  public:
   explicit Background(bool own_thread);
-  /// Waits for the task under way.
+  /// Waits for the running task.
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// `task` must not throw, and no other may be under way.
+  /// Begins `task`. @pre It does not throw, and no other task is running.
   void begin(std::function<void()> task);
   bool underWay() const { return under_way_; }
-  /// Until the task under way is done; false if it was done already.
+  /// Waits for the running task. Returns false where it was done already.
   bool wait();
 
  private:

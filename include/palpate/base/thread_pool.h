@@ -7,9 +7,9 @@
 
 namespace palpate {
 
-/// A fixed team of threads for loops whose iterations write to places of their own. Results then
-/// do not depend on the size of the team; sums over iterations are the caller's, in a fixed order.
-/// Helpers stay awake for some microseconds after a loop, so that short loops may follow quickly.
+/// A fixed team of threads for loops whose iterations write to disjoint memory, so that results do
+/// not depend on the number of threads. Threads spin for some microseconds after a loop, for short
+/// loops in sequence.
 class ThreadPool {
  public:
   /// `threads` >= 1 counts the calling thread.
@@ -20,9 +20,9 @@ class ThreadPool {
 
   int size() const;
 
-  /// Calls body(begin, end) on contiguous parts of [0, count), one a thread; returns when all are
-  /// done. A thread that finds the team at work, or is itself in a loop of it, does all of its loop
-  /// alone. `body` must not throw. Allocates nothing.
+  /// Calls body(begin, end) on contiguous parts of [0, count), one per thread, and waits for all.
+  /// Nested or concurrent calls run in the calling thread alone. Allocates nothing.
+  /// @pre `body` does not throw.
   template <class Body>
   void forRanges(std::size_t count, const Body& body) {
     run(count, {[](const void* b, std::size_t begin, std::size_t end) {
@@ -35,22 +35,21 @@ class ThreadPool {
   struct Team;
 
  public:
-  /// One task at a time, which a helper does in the place of its parts of loops, so that the team
-  /// never has more threads at work than it has. Without helpers, or where none has come to it
-  /// yet, who waits for it does it.
-  class Beside {
+  /// One background task at a time, run by a thread of the team instead of its parts of loops, so
+  /// that the number of busy threads stays. Without a free thread, wait() runs the task.
+  class BackgroundTask {
    public:
-    explicit Beside(ThreadPool* pool);  ///< May be null; must outlive this.
-    ~Beside();                          ///< Gives it up.
-    Beside(const Beside&) = delete;
-    Beside& operator=(const Beside&) = delete;
+    explicit BackgroundTask(ThreadPool* pool);  ///< May be null. @pre Outlives this.
+    ~BackgroundTask();                          ///< Cancels it.
+    BackgroundTask(const BackgroundTask&) = delete;
+    BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-    /// `task` must not throw, and no other may be under way.
+    /// Begins `task`. @pre It does not throw, and no other task is running.
     void begin(std::function<void()> task);
     bool underWay() const { return under_way_; }
     void wait();
-    /// Drops a task that nobody has begun with, and waits for one that is being done.
-    void giveUp();
+    /// Drops a task that has not begun, or waits for a running one.
+    void cancel();
 
    private:
     Team* team_;

@@ -8,9 +8,8 @@
 
 namespace palpate::contact {
 
-/// What a scene may name as contact: responseNames(), and `prescribed`, which is no response: the
-/// tool is a segment, and a method of finite elements prescribes displacements where it meets the
-/// surface.
+/// Values of the key contact.model: responseNames(), and `prescribed`, by which a method of finite
+/// elements prescribes displacements where a tool segment meets the surface.
 std::vector<std::string> contactModelNames();
 bool isPrescribed(const ResponseSettings& settings);
 

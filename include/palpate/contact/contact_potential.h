@@ -18,83 +18,81 @@ class SampleRuns;
 struct SamplePart;
 struct SampleCandidate;
 
-/// A touch that is answered.
+/// An active touch with its force.
 struct Contact {
   Contact(const Touch& t, const Vec3& f_W) : touch(t), force_W(f_W) {}
 
   Touch touch;
-  Vec3 force_W;  ///< What the tissue does to the obstacle, at touch.p_W [N].
+  Vec3 force_W;  ///< Force of the tissue on the obstacle, at touch.p_W, world [N].
 };
 
-/// Contact of a tissue surface with obstacles: the energies of all touches of samples s and
-/// obstacles b, of which a Response says what they are. A sample inside two obstacles feels both.
-/// Only candidates are looked at: samples that were within reach when findCandidates() ran.
+/// Contact of a tissue surface with obstacles: the sum of a Response's energies over all touches.
+/// A sample inside two obstacles has two touches. Only candidates are evaluated: samples that were
+/// within reach when findCandidates() ran.
 class ContactPotential final : public fem::EnergyTerm {
  public:
   ContactPotential(std::vector<SurfaceSample> samples, std::unique_ptr<Response> response);
   ~ContactPotential() override;
 
-  /// Has instruments that are thinner than samples are apart, or have corners and edges, meet the
-  /// surface's triangles, too: see FacePoints. `X`: points at rest, 3 x n [m]; `triangles`: the
-  /// surface, outward; `spacing`: of the samples, as for sampleSurface().
-  void meetFaces(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+  /// Adds contact of triangles with balls of thin or sharp instruments, which samples miss:
+  /// FacePoints. `X`: points at rest, 3 x n [m]; `triangles`: the surface, outward; `spacing`: of
+  /// the samples, as for sampleSurface().
+  void addFaceContact(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
-  /// Has parts of the anatomy meet samples of their own, sampleSurface()'s of that `spacing`, and
-  /// no others: what is thick need not meet as many as a thin tool does. Once.
-  void meetAnatomy(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
+  /// Adds samples for the anatomy alone, by sampleSurface() with `spacing` [m]; coarser than those
+  /// for tools. @pre Called once.
+  void addAnatomySamples(const Points& X, const Eigen::Matrix3Xi& triangles, double spacing);
 
-  /// The samples lie in the middle of a sheet of this thickness [m]: either side of it touches
-  /// where a sample is nearer to an obstacle than half of that. Before the first setObstacles().
+  /// Sets the thickness of a sheet [m]; samples lie in the middle of it, and both sides touch.
+  /// @pre Before the first setObstacles().
   void setThickness(double thickness) { margin_ = 0.5 * thickness; }
 
-  /// Those for the anatomy come last.
+  /// All samples; those for the anatomy come last.
   const std::vector<SurfaceSample>& samples() const { return samples_; }
-  /// What instruments meet: the first of samples(), so many.
+  /// Number of samples for instruments, the first of samples().
   int numForInstruments() const { return for_anatomy_ ? for_anatomy_->sample : numSamples(); }
-  /// From the samples: see Response::reach().
+  /// Largest distance of a sample from an obstacle at which a touch has energy [m].
   double reach() const { return response_->reach() + margin_ + largest_offset_; }
 
-  /// Of the samples, 3 x their number: see SurfaceSample::offset.
+  /// Sets SurfaceSample::offset of all samples, 3 x numSamples [m].
   void setOffsets(const Points& offsets);
 
-  /// Places the obstacles where their ways end; a step has begun where they begin. Same number and
-  /// order as at the last findCandidates(), or call that next.
+  /// Sets the obstacles' poses; a step begins at X_WG_begin and ends at X_WG_end.
+  /// @pre Number and order are those of the last findCandidates(), or findCandidates() follows.
   void setObstacles(const std::vector<Obstacle>& obstacles);
 
-  /// Takes as candidates of obstacle b all samples that are less than `reach[b]` [m] from it at x.
+  /// Makes candidates of all samples nearer to obstacle b than `reach[b]` [m] at x, 3 x n [m].
   void findCandidates(const Points& x, const std::vector<double>& reach);
   bool hasCandidates() const { return numCandidates() > 0; }
-  /// Of one of the placed obstacles.
+  /// Whether one of the posed obstacles has candidates.
   bool hasCandidates(int obstacle) const;
-  int numObstacles() const { return static_cast<int>(placed_.size()); }
+  int numObstacles() const { return static_cast<int>(posed_.size()); }
   int numCandidates() const;
-  /// Samples, times obstacles, that the last findCandidates() did not take.
+  /// Pairs of sample and obstacle that the last findCandidates() left out.
   int numDistant() const;
 
-  /// What the surface is borne by: `free`, 3 x n, see fem::FreeMask, `masses` of the nodes, n [kg],
-  /// and `stiffness` around them, n: Young's modulus over the length of an edge [Pa/m]. Samples
-  /// that cannot move are answered, but the response learns nothing from them: what presses there
-  /// has nothing to give way.
+  /// Sets properties of the nodes: `free`, 3 x n (fem::FreeMask), `masses`, n [kg], and
+  /// `stiffness`, n, Young's modulus over the edge length [Pa/m]. Response::learn() skips samples
+  /// that cannot move.
   void setBearing(const Eigen::Matrix3Xd& free, const Eigen::VectorXd& masses,
                   const Eigen::VectorXd& stiffness);
 
-  /// What is left out: samples out of reach, derivatives of samples that do not touch. Both by
-  /// default; the sums are the same without.
+  /// Switches skipping of distant samples and of derivatives of inactive ones; on by default.
+  /// The sums do not depend on it.
   void setSkips(bool distant, bool inactive);
-  /// The nodes that candidates lie between, ascending.
+  /// Nodes of the candidates' triangles, ascending.
   void candidateNodes(std::vector<int>* nodes) const;
 
-  /// += the forces on the nodes, 3 x n [N], that touches at x gain, to first order, while obstacle
-  /// k moves by motions[k] and x stays. False: there are none.
+  /// push += first-order change of the nodal contact forces at fixed x while obstacle k moves by
+  /// motions[k], 3 x n [N]. Returns false where nothing touches.
   bool addPush(const Points& x, const std::vector<Pose>& motions, Points* push) const;
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
   void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
 
-  /// No sample may go deeper into an obstacle than half of what is left to its
-  /// middle, so that it stays on the side from
-  /// which it came.
+  /// Limits a step so that no sample goes more than half-way to an obstacle's middle.
+  /// A sample so stays on its side of the obstacle.
   double maxStep(const Points& x, const Points& d) const override;
 
   /// How far each obstacle, which goes `ways` [m] in a cycle, may move at once [m] until its
@@ -103,43 +101,42 @@ class ContactPotential final : public fem::EnergyTerm {
   void allowedMotions(const Points& x, const std::vector<double>& ways,
                       std::vector<double>* allowed) const;
 
-  /// All candidates that answer at x, in a fixed order.
+  /// Collects all active touches at x, in a fixed order.
   void collect(const Points& x, std::vector<Contact>* contacts) const;
-  /// Second derivative of the energy of one of them by its sample's position [N/m], and the
-  /// positive semidefinite part of it.
+  /// Second derivative of a contact's energy by the sample's position [N/m], and its positive
+  /// semidefinite part.
   Mat3 stiffness(const Contact& contact) const {
     return response_->stiffness(contact.touch, fem::Tangent::kExact);
   }
   Mat3 convexStiffness(const Contact& contact, const Mat3& exact) const {
     return response_->convexStiffness(contact.touch, exact, contact.force_W);
   }
-  /// All candidates inside an obstacle at x, whatever answers them; without their motions.
+  /// Collects all candidates inside an obstacle at x, active or not; without motion_W.
   void penetrating(const Points& x, std::vector<Touch>* touches) const;
-  /// A sample and a placed obstacle, without the motion.
+  /// The touch of a sample and a posed obstacle at x, without motion_W.
   Touch touch(int sample, int obstacle, const Points& x) const;
 
-  /// A step begins at x, where the placed obstacles' ways begin.
+  /// A step begins with the tissue at x, 3 x n [m], and the obstacles at X_WG_begin.
   void beginStep(const Points& x);
-  /// Whether the response is content with x, a solution within the step; if not, settle() and solve
+  /// Whether the solution x of the step needs no further augmentation; else augment() and solve
   /// again.
-  bool settled(const Points& x);
-  void settle(const Points& x);
-  /// The step, of `h` [s], has ended with a solution at x, from which the response learns for the
-  /// next one.
+  bool augmentationConverged(const Points& x);
+  void augment(const Points& x);
+  /// Updates the response by the solution x of a step of `h` [s], for the next step.
   void learn(const Points& x, double h);
   bool hasFriction() const { return response_->hasFriction(); }
   /// Whether friction is evaluated for a contact.
   bool rubs(const Contact& contact) const { return response_->rubs(contact.touch); }
-  /// It has ended at x.
+  /// The step has ended at x.
   void endStep(const Points& x);
-  /// The contacts at x, where the last step ended, as they were before that became memory.
+  /// Collects the contacts at the end of the last step, as they were before endStep().
   void collectAtEnd(const Points& x, std::vector<Contact>* contacts) const;
-  /// Nothing has touched yet.
+  /// Clears the state: nothing has touched yet.
   void forget();
-  /// Takes over what `old` remembers, which is of the same body with another surface; X and old_X
-  /// are the points of both at rest, 3 x n [m]. Samples at other places are new.
+  /// Takes over the state of `old`, of the same body with another surface; X and old_X are the rest
+  /// positions of both, 3 x n [m]. Samples at new positions begin without state.
   void goOnFrom(const ContactPotential& old, const Points& X, const Points& old_X);
-  /// What is remembered from step to step, and back to it; empty where nothing is.
+  /// Writes and reads the state between steps; empty where the response has none.
   void save(StateWriter* to) const;
   void restore(StateReader* from);
 
@@ -156,7 +153,7 @@ class ContactPotential final : public fem::EnergyTerm {
   int numSamples() const { return static_cast<int>(samples_.size()); }
   int numPatches() const { return static_cast<int>(patches_.size()); }
   void addPatches(int first_sample);
-  std::pair<int, int> patchesFor(const PlacedObstacle& placed) const;
+  std::pair<int, int> patchesFor(const PosedObstacle& posed) const;
   bool isForAnatomy(int sample) const { return sample >= numForInstruments(); }
   template <class Far, class Visit>
   void forCandidates(const Points& x, const Far& far, const Visit& visit) const;
@@ -168,9 +165,10 @@ class ContactPotential final : public fem::EnergyTerm {
   void forFaces(const Points& x, const Visit& visit) const;
   double mobilityOf(const Touch& touch) const;
   double bearingOf(const Touch& touch) const;
-  static std::vector<Response::Places::Node> placesOf(const std::vector<int>& nodes,
-                                                      const Points& X, const ContactPotential& old,
-                                                      const Points& old_X);
+  static std::vector<Response::SurfaceMap::Node> placesOf(const std::vector<int>& nodes,
+                                                          const Points& X,
+                                                          const ContactPotential& old,
+                                                          const Points& old_X);
   void gatherLearnable(const Points& x, double h);
   template <class Visit>
   void forEach(const Points& x, bool skip_inactive, bool with_frame, const Visit& visit) const;
@@ -187,7 +185,7 @@ class ContactPotential final : public fem::EnergyTerm {
   Eigen::VectorXd bearing_;  // see setBearing(); empty: nothing is known of it
   double largest_offset_ = 0.0;  // of a sample [m]
   bool skip_distant_ = true, skip_inactive_ = true;
-  std::vector<PlacedObstacle> placed_;
+  std::vector<PosedObstacle> posed_;
   std::vector<SampleCandidate> candidates_;
   std::unique_ptr<SampleRuns> runs_;  // of the candidates
   Points x_begin_;               // of the step, where the response follows motions or remembers;

@@ -5,12 +5,12 @@
 
 namespace palpate::contact {
 
-/// How tissue clings to an obstacle.
+/// Friction between tissue and an obstacle.
 struct Friction {
-  double at_rest = 0.0;  ///< Coulomb's coefficient until it slips,
-  double sliding = 0.0;  ///< and while it slips, not larger.
-  /// Pressed into the tissue, the obstacle holds it in every direction, until that takes more
-  /// traction than this [Pa]; 0: it has no teeth.
+  double at_rest = 0.0;  ///< Static coefficient of Coulomb's law [-].
+  double sliding = 0.0;  ///< Kinetic coefficient, <= at_rest [-].
+  /// Traction up to which a toothed obstacle, once pressed, holds tissue in all directions [Pa];
+  /// 0: no teeth.
   double teeth = 0.0;
 
   bool any() const { return at_rest > 0.0 || teeth > 0.0; }
@@ -19,7 +19,7 @@ struct Friction {
 
 /// The friction of a body with all obstacles of a cycle.
 struct FrictionTable {
-  Friction usual;                   ///< Of obstacles that are not in the list.
+  Friction usual;                   ///< Friction of obstacles that are not in by_number.
   std::vector<Friction> by_number;  ///< By Obstacle::number.
 
   const Friction& of(int number) const;

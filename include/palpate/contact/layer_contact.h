@@ -8,11 +8,11 @@
 
 namespace palpate::contact {
 
-/// What keeps the layers of a sheet apart.
+/// Distances and pressure of contact between layers of a sheet.
 struct LayerSettings {
-  double least;     ///< T_l: no layers come nearer than this [m], >= 0,
-  double most;      ///< T_h: and those that are farther apart do not act on each other [m].
-  double pressure;  ///< p: 1.5 p is what presses them to the middle of the two [Pa], > 0.
+  double least;     ///< T_l: least distance of layers [m], >= 0.
+  double most;      ///< T_h: distance beyond which layers do not interact [m].
+  double pressure;  ///< p: layers at (T_l + T_h)/2 press with 1.5 p [Pa], > 0.
 };
 
 /// Layers of a rolled or folded sheet of triangles against one another, whichever sides they turn
@@ -29,8 +29,8 @@ class LayerContact final : public fem::EnergyTerm {
  public:
   static constexpr double kFloor = 0.2;
 
-  /// `X`: points at rest, 3 x n [m]; `areas`: of each [m^2]. Points and triangles that are nearer
-  /// at rest than 2.5 mean edges, or two times T_h, do not meet.
+  /// `X`: points at rest, 3 x n [m]; `areas`: of each [m^2]. Points and triangles nearer at rest
+  /// than 2.5 mean edges, or 2 T_h, do not interact.
   /// @throws std::invalid_argument unless 0 <= T_l < T_h and p > 0.
   LayerContact(const Points& X, const Eigen::Matrix3Xi& triangles, const Eigen::VectorXd& areas,
                const LayerSettings& settings);
@@ -38,7 +38,7 @@ class LayerContact final : public fem::EnergyTerm {
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
   void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
-  /// No layer may go more than half of its way to another one.
+  /// Limits a step to half the distance of any two layers.
   double maxStep(const Points& x, const Points& d) const override;
 
   /// The least distance of layers at x, or infinity where none are within T_h [m].

@@ -3,13 +3,12 @@
 
 namespace palpate::contact {
 
-/// How a needle goes into tissue [Okamura, Simone, O'Leary 2004, Force modeling for needle
-/// insertion into soft tissue]: it indents the surface until it punctures it; then its tip cuts
-/// with a force of its own and the shaft rubs along what it has gone through.
+/// Needle insertion [Okamura, Simone, O'Leary 2004, Force modeling for needle insertion into soft
+/// tissue]: indentation until puncture, then a cutting force at the tip and friction on the shaft.
 struct NeedleSettings {
-  double puncture_force = 0.0;  ///< Along the axis [N]; 0: it is no needle.
-  double cutting_force = 0.0;   ///< Of the tip, inside [N].
-  double shaft_friction = 0.0;  ///< Along the shaft, per length inside [N/m].
+  double puncture_force = 0.0;  ///< Axial force of puncture [N]; 0: no needle.
+  double cutting_force = 0.0;   ///< Cutting force at the tip inside the tissue [N].
+  double shaft_friction = 0.0;  ///< Shaft friction per inserted length [N/m].
 };
 
 }  // namespace palpate::contact

@@ -20,13 +20,13 @@ namespace palpate::contact {
 class NeedleChannel final : public fem::EnergyTerm {
  public:
   /// A point of the tissue: where it is in a tetrahedron.
-  struct Place {
+  struct MaterialPoint {
     Eigen::Vector4i nodes;
     Eigen::Vector4d weights;
     Vec3 of(const Points& x) const { return x(Eigen::all, nodes) * weights; }
   };
   struct Anchor {
-    Place place;
+    MaterialPoint place;
     Vec3 X;              // at rest, by which it is found in another mesh [m]
     double at;           // z0 [m]
     double share = 0.0;  // of the shaft, from there to the next [m]
@@ -38,11 +38,11 @@ class NeedleChannel final : public fem::EnergyTerm {
       : settings_(settings), length_(length), stiffness_(stiffness), spacing_(spacing) {}
 
   /// Where the needle is: the shape's origin and the axis towards its tip, unit, in world.
-  void place(const Vec3& origin, const Vec3& axis);
+  void setPose(const Vec3& origin, const Vec3& axis);
   bool empty() const { return anchors_.empty(); }
   Vec3 tip() const { return origin_ + length_ * axis_; }
   /// Adds the tissue at the tip as a point, which is met with `force` [N].
-  void addTip(const Place& place, const Vec3& X, double force);
+  void addTip(const MaterialPoint& place, const Vec3& X, double force);
   /// Whether the tip has gone on so far from its point that it needs the next.
   bool wantsTip(const Points& x) const;
   /// What the tissue at the tip resists now [N].
@@ -58,13 +58,13 @@ class NeedleChannel final : public fem::EnergyTerm {
 
   /// What a point did to the needle where the last step ended, before that became memory.
   struct Pull {
-    Place place;
+    MaterialPoint place;
     Vec3 p_W, force_W;  ///< [m], [N]
   };
   const std::vector<Pull>& pulls() const { return pulls_; }
   /// Finds the points in another mesh: find(X, &place), false where there is no tissue.
   template <class Find>
-  void moveTo(const Find& find) {
+  void relocate(const Find& find) {
     for (std::size_t k = 0; k < anchors_.size();) {
       if (find(anchors_[k].X, &anchors_[k].place)) {
         ++k;

@@ -7,7 +7,7 @@
 
 namespace palpate::contact {
 
-/// Whose an obstacle is: an instrument's, or a part of the anatomy, which never moves.
+/// Owner of an obstacle: an instrument, or a part of the anatomy, which never moves.
 struct Owner {
   Owner(int instrument = 0) : index(instrument) {}  // NOLINT(google-explicit-constructor)
   static Owner anatomy(int index) {
@@ -18,19 +18,19 @@ struct Owner {
 
   bool isInstrument() const { return !fixed; }
 
-  int index;           ///< Among the instruments, or the anatomy.
-  bool fixed = false;  ///< It is of the anatomy.
+  int index;           ///< Index among the instruments, or among the parts of the anatomy.
+  bool fixed = false;  ///< True for a part of the anatomy.
 };
 
-/// Something rigid on its way through a cycle, or a part of one: a collision shape of an
-/// instrument, or a part of the anatomy.
+/// A rigid shape with its motion in a cycle or step: a collision shape of an instrument, or a part
+/// of the anatomy.
 struct Obstacle {
   const instrument::Geometry* geometry;
   Owner owner;
-  Pose X_WG_begin;  ///< The shape's frame in world, where the way begins,
-  Pose X_WG_end;    ///< and where it ends.
-  int number = 0;   ///< Among all obstacles of a cycle; a memory of touches knows it by this.
-  /// How it goes into tissue, a capsule or a cylinder; null: not at all.
+  Pose X_WG_begin;  ///< Pose of the shape's frame G at the begin.
+  Pose X_WG_end;    ///< Pose of the shape's frame G at the end.
+  int number = 0;   ///< Index among all obstacles of a cycle; states of touches refer to it.
+  /// Puncture settings of a capsule or cylinder; null: no needle.
   const NeedleSettings* needle = nullptr;
 };
 

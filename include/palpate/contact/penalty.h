@@ -7,14 +7,15 @@
 
 namespace palpate::contact {
 
-/// Pressure against penetration p [m] into a body whose inscribed radius is r [m]; zero for p <= 0:
+/// Contact pressure as a function of the penetration p [m] into an obstacle of inscribed radius
+/// r [m]; zero for p <= 0:
 ///
 ///   k p^2 / (2 e)  up to the smoothing width e, then  k (p - e/2):  the soft part,
 ///   plus   k p (8 p / r)^3:  the hard part,
 ///
-/// once continuously differentiable. The hard part is 1 % at a fortieth of the radius and
-/// stops the tissue before it gets to the body's middle, where it would be pushed out on the wrong
-/// side, however thin the body is.
+/// once continuously differentiable. The hard part is 1 % of the soft part at p = r/40. It grows so
+/// that tissue does not pass the obstacle's middle, beyond which it would be pushed out on the far
+/// side.
 struct Penalty {
   double stiffness = ResponseSettings().stiffness;  ///< k [Pa/m]
   double smoothing = ResponseSettings().smoothing;  ///< e [m], > 0
@@ -40,7 +41,7 @@ struct Penalty {
     if (p <= 0.0) return 0.0;
     return stiffness * (p < smoothing ? p / smoothing : 1.0);
   }
-  /// The penetration at which the soft part alone is that pressure [Pa], >= 0.
+  /// Inverse of softPressure(): penetration for `pressure` [Pa], >= 0 [m].
   double softPenetration(double pressure) const {
     const double p = pressure / stiffness;
     return p < 0.5 * smoothing ? std::sqrt(2.0 * smoothing * p) : p + 0.5 * smoothing;

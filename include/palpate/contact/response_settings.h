@@ -7,7 +7,7 @@
 
 namespace palpate::contact {
 
-/// What the responses know from a scene.
+/// Contact settings of a scene.
 struct ResponseSettings {
   std::string model = "augmented_lagrangian";  ///< One of responseNames().
   double stiffness = 3.0e8;                    ///< Pressure per penetration [Pa/m].

@@ -10,39 +10,39 @@
 
 namespace palpate::contact {
 
-/// Where something rigid that moves is in something rigid that does not.
+/// Penetration of a moving rigid shape into a fixed one.
 struct RigidTouch {
-  Vec3 p_W;      ///< The point of the moving one's surface [m].
+  Vec3 p_W;      ///< Point of the moving shape's surface, world [m].
   double depth;  ///< [m], > 0
-  Vec3 force_W;  ///< On the moving one [N].
+  Vec3 force_W;  ///< Force on the moving shape, world [N].
 };
 
-/// Contact of a rigid tool with something rigid and fixed, by one spring for all of its touching
-/// points together, whose stretch is a norm of their depths d_k, as large as the deepest or a
-/// little larger:
+/// Contact of a rigid tool with a fixed rigid shape, by one spring for all points together. The
+/// spring's stretch D is a norm of the depths d_k, close to the largest:
 ///
 ///   E = stiffness / 2 D^2,   D = (sum_k d_k^m)^(1/m),   m = kDepthPower.
 ///
-/// It is a function of the tool's pose alone: on a closed way it does no work. A single ball gives
-/// stiffness times depth; n points that are equally deep give n^(2/m) times as stiff a contact,
-/// while n springs would give n times. Points come and go without a jump of the force, which is
-/// never one that pulls.
+/// E depends on the tool's pose alone, so a closed path does no work. n equally deep points give
+/// n^(2/m) times the stiffness of one; n springs would give n times. The force never pulls, and is
+/// continuous where points begin and end to touch.
 class RigidContact {
  public:
-  /// `fixed` outlives this; if it is a sampled surface, its grid reaches as far beyond it as balls
-  /// have a radius. `stiffness` [N/m].
+  /// `stiffness` [N/m].
+  /// @pre `fixed` outlives this; the grid of a sampled surface reaches beyond it by a ball's
+  /// radius.
   RigidContact(const instrument::Geometry* fixed, const Pose& X_WG, double stiffness);
 
-  /// For so many balls at once nothing more is allocated.
+  /// Reserves memory for this number of balls.
   void reserve(std::size_t balls) { touches_.reserve(balls); }
-  /// No tool touches.
+  /// Removes all touches.
   void clear();
-  /// Adds the shape of a tool, with its frame at X_WT and the radius of a ball about its origin
-  /// that holds it [m]. False: it is too far to touch, nothing more was looked at.
+  /// Adds a tool's shape at pose X_WT with its bounding radius about the origin [m]. Returns false
+  /// where the bounding ball does not touch.
   bool add(const std::vector<TouchBall>& balls, double bounding_radius, const Pose& X_WT);
-  /// Whether such a shape would touch.
-  bool meets(const std::vector<TouchBall>& balls, double bounding_radius, const Pose& X_WT) const;
-  /// Finds the forces of all that was added, and returns the energy [J].
+  /// Whether a shape at X_WT would touch.
+  bool wouldTouch(const std::vector<TouchBall>& balls, double bounding_radius,
+                  const Pose& X_WT) const;
+  /// Computes the forces of all touches. Returns the energy [J].
   double solve();
   const std::vector<RigidTouch>& touches() const { return touches_; }
 

@@ -9,27 +9,26 @@
 
 namespace palpate::contact {
 
-/// Where a segment crosses a surface.
+/// Intersection of a segment with a surface.
 struct SegmentHit {
   int triangle;
-  Vec3 weights;  ///< Barycentric, >= 0: of a vertex one of them is 1, on an edge one is 0.
-  double part;   ///< Of the way from the segment's begin to its end.
-  bool inward;   ///< On that way it goes in.
+  Vec3 weights;  ///< Barycentric coordinates, >= 0; one is 1 at a vertex, one is 0 on an edge.
+  double part;   ///< Fraction of the segment from its begin to the intersection [-].
+  bool inward;   ///< Whether the segment enters the body there.
 };
 
-/// The crossings of a segment with a surface that moves [Castillo Leon 2011, sec. 7.4]: found by a
-/// tree of boxes, and from then on followed from triangle to triangle over their edges, each to the
-/// side on which the segment's line passes [Devillers, Pion, Teillaud 2002, visibility walk]. Tree
-/// and walk ask triangles by the same arithmetic, which gives both triangles of an edge the same
-/// number: nothing slips between them.
+/// Intersections of a segment with a moving surface [Castillo Leon 2011, sec. 7.4]. A tree of
+/// bounding boxes finds them; a walk over neighbouring triangles follows them [Devillers, Pion,
+/// Teillaud 2002, visibility walk]. Both use the same predicate, which is consistent across edges,
+/// so no intersection falls between two triangles.
 class SegmentTracker {
  public:
-  /// What was asked of it since it was made.
+  /// Number of operations since construction.
   struct Counts {
-    long queries = 0;  ///< Of the tree,
-    long walks = 0;    ///< of neighbours,
-    long steps = 0;    ///< over so many edges,
-    long lost = 0;     ///< and of the walks those that did not arrive.
+    long queries = 0;  ///< Queries of the tree.
+    long walks = 0;    ///< Walks over neighbours.
+    long steps = 0;    ///< Edges crossed by walks.
+    long lost = 0;     ///< Walks that found no intersection.
   };
 
   /// `X`: points at rest, 3 x n [m]; `triangles`: 3 x m, outward, m > 0.
@@ -38,14 +37,14 @@ class SegmentTracker {
   SegmentTracker(const SegmentTracker&) = delete;
   SegmentTracker& operator=(const SegmentTracker&) = delete;
 
-  /// Fits the tree to the surface at x, 3 x n [m].
+  /// Updates the tree to positions x, 3 x n [m].
   void fit(const Points& x);
-  /// All crossings with the surface at x, to which the tree was fitted, by `part`, and of one place
-  /// by triangle. On an edge or a vertex every triangle there has one.
+  /// Finds all intersections at x, sorted by `part`, then by triangle. Every triangle at an edge or
+  /// vertex has one.
+  /// @pre fit(x).
   void find(const Points& x, const Vec3& begin, const Vec3& end, std::vector<SegmentHit>* hits);
-  /// Where the line through the segment crosses the surface at x, as neighbours of `triangle` lead
-  /// to it; `part` is below 0 or above 1 beyond the ends. None if the line passes the surface there
-  /// or the surface turns away on the way.
+  /// Follows the intersection of the segment's line from `triangle` over neighbours at x; `part` is
+  /// outside [0, 1] beyond the ends. None where the line misses the surface or the walk leaves it.
   std::optional<SegmentHit> walk(const Points& x, const Vec3& begin, const Vec3& end, int triangle);
 
   const Counts& counts() const { return counts_; }
@@ -54,7 +53,7 @@ class SegmentTracker {
  private:
   struct Tree;
   const Eigen::Matrix3Xi triangles_;
-  Eigen::Matrix3Xi beside_;  // beyond the edge from corner k to the next; -1: not one triangle
+  Eigen::Matrix3Xi neighbours_;  // across the edge from corner k to the next; -1: none or several
   std::unique_ptr<Tree> tree_;
   Counts counts_;
 };

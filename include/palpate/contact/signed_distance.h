@@ -6,41 +6,38 @@
 
 namespace palpate::contact {
 
-/// Signed distance to a shape at a point, with its derivatives, in the shape's frame G.
+/// Signed distance of a point from a shape, with derivatives, in the shape's frame G.
 struct Distance {
   double value;    ///< [m], negative inside.
   Vec3 normal_G;   ///< Direction of the gradient, unit, outward.
   Mat3 hessian_G;  ///< Second derivative [1/m]; zero where the nearest feature is a plane.
-  /// Length of the gradient: 1, but for a sampled surface, where the nearest point changes, less.
+  /// Norm of the gradient [-]; less than 1 on a sampled surface where the nearest point changes.
   double steepness = 1.0;
 };
 
-/// Signed distance of the point `p_G` [m] to the shape. At points where it has no gradient (a
-/// sphere's centre, a capsule's axis, a box's medial planes) one of the nearest normals is taken,
-/// always the same one, so that a contact is never lost there. (The gradient of a sampled surface
-/// vanishes there.) A point that is not a number has the
-/// value NaN.
+/// Signed distance of the point `p_G` [m] to the shape. Where the gradient does not exist (a
+/// sphere's centre, a capsule's axis, a box's medial planes) the normal is a fixed one of the
+/// nearest. The gradient of a sampled surface vanishes there. NaN for a point that is not finite.
 Distance signedDistance(const instrument::Geometry& geometry, const Vec3& p_G);
 
-/// The value only; the same bits as signedDistance().value.
+/// The value alone, bitwise equal to signedDistance().value.
 double signedDistanceValue(const instrument::Geometry& geometry, const Vec3& p_G);
 
 /// Radius of the smallest ball about the shape's origin that holds the shape [m].
 double boundingRadius(const instrument::Geometry& geometry);
 
-/// Radius of the largest ball that fits into the shape [m] (for a hull, a lower bound): a tool
-/// that moves by less than this in one go cannot jump over a point.
+/// Radius of the largest ball inside the shape [m]; for a hull a lower bound. A tool that moves by
+/// less does not pass over a point.
 double inscribedRadius(const instrument::Geometry& geometry);
 
-/// By how much a signed distance may be off [m]: zero, but for a sampled surface.
+/// Error bound of the signed distance [m]; zero except for a sampled surface.
 double distanceError(const instrument::Geometry& geometry);
 
-/// Upper bound of the way [m] that any point of the shape goes between two poses of its frame.
+/// Upper bound of the displacement of any point of the shape between two poses [m].
 double sweepLength(const instrument::Geometry& geometry, const Pose& X_WG_begin,
                    const Pose& X_WG_end);
 
-/// The pose a fraction `s` in [0, 1] of the way from `begin` to `end`: position linear, rotation
-/// along the great arc.
+/// Pose at fraction `s` in [0, 1] from `begin` to `end`: linear position, slerp of the rotation.
 Pose interpolate(const Pose& begin, const Pose& end, double s);
 
 }  // namespace palpate::contact

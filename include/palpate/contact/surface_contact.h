@@ -11,26 +11,26 @@ namespace palpate::contact {
 
 class ContactSurface;
 
-/// What is worth knowing of a surface once: `X` 3 x n, the body's points at rest [m], `triangles`
-/// 3 x m, outward.
+/// Precomputes contact data of a surface: `X`, rest positions, 3 x n [m]; `triangles`, 3 x m,
+/// outward.
 std::shared_ptr<const ContactSurface> makeContactSurface(const Points& X,
                                                          const Eigen::Matrix3Xi& triangles);
-/// Whether it is that of these.
+/// Whether `surface` was made of `X` and `triangles`.
 bool isOf(const ContactSurface& surface, const Points& X, const Eigen::Matrix3Xi& triangles);
 
-/// Contact without friction of two soft surfaces, or of one with itself: an energy of the points of
-/// a and then of b, 3 x n [m]. Samples of each surface, on a lattice of its triangles, feel the
-/// other one; each for half of its area, so that both are treated alike:
+/// Frictionless contact of two soft surfaces, or of one with itself: an energy of the points of a,
+/// then of b, 3 x n [m]. Samples of each surface touch the other one, each with half its area, so
+/// that both surfaces are treated alike:
 ///
 ///   sum over samples  area / 2  psi(-g - o),
 ///
 /// g being the signed distance of the sample from the nearest point of the other surface, negative
-/// inside, and psi the energy of Penalty, whose radius is half of the other body's thickness. What
-/// overlaps at rest by o >= 0 does not press for that. The gradient is exact, so the forces have no
-/// sum and no moment.
+/// inside, and psi the energy of Penalty, whose radius is half of the other body's thickness. An
+/// overlap o >= 0 at rest exerts no pressure. The gradient is exact, so forces and moments sum to
+/// zero.
 ///
-/// Against itself a sample feels only what was farther from it at rest than two of the surface's
-/// mean edges are long, and only up to one of them, or half of the body's thickness, deep.
+/// In self-contact a sample touches only triangles farther at rest than two mean edges, up to a
+/// depth of one mean edge or half the body's thickness.
 class SurfaceContact final : public fem::EnergyTerm {
  public:
   /// `b` null: of `a` with itself.
@@ -40,22 +40,21 @@ class SurfaceContact final : public fem::EnergyTerm {
   SurfaceContact(const SurfaceContact&) = delete;
   SurfaceContact& operator=(const SurfaceContact&) = delete;
 
-  /// Finds the samples that may be inside while no point goes farther from x than `way` [m]. What
-  /// is deeper inside already than half a mean edge of the other surface, or one if that body's
-  /// radius is no less, is not found.
+  /// Finds candidates while no point moves farther from x than `way` [m]. Samples already deeper
+  /// than half a mean edge of the other surface (one, in a thick body) are left out.
   void search(const Points& x, double way);
-  /// Whether all points are that near.
+  /// Whether no point has moved farther than `way` since search().
   bool holds(const Points& x) const;
-  /// Samples that the last search found.
+  /// Number of candidates of the last search().
   int numCandidates() const;
-  /// Samples that press at x, and the deepest one's penetration [m].
+  /// Number of samples in contact at x, and the largest penetration [m].
   int numTouches(const Points& x, double* deepest) const;
 
   double value(const Points& x) const override;
   double addGradient(const Points& x, Points* g) const override;
   void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
-  /// No sample may go deeper than half of what is left to the other body's middle, and no point
-  /// farther at once than the last search's way.
+  /// Limits a step: no sample goes more than half-way to the other body's middle, no point farther
+  /// than `way` of the last search().
   double maxStep(const Points& x, const Points& d) const override;
 
  private:

@@ -9,23 +9,23 @@
 
 namespace palpate::contact {
 
-/// A material point of the tissue surface that feels contact: p = sum_k weights[k] x[nodes[k]] +
-/// offset.
+/// A material point of the tissue surface at which contact is evaluated:
+/// p = sum_k weights[k] x[nodes[k]] + offset.
 struct SurfaceSample {
-  Eigen::Vector3i nodes;  ///< Corners of a surface triangle that carries the point.
+  Eigen::Vector3i nodes;  ///< Corners of the surface triangle with the point.
   Vec3 weights;           ///< Barycentric, >= 0, sum 1.
-  double area;            ///< Rest area that it stands for [m^2]; all samples: the whole surface.
-  /// From that point to where it is felt, in the world [m]: of a surface that is finer than the
-  /// triangles that carry it.
+  double area;  ///< Rest area of the sample [m^2]; the sum over samples is that of the surface.
+  /// Offset from the triangle to the contact point, world [m]; for a surface finer than the
+  /// triangles.
   Vec3 offset = Vec3::Zero();
 
   Vec3 position(const Points& x) const { return of(x) + offset; }
-  /// Of the nodes' d, 3 x n, what it is at the sample.
+  /// Nodal vectors `d`, 3 x n, interpolated to the sample.
   Vec3 of(const Points& d) const {
     return weights[0] * d.col(nodes[0]) + weights[1] * d.col(nodes[1]) +
            weights[2] * d.col(nodes[2]);
   }
-  /// Of the triangle [m].
+  /// Mean edge length of the sample's triangle at x [m].
   double meanEdge(const Points& x) const {
     double sum = 0.0;
     for (int k = 0; k < 3; ++k) sum += (x.col(nodes[(k + 1) % 3]) - x.col(nodes[k])).norm();
@@ -41,18 +41,18 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sampleSurface(const Points& X, const Eigen::Matrix3Xi& triangles,
                                          double spacing);
 
-/// How far apart samples are [m]: what is thick need not meet as many as a thin tool does.
+/// Largest distances of neighbouring samples [m]; the anatomy may have coarser ones than tools.
 struct SampleSpacing {
   SampleSpacing(double all = 0.0) : instruments(all) {}  // NOLINT(google-explicit-constructor)
 
-  /// Of samples that meet both.
+  /// Spacing of samples for both [m].
   double finest() const { return anatomy > 0.0 ? std::min(instruments, anatomy) : instruments; }
 
   double instruments;
-  double anatomy = 0.0;  ///< Where the anatomy meets samples of its own; 0: those of instruments.
+  double anatomy = 0.0;  ///< Spacing of samples for the anatomy [m]; 0: those of instruments serve.
 };
 
-/// Into how many parts an edge is parted.
+/// Number of parts of an edge of `length` [m].
 int sampleDivisions(double length, double spacing);
 
 constexpr int kLeastDivisions = 3;

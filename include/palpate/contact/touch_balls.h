@@ -8,18 +8,18 @@
 
 namespace palpate::contact {
 
-/// A ball with which a shape touches something rigid; a point of its surface if the radius is 0.
+/// A ball of a shape for contact with a rigid surface; a surface point where the radius is 0.
 struct TouchBall {
-  Vec3 center_G;  ///< In the shape's frame [m].
+  Vec3 center_G;  ///< Centre in the shape's frame [m].
   double radius;  ///< [m]
 };
 
-/// Balls that stand for the shape's surface: of a sphere itself, of a capsule those along its axis,
-/// of others points of their surface, all their corners among them. Neighbours are at most a part
-/// kBallSpacing of the shape's size apart (contact::sampleSurface()).
+/// Balls that represent a shape's surface: a sphere itself, balls along a capsule's axis, points of
+/// other surfaces with all corners. Neighbours are at most kBallSpacing of the shape's size apart
+/// (contact::sampleSurface()).
 std::vector<TouchBall> touchBalls(const instrument::Geometry& geometry);
 
-/// Of the diagonal of the box around the shape.
+/// Largest ball spacing, as a fraction of the diagonal of the shape's bounding box [-].
 constexpr double kBallSpacing = 0.04;
 
 }  // namespace palpate::contact

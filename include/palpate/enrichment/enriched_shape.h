@@ -7,7 +7,7 @@
 
 #include "palpate/enrichment/deformations.h"
 #include "palpate/enrichment/kernel_regressor.h"
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 
 namespace palpate::enrichment {
 
@@ -50,7 +50,7 @@ class EnrichedShape {
   const std::vector<int>& orderOf(const std::vector<std::vector<int>>& orders, int contact) const;
 
   FeatureSettings settings_;
-  std::vector<mesh::FacePlace> places_;                        // of fine points on the coarse
+  std::vector<mesh::SurfacePoint> places_;                     // of fine points on the coarse
   std::vector<std::vector<int>> coarse_orders_, fine_orders_;  // by contact, or one for all
   Eigen::MatrixXd learned_;                                    // 3n x k, ordered
   double spread_ = 0.0;

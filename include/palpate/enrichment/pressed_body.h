@@ -8,7 +8,7 @@
 #include "palpate/fem/elasticity.h"
 #include "palpate/fem/loads.h"
 #include "palpate/fem/supports.h"
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 #include "palpate/mesh/tet_mesh.h"
 #include "palpate/solver/potential.h"
 #include "palpate/solver/static_solver.h"
@@ -45,7 +45,7 @@ class PressedBody {
   mesh::TetMesh mesh_;
   mesh::SurfaceMesh boundary_;
   Eigen::VectorXd areas_;  // of points of the boundary [m^2]
-  std::vector<mesh::FacePlace> places_;
+  std::vector<mesh::SurfacePoint> places_;
   double patch_;
   std::unique_ptr<fem::Elasticity> elasticity_;
   fem::DeadLoad load_;

@@ -56,22 +56,22 @@ class Stiffness {
 
   /// Where the nodes are of somebody who adds and knows one body of several, or two: his node i is
   /// `first` + i, and from `split` on `second` + i - split.
-  struct Place {
+  struct NodeMap {
     int first = 0, split = std::numeric_limits<int>::max(), second = 0;
 
     int of(int i) const { return i < split ? first + i : second + i - split; }
   };
   /// Of all that is added from here on.
-  void setPlace(const Place& place) { place_ = place; }
+  void setNodeMap(const NodeMap& node_map) { node_map_ = node_map; }
   /// += w I on the diagonal block of node i.
   void addToDiagonal(int i, double w) {
-    blocks_.block(blocks_.diagonal(place_.of(i))).diagonal().array() += w;
+    blocks_.block(blocks_.diagonal(node_map_.of(i))).diagonal().array() += w;
   }
   /// += M on block (i, j), which becomes one of the couplings where the pattern has none; add its
   /// transpose to (j, i), too.
   void add(int i, int j, const Mat3& M) {
-    i = place_.of(i);
-    j = place_.of(j);
+    i = node_map_.of(i);
+    j = node_map_.of(j);
     const int slot = blocks_.find(i, j);
     if (slot < 0) return couplings_.add(i, j, M);
     blocks_.addTo(slot, i, j, M);
@@ -81,7 +81,7 @@ class Stiffness {
            const Eigen::Ref<const Eigen::MatrixXd>& H);
   /// += c a a^T, c > 0, `a` 3 x k over `nodes`, k of them.
   void addRankOne(const std::vector<int>& nodes, const Points& a, double c) {
-    for (int& i : rank_ones_.add(nodes, a, c).nodes) i = place_.of(i);
+    for (int& i : rank_ones_.add(nodes, a, c).nodes) i = node_map_.of(i);
   }
   /// += H of the point sum_a weights[a] x[nodes[a]]: weights[a] weights[b] H between each two.
   template <int k>
@@ -127,7 +127,7 @@ class Stiffness {
   BlockMatrix blocks_;
   VolumeStiffness volume_;
   Couplings couplings_;
-  Place place_;
+  NodeMap node_map_;
   RankOnes rank_ones_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace palpate::haptics {
 
-/// A wrench at the control frame's origin, expressed in world, in the axes of the control frame.
+/// Rotates a wrench about the control frame's origin from world axes to control frame axes.
 inline Wrench bodyWrench(const Wrench& spatial, const Mat3& R_WC) {
   const Mat3 R_CW = R_WC.transpose();
   return {R_CW * spatial.force, R_CW * spatial.torque};

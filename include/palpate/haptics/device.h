@@ -3,33 +3,33 @@
 
 namespace palpate::haptics {
 
-/// What a loop through a haptic device has to know of it to be stable.
+/// Dynamics of a haptic device, for stability of the force loop.
 struct DeviceSettings {
-  double mass = 0.045;   ///< Apparent at the handle, without the hand [kg].
-  double damping = 0.0;  ///< Of its own at the handle [N s/m].
-  double delay = 0.0;    ///< From a pose to the force that answers it, beside the ticks [s].
-  double rate = 1.0e3;   ///< Poses and forces that it handles each second [Hz].
+  double mass = 0.045;   ///< Apparent mass at the handle, without the hand [kg].
+  double damping = 0.0;  ///< Damping at the handle [N s/m].
+  double delay = 0.0;    ///< Delay from a pose to the force for it, without the loop's ticks [s].
+  double rate = 1.0e3;   ///< Rate of poses and forces [Hz].
 };
 
-/// What such a device can render, in a program that sends a force each `tick` [s].
+/// Limits of what a device renders stably, with a force sent each `tick` [s].
 class DeviceLimits {
  public:
   /// @throws std::invalid_argument if mass, rate or tick is not > 0, or another value is negative.
   DeviceLimits(const DeviceSettings& device, double tick);
 
-  /// From where the hand is to the middle of the tick with the force for it [s].
+  /// Delay from a hand pose to the middle of the tick with its force [s].
   double delay() const { return delay_; }
 
-  /// Stiffest spring that comes to rest in whatever hand [N/m]: one whose delay the device's own
-  /// damping pays for, b >= K delay [Colgate, Schenkel 1997], twice; or one that the mass makes so
-  /// slow that a force for where the hand will be (`lead`) stays in phase.
+  /// Largest spring stiffness K that is stable with any hand [N/m]: b >= K delay with the device's
+  /// damping b and a factor of safety of 2 [Colgate, Schenkel 1997]; or one slow enough by the mass
+  /// that a force predicted by `lead` stays in phase.
   double maxStiffness() const;
 
-  /// Damper that does not push the mass over, for it is late itself [N s/m].
+  /// Largest damping that is stable in spite of its own delay [N s/m].
   double maxDamping() const;
 
-  /// How far ahead of a pose to ask for the force of a spring K [N/m], so that it is right when it
-  /// arrives, and beyond where the device's own damping would leave it swinging [s].
+  /// Prediction time for the force of a spring K [N/m] [s]: compensates the delay, and more where
+  /// the device's damping alone would let the spring oscillate.
   double lead(double K) const;
 
  private:

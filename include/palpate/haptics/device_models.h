@@ -6,22 +6,22 @@
 
 namespace palpate::haptics {
 
-/// What a haptic device on the market sustains.
+/// Continuous force and torque of a commercial haptic device.
 struct DeviceModel {
-  std::string name;         ///< In scene files.
+  std::string name;         ///< Name in scene files.
   std::string title;        ///< Maker and product.
-  double max_force = 0.0;   ///< [N]; 0: not known, or none.
-  double max_torque = 0.0;  ///< [N m]; likewise.
-  std::string source;       ///< Of both.
+  double max_force = 0.0;   ///< Continuous force [N]; 0: unknown or none.
+  double max_torque = 0.0;  ///< Continuous torque [N m]; 0: unknown or none.
+  std::string source;       ///< Source of both values.
 };
 
-/// All that are known, "other" first: one of which nothing is.
+/// All device models; the first, "other", has no data.
 const std::vector<DeviceModel>& deviceModels();
 std::vector<std::string> deviceModelNames();
-/// @throws std::invalid_argument if there is none of that name.
+/// @throws std::invalid_argument for an unknown name.
 const DeviceModel& deviceModel(const std::string& name);
 
-/// docs/devices.md, from that list.
+/// The page docs/devices.md, made from deviceModels().
 std::string devicesMarkdown();
 
 }  // namespace palpate::haptics

@@ -8,23 +8,23 @@
 
 namespace palpate::haptics {
 
-/// What one hand has to feel at a tick of the force loop. Plain numbers.
+/// Input of a tick of the force loop for one hand, without pointers.
 struct RenderTarget {
-  bool live = false;               ///< Else what is felt fades.
-  RenderedContact contact;         ///< Of the newest solve.
-  Vec3 coupling_W = Vec3::Zero();  ///< What draws it to a tool that could not follow [N].
+  bool live = false;               ///< False: the force fades out.
+  RenderedContact contact;         ///< Contact of the newest solve.
+  Vec3 coupling_W = Vec3::Zero();  ///< Coupling force towards a tool that lags behind, world [N].
 };
 
-/// From the newest solve to the force that is sent, once a tick: the local model for where the hand
-/// will be when the force arrives, the passivity controller, the limits. No clock, no allocation.
+/// Computes the force for the device, once a tick: local contact model at the predicted hand
+/// position, passivity controller, limits. Reads no clock, allocates nothing.
 class ForceRenderer {
  public:
   ForceRenderer(const WrenchFilterSettings& filter, const PassivitySettings& passivity,
                 const DeviceSettings& device, double tick);
 
-  /// A tick of `dt` > 0 [s] begins with the hand at `p_hand` [m].
+  /// Computes a tick of `dt` > 0 [s] with the hand at `p_hand`, world [m].
   const Wrench& update(const RenderTarget& target, const Vec3& p_hand, double dt);
-  /// The same where nobody knows where the hand is: what is felt fades.
+  /// The same with an unknown hand position: the force fades out.
   const Wrench& fade(double dt);
 
   const Wrench& output() const { return filter_.output(); }

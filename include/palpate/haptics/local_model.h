@@ -5,38 +5,37 @@
 
 namespace palpate::haptics {
 
-/// What a tool feels near the pose of the last solve, to first order and one-sided: for who asks
-/// more often than the simulation can answer. Plain numbers.
+/// Local contact model: first-order, unilateral wrench near the pose of the last solve, for rates
+/// above that of the simulation. Has no pointers.
 struct ContactModel {
-  Vec3 p_W = Vec3::Zero();          ///< Control frame's origin for which it was solved [m].
-  Wrench wrench;                    ///< There, about that origin, in world.
+  Vec3 p_W = Vec3::Zero();          ///< Origin of the control frame in the last solve, world [m].
+  Wrench wrench;                    ///< Wrench at p_W about p_W, world [N], [N m].
   Mat3 stiffness_W = Mat3::Zero();  ///< -d force / d p_W [N/m], symmetric, >= 0.
 
-  double reach = 5.0e-3;  ///< [m] motions beyond it change the force no further.
+  double reach = 5.0e-3;  ///< Largest displacement from p_W that changes the force [m].
 
-  /// The wrench with the origin at `p` [m], the tool not turned: the force follows the stiffness
-  /// and never draws the tool into the tissue, the torque keeps its arm.
+  /// Wrench for the origin at `p`, world [m], without rotation. The force is linear in the
+  /// displacement and never pulls into the tissue; the torque keeps its lever arm.
   Wrench at(const Vec3& p) const;
 };
 
 struct LocalModelSettings {
-  double max_stiffness = 1.0e5;  ///< Of the tissue [N/m].
-  double noise = 2.0e-5;         ///< A motion of this [m] tells half of what a long one does,
-  double force_noise = 0.1;      ///< or one that should change the force by this [N].
+  double max_stiffness = 1.0e5;  ///< Bound of the estimated tissue stiffness [N/m].
+  double noise = 2.0e-5;     ///< A displacement of this length [m] halves the weight of an update,
+  double force_noise = 0.1;  ///< as does an expected force change of this size [N].
 };
 
-/// Learns the stiffness that a tool feels from the solves themselves, whatever model of tissue made
-/// them: by a symmetric secant update along each motion [Powell 1970].
-/// It costs the simulation nothing. No clock, no allocation.
+/// Estimates the stiffness at a tool from successive solves of any tissue model, by a symmetric
+/// secant update along each displacement [Powell 1970]. Reads no clock, allocates nothing.
 class LocalModel {
  public:
   explicit LocalModel(const LocalModelSettings& settings = {}) : settings_(settings) {}
 
-  /// A solve with the control frame's origin at `p_W` [m] gave this wrench. A contact that was lost
-  /// is expected to begin again where it ended, while the tool is near and nothing speaks against
-  /// it; another is at least as stiff as if it had begun where the tool was.
+  /// Updates the model by a solve with the origin at `p_W`, world [m]. A lost contact is expected
+  /// to begin again where it ended while the tool is near. A new contact is at least as stiff as
+  /// one that began at the last position.
   const ContactModel& observe(const Vec3& p_W, const Wrench& wrench);
-  /// The tool was lost, or the scene is another one.
+  /// Clears the model: the tool was lost or the scene has changed.
   void forget();
   const ContactModel& model() const { return model_; }
 
@@ -46,9 +45,9 @@ class LocalModel {
 
   LocalModelSettings settings_;
   ContactModel model_;
-  bool known_ = false;          // there is a last solve to compare with
-  bool expected_ = false;       // the model is of a contact that may come again
-  double doubt_ = 0.0;          // how much deeper a contact is expected when it did not come [m]
+  bool known_ = false;          // whether p_last_ is of a solve
+  bool expected_ = false;       // whether the model is of an expected contact
+  double doubt_ = 0.0;          // depth by which an expected contact was shifted [m]
   Vec3 p_last_ = Vec3::Zero();  // of the last solve [m]
 };
 

@@ -8,30 +8,28 @@
 namespace palpate::haptics {
 
 struct PassivitySettings {
-  double max_damping = 2.0;  ///< What the controller may add [N s/m]; 0: it only observes.
+  double max_damping = 2.0;  ///< Largest added damping [N s/m]; 0: observer only.
 };
 
-/// Watches the energy that goes through the wrench port of one instrument, and takes back what
-/// comes out and never went in, by damping while the tool touches [Hannaford, Ryu 2002]. Energy
-/// is that of what was sent, along what the device reports: sum f . dp. What it reports now has
-/// felt what was sent a delay ago. No clock.
+/// Passivity observer and controller of one instrument: damping dissipates energy that the port has
+/// generated, while the tool touches [Hannaford, Ryu 2002]. The energy is sum f . dp of forces sent
+/// one delay ago and positions reported now. Reads no clock.
 class PassivityController {
  public:
-  static constexpr double kLongestDelay = 0.1;  ///< A longer one counts as this [s].
+  static constexpr double kLongestDelay = 0.1;  ///< Upper bound of the delay [s].
 
-  /// `delay`: from a force sent to the pose heard that has felt it [s].
+  /// `delay`: from a sent force to the first reported pose under that force [s].
   /// @throws std::invalid_argument if a setting or the delay is not finite and >= 0.
   explicit PassivityController(const PassivitySettings& settings = {}, double delay = 0.0);
 
-  /// A tick of `dt` > 0 [s] begins with the device reporting `p` [m], where it goes with `v` [m/s],
-  /// after `sent` [N] was sent until now; `force` is to be sent next. Returns what to add to it
-  /// [N].
+  /// Computes a tick of `dt` > 0 [s]. `p` [m], `v` [m/s]: reported motion; `sent`: last force [N];
+  /// `force`: next force [N]. Returns the damping force to add [N].
   Vec3 update(const Vec3& p, const Vec3& v, const Vec3& sent, const Vec3& force, double dt);
 
-  /// The most that came out unpaid, and what the controller took back, since construction [J].
+  /// Largest generated energy, and energy dissipated by the controller, since construction [J].
   double largestOut() const { return largest_; }
   double dissipated() const { return dissipated_; }
-  double damping() const { return damping_; }  ///< Of the last tick [N s/m].
+  double damping() const { return damping_; }  ///< Damping of the last tick [N s/m].
 
  private:
   struct Sent {

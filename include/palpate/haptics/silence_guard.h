@@ -6,16 +6,16 @@
 
 namespace palpate::haptics {
 
-/// Stands between who computes a wrench and the device: what is heard goes on within limits, and
-/// where nothing is heard any more the last wrench goes to zero and stays there; who is heard again
-/// comes back by the same ramp. No clock: the caller says how much time passed since the last call.
+/// Watchdog between the source of a wrench and the device: received wrenches pass within limits,
+/// and without any the last one ramps to zero. It ramps back when the source returns. Reads no
+/// clock: `dt` [s] is the time since the last call.
 class SilenceGuard {
  public:
-  /// `patience`: so long a silence is none yet [s]; `limits.ramp`: from there to zero, and back.
+  /// `patience`: silence before the ramp begins [s]; `limits.ramp`: duration of the ramp [s].
   SilenceGuard(double patience, const WrenchFilterSettings& limits)
       : patience_(patience), filter_(limits) {}
 
-  /// A wrench was heard; false: it is not finite, and counts as silence.
+  /// Takes a received wrench. Returns false where it is not finite, which counts as silence.
   bool hear(const Wrench& wrench, double dt) {
     if (!wrench.allFinite()) {
       silence_ += dt;
@@ -25,7 +25,7 @@ class SilenceGuard {
     update(wrench, true, held_ + dt);
     return true;
   }
-  /// Nothing was heard. Whether it is time to speak for who fell silent.
+  /// No wrench was received. Returns true where output() must be sent instead.
   bool pass(double dt) {
     silence_ += dt;
     held_ += dt;
@@ -34,7 +34,7 @@ class SilenceGuard {
     return true;
   }
   bool silent() const { return silence_ > patience_; }
-  /// What the device is to have now.
+  /// Wrench for the device now.
   const Wrench& output() const { return filter_.output(); }
 
  private:

@@ -5,38 +5,37 @@
 
 namespace palpate::haptics {
 
-/// A hand that holds a haptic device: what a loop is tested against.
+/// Parameters of a simulated hand on a haptic device, for tests of the force loop.
 struct HandSettings {
-  double mass = 0.1;              ///< Of the device as it is felt, and of the hand with it [kg].
+  double mass = 0.1;              ///< Apparent mass of device and hand [kg].
   double device_damping = 0.2;    ///< [N s/m]
-  double grip_stiffness = 100.0;  ///< Between where the hand means to be and where it is [N/m].
+  double grip_stiffness = 100.0;  ///< Stiffness between intended and present position [N/m].
   double grip_damping = 1.0;      ///< [N s/m]
-  double resolution = 5.5e-5;     ///< Of the measured position [m]; 0: exact.
-  double guide_stiffness = 0.0;   ///< More of the grip across z: of one that leans down [N/m],
-  double guide_damping = 0.0;     ///< [N s/m]
+  double resolution = 5.5e-5;     ///< Resolution of the measured position [m]; 0: exact.
+  double guide_stiffness = 0.0;  ///< Additional grip stiffness across z, of a supported hand [N/m],
+  double guide_damping = 0.0;    ///< [N s/m]
 };
 
-/// A mass that springs and dampers draw to where the hand means to be, and the rendered force
-/// away from there: m a = k (p_meant - p) + b (v_meant - v) - c v + F, F held over a tick and
-/// solved by short steps. No clock.
+/// A mass on springs and dampers towards the intended position, under the rendered force:
+/// m a = k (p_meant - p) + b (v_meant - v) - c v + F, with F constant over a tick. Reads no clock.
 class SimulatedHand {
  public:
   /// @throws std::invalid_argument for a mass that is not > 0, or another value < 0.
   SimulatedHand(const HandSettings& settings, const Vec3& position);
 
-  /// A tick of `dt` [s] with the hand meaning to be at `meant` [m], where it goes on with `meant_v`
-  /// [m/s], while the device renders `force` and something else pushes with `push` [N].
+  /// Simulates a tick of `dt` [s]. `meant` [m], `meant_v` [m/s]: intended motion; `force`: rendered
+  /// force [N]; `push`: another external force [N].
   void tick(const Vec3& meant, const Vec3& meant_v, const Vec3& force, const Vec3& push, double dt);
 
-  /// It is at `p` [m], whatever it feels, with `v` [m/s].
-  void place(const Vec3& p, const Vec3& v) {
+  /// Sets position `p` [m] and velocity `v` [m/s].
+  void setState(const Vec3& p, const Vec3& v) {
     p_ = p;
     v_ = v;
   }
 
   const Vec3& position() const { return p_; }  ///< [m]
   const Vec3& velocity() const { return v_; }  ///< [m/s]
-  /// As the device's encoders say it.
+  /// Position as the device's encoders measure it [m].
   Vec3 measured() const;
 
  private:

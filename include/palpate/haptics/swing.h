@@ -7,8 +7,8 @@
 
 namespace palpate::haptics {
 
-/// How far something goes back and forth: along each axis the smaller of its longest rise and its
-/// longest fall, so that what only creeps one way does not count.
+/// Amplitude of an oscillation: along each axis the smaller of longest rise and longest fall.
+/// Monotonic drift does not count.
 class Swing {
  public:
   void add(const Vec3& p) {
@@ -19,8 +19,10 @@ class Swing {
     rise_ = rise_.cwiseMax(p - low_);
     fall_ = fall_.cwiseMax(high_ - p);
   }
-  double length() const { return rise_.cwiseMin(fall_).norm(); }  ///< As added, [m].
-  /// Between its farthest places, creep and all.
+  double length() const {
+    return rise_.cwiseMin(fall_).norm();
+  }  ///< Norm over the axes, in the unit of add() [m].
+  /// Diagonal of the bounding box of all points, with drift.
   double range() const { return (high_ - low_).norm(); }
 
  private:

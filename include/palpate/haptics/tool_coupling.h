@@ -5,14 +5,14 @@
 
 namespace palpate::haptics {
 
-/// What is felt of a proxy that is elsewhere than the hand.
+/// Coupling of a hand and its proxy.
 struct CouplingSettings {
   double coupling_stiffness = 100.0;  ///< [N/m]
-  double coupling_force = 2.0;        ///< Never more [N].
+  double coupling_force = 2.0;        ///< Bound of the coupling force [N].
 };
 
-/// Force on the hand at `p_hand` from its proxy at `p_proxy`, both in world [m]: a spring, limited
-/// [N]. Nothing where both are at one place, as in all but the fastest motions.
+/// Force on the hand at `p_hand` from its proxy at `p_proxy`, world [m]: a spring, limited [N].
+/// Zero where both coincide, as in all but the fastest motions.
 Vec3 couplingForce(const CouplingSettings& settings, const Vec3& p_hand, const Vec3& p_proxy);
 
 }  // namespace palpate::haptics

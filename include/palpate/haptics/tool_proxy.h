@@ -9,41 +9,40 @@
 
 namespace palpate::haptics {
 
-/// How fast a tool may be moved by what commands it.
+/// Motion limits of a tool proxy.
 struct ProxySettings {
-  double max_speed = 1.0;                  ///< Of the control frame's origin [m/s].
+  double max_speed = 1.0;                  ///< Speed of the control frame's origin [m/s].
   double max_acceleration = 100.0;         ///< [m/s^2]
-  double max_angular_speed = 15.0;         ///< Of the tool, and of links to one another [rad/s].
+  double max_angular_speed = 15.0;         ///< Of the tool, and between links [rad/s].
   double max_angular_acceleration = 1500;  ///< [rad/s^2]
 };
 
-/// The tool that tissue feels, between cycles of the simulation: it goes where it is commanded to,
-/// but never by a jump. While the command stays within the limits the tool is where it is
-/// commanded, bit for bit. A tool that is not there yet, or is there again after its input was
-/// lost, comes when it is commanded to a pose where it touches nothing. No clock, no allocation
-/// once it has been there: the caller says how long a cycle is.
+/// Pose of a tool in the simulation: follows the commanded pose within limits of speed and
+/// acceleration, and equals it bitwise within these. A tool appears, at first or after a loss of
+/// its input, only at a commanded pose where it touches nothing. Reads no clock; allocates only
+/// when it first appears.
 class ToolProxy {
  public:
   using LinkPoses = std::vector<Pose>;  ///< X_WL of all links of the tool.
   using Free = std::function<bool(const LinkPoses&)>;
 
-  /// `links`: those that can touch, which keep the limits to one another too.
+  /// `links`: links with collision shapes; relative motion of these is limited too.
   /// @throws std::invalid_argument if a limit is not finite and > 0.
   ToolProxy(const ProxySettings& settings, std::size_t control_link,
             std::vector<std::size_t> links);
 
-  /// A cycle of `dt` [s] in which the tool is commanded to these poses; `is_free`: whether it would
-  /// touch nothing there. Returns whether it is there.
+  /// Simulates a cycle of `dt` [s] with commanded poses; `is_free`: whether poses touch nothing.
+  /// Returns whether the tool is present.
   bool follow(const LinkPoses& commanded, double dt, const Free& is_free);
-  /// No command: the tool is not there.
+  /// Removes the tool: no command.
   void leave();
-  /// It is there, at rest.
-  void place(const LinkPoses& poses);
+  /// Puts the tool at these poses, at rest.
+  void startAt(const LinkPoses& poses);
 
   bool there() const { return !poses_.empty(); }
-  /// Commanded in vain: it would touch something.
+  /// Whether a commanded tool is absent because it would touch something.
   bool waiting() const { return waiting_; }
-  /// Where it is; empty if it is not there.
+  /// Poses of the links; empty while the tool is absent.
   const LinkPoses& poses() const { return poses_; }
 
   void save(StateWriter* out) const;

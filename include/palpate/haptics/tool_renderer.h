@@ -8,18 +8,18 @@
 
 namespace palpate::haptics {
 
-/// The simulation's side of one hand: from the hand to where its tool is to go, and from a solve to
-/// what the force loop renders (ForceRenderer) until the next. No clock, no allocation.
+/// Simulation side of one hand: target of the tool from the hand position, and RenderTarget of the
+/// force loop from a solve. Reads no clock, allocates nothing.
 class ToolRenderer {
  public:
   ToolRenderer(const CouplingSettings& coupling, const DeviceSettings& device, double tick)
       : coupling_settings_(coupling), virtual_coupling_(device, tick) {}
 
-  /// Where the tool is to go, with the hand at `p_hand`, both in world [m].
+  /// Target of the tool for the hand at `p_hand`, both world [m].
   Vec3 target(const Vec3& p_hand) { return virtual_coupling_.target(p_hand); }
 
-  /// A solve `dt` [s] after the last: the tool was to be at `p_target`, was at `p_tool` [m] and
-  /// felt `wrench`.
+  /// Takes a solve `dt` [s] after the last, with the tool's target `p_target`, position `p_tool`,
+  /// both world [m], and `wrench` at p_tool.
   const RenderTarget& observe(const Vec3& p_target, const Vec3& p_tool, const Wrench& wrench,
                               double dt) {
     const ContactModel& tool = local_.observe(p_tool, wrench);
@@ -32,13 +32,13 @@ class ToolRenderer {
     return render_;
   }
 
-  /// Nobody knows what the tool feels, which is there: what it felt fades.
+  /// Fades the force of a present tool with an unknown wrench.
   const RenderTarget& fade() {
     render_.live = false;
     return render_;
   }
 
-  /// There is no tool. What it felt fades, and is forgotten.
+  /// The tool is absent: fades the force and clears the models.
   const RenderTarget& lose() {
     local_.forget();
     virtual_coupling_.forget();

@@ -7,21 +7,20 @@
 
 namespace palpate::haptics {
 
-/// How fast a device goes, from positions that its encoders quantise and that may come more seldom
-/// than they are asked for: differences between changes, through a first-order low-pass. A leap is
-/// no velocity. No clock.
+/// Velocity of a device from quantised positions, which may change less often than ticks:
+/// differences between changes with a first-order low-pass. Jumps are ignored. Reads no clock.
 class VelocityEstimate {
  public:
   static constexpr double kSmoothing = 0.004;  ///< Time constant [s].
-  static constexpr double kFastest = 2.0;      ///< What goes faster leaps [m/s].
+  static constexpr double kFastest = 2.0;      ///< Speed above which a motion is a jump [m/s].
 
-  /// Whether a device that went `way` [m] within `time` [s], since it last reported another place,
-  /// was put there: no hand goes so.
+  /// Whether a displacement `way` [m] within `time` [s] since the last change is a jump, too fast
+  /// for a hand.
   static bool leaps(const Vec3& way, double time) {
     return way.norm() > kFastest * std::min(time, kStill);
   }
 
-  /// A tick of `dt` > 0 [s] begins with the device at `p` [m].
+  /// Takes the position `p` [m] of a tick of `dt` > 0 [s].
   void update(const Vec3& p, double dt) {
     if (!begun_) p_ = p;
     begun_ = true;
@@ -32,7 +31,7 @@ class VelocityEstimate {
       if (time_ > kStill) v_ -= dt / (dt + kSmoothing) * v_;
       return;
     }
-    const double time = std::min(time_, kStill);  // it may have begun to move just now
+    const double time = std::min(time_, kStill);  // the motion may have begun just now
     if (leaps(way, time_)) {
       v_.setZero();
       since_leap_ = 0.0;
@@ -46,7 +45,7 @@ class VelocityEstimate {
   double sinceLeap() const { return since_leap_; }  ///< [s]
 
  private:
-  static constexpr double kStill = 0.015;  // [s] so long without a change is rest
+  static constexpr double kStill = 0.015;  // [s] time without a change after which the device rests
 
   bool begun_ = false;
   Vec3 p_ = Vec3::Zero(), v_ = Vec3::Zero();

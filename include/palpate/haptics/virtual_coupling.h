@@ -6,38 +6,38 @@
 
 namespace palpate::haptics {
 
-/// What a hand is to feel of a solve, through its device. Plain numbers.
+/// Contact of a solve as the device renders it, without pointers.
 struct RenderedContact {
-  ContactModel model;             ///< By where the hand is.
-  bool expected = false;          ///< It has not come yet.
-  double lead = 0.0;              ///< Ask it for where the hand will be so much later [s].
-  double tissue_stiffness = 0.0;  ///< Largest of what the tool feels [N/m],
-  double stiffness = 0.0;         ///< and of what the hand does.
+  ContactModel model;             ///< Local model as a function of the hand position.
+  bool expected = false;          ///< Whether the contact is expected, not present.
+  double lead = 0.0;              ///< Prediction time of the hand position [s].
+  double tissue_stiffness = 0.0;  ///< Largest stiffness at the tool [N/m].
+  double stiffness = 0.0;         ///< Largest stiffness at the hand [N/m].
 
-  /// With the hand at `p` [m], going on with `v` [m/s].
+  /// Wrench for the hand at `p` [m] with velocity `v` [m/s].
   Wrench at(const Vec3& p, const Vec3& v) const { return model.at(p + lead * v); }
 };
 
-/// A spring between a hand and its tool [Colgate, Stanley, Brown 1995], there only where the tissue
-/// is stiffer than the device can render: as stiff as leaves both in series at that limit. The
-/// force is the tissue's own, at a tool that goes less deep than the hand; where the tissue is soft
-/// enough, tool and hand are at one place. No clock, no allocation.
+/// Virtual coupling: a spring between hand and tool [Colgate, Stanley, Brown 1995], active where
+/// the tissue is stiffer than the device can render. Spring and tissue in series have the limit's
+/// stiffness. The rendered force is the tissue's, at a tool less deep than the hand. Reads no
+/// clock, allocates nothing.
 class VirtualCoupling {
  public:
   VirtualCoupling(const DeviceSettings& device, double tick) : limits_(device, tick) {}
 
-  /// A solve `dt` [s] after the last found `tool`, which was `lag` [m] behind its target; or
-  /// nothing, and it is what is expected.
+  /// Takes a solve `dt` [s] after the last: local model `tool`, expected or present, and the tool's
+  /// lag behind its target [m].
   const RenderedContact& observe(const ContactModel& tool, bool expected, const Vec3& lag,
                                  double dt);
-  /// The tool was lost, or the scene is another one.
+  /// Clears the state: the tool was lost or the scene has changed.
   void forget();
 
-  /// Where the tool is to go, with the hand at `p_hand` [m]. Where a contact ended that held it off
-  /// the hand, it comes back slowly.
+  /// Target of the tool for the hand at `p_hand` [m]. After a contact with coupling the tool
+  /// returns slowly to the hand.
   Vec3 target(const Vec3& p_hand);
 
-  /// It is there: the tissue is too stiff.
+  /// Whether the coupling is active: the tissue is stiffer than the limit.
   bool active() const { return compliance_ > 0.0; }
   const RenderedContact& rendered() const { return rendered_; }
 

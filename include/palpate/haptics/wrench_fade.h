@@ -8,17 +8,16 @@
 
 namespace palpate::haptics {
 
-/// How a wrench goes when its cause is gone, because a solve failed or no input comes, and how it
-/// comes back: the last one that had a cause is held, times a gain that runs linearly in time
-/// between 1 (there) and 0 (gone), the whole way in `ramp`. The one such rule: the simulation's
-/// cycles and the force loop both use it. No clock: the caller says how much time passes.
+/// Fades a wrench out when its cause is gone, after a failed solve or without input, and in again:
+/// the last live wrench times a gain that is linear in time, from 1 to 0 within `ramp`. Simulation
+/// cycles and force loop both use it. Reads no clock.
 class WrenchFade {
  public:
-  /// `ramp` >= 0 [s]; `gain` in [0, 1] is the first one.
+  /// `ramp` >= 0 [s]; `gain`: initial gain in [0, 1].
   WrenchFade(double ramp, double gain) : ramp_(ramp), gain_(gain) {}
 
-  /// A cycle of `dt` > 0 [s]. `live`: `wrench` has its cause now; else it is not looked at. With a
-  /// gain of 1 it comes back as it is, bit for bit.
+  /// Computes a cycle of `dt` > 0 [s]. `live`: `wrench` is valid; else it is ignored. With a gain
+  /// of 1 the result equals `wrench` bitwise.
   Wrench update(const Wrench& wrench, bool live, double dt) {
     if (live) held_ = wrench;
     const double change = ramp_ > dt ? dt / ramp_ : 1.0;
@@ -31,7 +30,7 @@ class WrenchFade {
     out->put(held_.force);
     out->put(held_.torque);
   }
-  /// Refuses what no hand has felt.
+  /// Rejects gains outside [0, 1] and wrenches above 1e6 N or N m.
   void restore(StateReader* in) {
     in->get(&gain_);
     in->get(&held_.force);
@@ -41,7 +40,7 @@ class WrenchFade {
   }
 
   double gain() const { return gain_; }
-  /// The last wrench that was live, whole.
+  /// Last live wrench, without gain.
   const Wrench& held() const { return held_; }
 
  private:

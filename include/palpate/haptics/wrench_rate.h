@@ -6,15 +6,16 @@
 
 namespace palpate::haptics {
 
-/// A wrench that was limited in one frame and is sent in another: where that frame turns by a leap,
-/// the same wrench is another one there, and must not come at once. No clock, no allocation.
+/// Limits the rate of a wrench in the frame in which it is sent, where a frame that jumps would
+/// change it at once. Reads no clock, allocates nothing.
 class WrenchRate {
  public:
-  /// Of `settings` the rates and `max_step`.
+  /// Uses the rates and max_step of `settings`.
   /// @throws std::invalid_argument if one is not finite and > 0.
   explicit WrenchRate(const WrenchFilterSettings& settings);
 
-  /// `goal`, all finite, or as near to it as `dt` [s] allows.
+  /// Moves the output towards `goal` as far as the rates allow in `dt` [s].
+  /// @pre `goal` is finite.
   const Wrench& follow(const Wrench& goal, double dt);
   const Wrench& output() const { return output_; }
 

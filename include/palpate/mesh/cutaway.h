@@ -30,7 +30,7 @@ struct Cutaway {
 
   Eigen::Index numTriangles() const { return corners.cols() / 3; }
   /// The vertices, 3 x 3 m [m], where the points of the mesh are at `x`, 3 x n [m].
-  void place(const Points& x, Points* vertices) const;
+  void interpolate(const Points& x, Points* vertices) const;
 };
 
 /// Takes the box out of the body, at rest. Tetrahedra and hexahedra (each as six tetrahedra) have

@@ -15,10 +15,10 @@ double edgeLength(double volume);
 
 /// What a size field makes of a body.
 struct SizeEstimate {
-  double tets = 0.0;             ///< About so many tetrahedra.
-  std::vector<double> of_place;  ///< Those of them that each place asks for.
-  std::vector<bool> felt;        ///< Whether each place makes something finer than the coarsest.
-  bool complete = true;          ///< False: counting stopped, there are more than `tets`.
+  double tets = 0.0;            ///< About so many tetrahedra.
+  std::vector<double> of_zone;  ///< Those of them that each place asks for.
+  std::vector<bool> felt;       ///< Whether each place makes something finer than the coarsest.
+  bool complete = true;         ///< False: counting stopped, there are more than `tets`.
 };
 
 /// The integral of estimateTets() over the body within `surface`, which is closed, by boxes that

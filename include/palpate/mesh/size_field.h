@@ -20,7 +20,7 @@ struct Polyline {
 struct OwnSurface {};
 
 /// Where a mesh is to be fine.
-struct FinePlace {
+struct RefinementZone {
   double finest = 0.0;  ///< Mean edge there [m], > 0.
   double growth = 0.3;  ///< What an edge grows by for each metre farther away [-], in (0, 1].
   double radius = 0.0;  ///< As far from the place edges do not grow yet [m], >= 0.
@@ -35,8 +35,8 @@ struct FinePlace {
 /// so that h(p) - h(q) is at most the largest growth times |p - q|, with dist_i from the nearest
 /// point of place i.
 struct SizeField {
-  double coarsest = 0.0;        ///< Mean edge far from all places [m], > 0.
-  std::vector<FinePlace> near;  ///< Without any the edges are equally long everywhere.
+  double coarsest = 0.0;             ///< Mean edge far from all places [m], > 0.
+  std::vector<RefinementZone> near;  ///< Without any the edges are equally long everywhere.
 
   bool uniform() const { return near.empty(); }
 };
@@ -71,7 +71,7 @@ class BodySizes {
   /// h(p) [m]; with a `shift` [m] what it would be if all places were as much farther away.
   double at(const Vec3& p, double shift = 0.0) const;
   /// What place `i` alone asks for, which may be more than the coarsest.
-  double ofPlace(std::size_t i, const Vec3& p, double shift = 0.0) const;
+  double ofZone(std::size_t i, const Vec3& p, double shift = 0.0) const;
   const SizeField& field() const { return field_; }
 
  private:

@@ -20,11 +20,11 @@ struct ModelPart {
 };
 
 /// Where an organ of the scene is.
-struct OrganPlace {
+struct OrganHandle {
   tissue::TissueModel* tissue;
   int organ;  ///< Of the model's.
 
-  tissue::Shape shape() const { return tissue->shape(organ); }
+  tissue::SurfaceState surfaceState() const { return tissue->surfaceState(organ); }
 };
 
 /// Something rigid that never moves.
@@ -43,7 +43,7 @@ struct SceneParts {
   std::vector<int> control_links;    ///< Link index of each instrument's control frame.
   std::vector<AnatomyPart> anatomy;  ///< In the scene's order.
   std::vector<ModelPart> models;     ///< In the order of their first organs.
-  std::vector<OrganPlace> organs;    ///< In the scene's order.
+  std::vector<OrganHandle> organs;   ///< In the scene's order.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;  ///< What was decided while loading, with the name of whom.
 };

@@ -103,7 +103,7 @@ class Simulator {
   bool wantsFastBlas() const;
   /// What there is of it now: points and its surface, which may become another one (its revision
   /// says so). The references hold until the next step().
-  tissue::Shape shape(int i) const;
+  tissue::SurfaceState surfaceState(int i) const;
   const Points& positions(int i) const;  ///< World, 3 x n [m]; a solved state, always finite.
   /// Its points at rest in the world, and its cells; where its model has none, the surface's
   /// triangles. Made anew in each call.
@@ -134,7 +134,7 @@ class Simulator {
   /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
   /// goes on without a past.
   /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
-  void place(int i, const Points& positions, const Points& velocities);
+  void setPositions(int i, const Points& positions, const Points& velocities);
 
   double time() const;  ///< Simulated so far [s].
 

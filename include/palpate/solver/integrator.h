@@ -36,14 +36,14 @@ std::vector<std::string> integratorNames();
 /// has no gradient, y = x_hat + k v_hat/(1 + mass k). bdf2 takes a step of backward_euler after a
 /// start and where h changes, which leaves its order at two unless that is all the time.
 ///
-/// Where a step or a start is far out of balance, f_hat is of no motion, and what a crushed element
-/// pushes with would go on pushing: the next step has no damping in proportion to stiffness.
+/// Where a step or start is far from equilibrium, the next step has no stiffness damping: f_hat
+/// would be of no motion.
 class Integrator {
  public:
   /// @throws std::invalid_argument for an unknown name.
   Integrator(const std::string& name, Eigen::VectorXd masses, const RayleighDamping& damping);
 
-  /// Goes on from x [m] and v [m/s], 3 x n, without a past.
+  /// Starts from x [m] and v [m/s], 3 x n, without history.
   void start(const Points& x, const Points& v);
   /// The gradient of the elastic energy at the start, for damping in proportion to stiffness, where
   /// forces are out of balance by `unbalanced` [N].
@@ -60,10 +60,9 @@ class Integrator {
   bool needsElasticGradient() const { return damping_.stiffness > 0.0; }
   const Points& positions() const { return x_; }
   const Points& velocities() const { return v_; }
-  /// How far the nodes come in `h` [s] if their velocities go on changing as in the last step,
-  /// 3 x n [m].
+  /// Extrapolated displacement in `h` [s] by velocities and their last change, 3 x n [m].
   void extrapolate(double h, Points* way) const;
-  /// At rest where it is.
+  /// Sets velocities to zero.
   void stop();
   const Eigen::VectorXd& masses() const { return masses_; }
   /// Inertial and mass damping forces on the nodes at x, 3 x n [N].
@@ -77,9 +76,9 @@ class Integrator {
                 const std::function<Points(const Points&)>& carry,
                 const std::function<Points(const Points&)>& elastic_gradient);
 
-  /// All memory between two steps.
+  /// Writes the state between steps.
   void save(StateWriter* out) const;
-  /// @throws std::invalid_argument for the memory of another body.
+  /// @throws std::invalid_argument for the state of another body.
   void restore(StateReader* in);
 
  private:

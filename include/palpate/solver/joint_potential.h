@@ -9,13 +9,13 @@
 
 namespace palpate::solver {
 
-/// Terms of one body, or of two that act on each other, as a term of the points of all of a group.
-class PlacedTerms final : public fem::EnergyTerm {
+/// Terms of one body, or of two that interact, as a term of all points of a group.
+class MappedTerms final : public fem::EnergyTerm {
  public:
-  /// `terms`, not owned, may grow as long as nobody asks. `place`: of their `num_nodes` nodes.
-  PlacedTerms(const std::vector<const fem::EnergyTerm*>& terms, const fem::Stiffness::Place& place,
-              int num_nodes)
-      : terms_(terms), place_(place), own_(3, num_nodes), own_d_(3, num_nodes) {}
+  /// `terms`, not owned, may grow as long as nobody asks. `node_map`: of their `num_nodes` nodes.
+  MappedTerms(const std::vector<const fem::EnergyTerm*>& terms,
+              const fem::Stiffness::NodeMap& node_map, int num_nodes)
+      : terms_(terms), node_map_(node_map), own_(3, num_nodes), own_d_(3, num_nodes) {}
 
   /// The columns of `all` that are theirs, 3 x num_nodes.
   void gather(const Points& all, Points* own) const;
@@ -28,14 +28,14 @@ class PlacedTerms final : public fem::EnergyTerm {
 
  private:
   const std::vector<const fem::EnergyTerm*>& terms_;
-  fem::Stiffness::Place place_;
+  fem::Stiffness::NodeMap node_map_;
   mutable Points own_, own_d_;  // scratch
 };
 
-/// The potentials of several bodies as that of one, over their points one body after another.
+/// Potential of a group: the members' potentials over concatenated points.
 class JointPotential {
  public:
-  /// They must outlive this, and stay where they are.
+  /// @pre The members outlive this and are not moved.
   explicit JointPotential(const std::vector<const Potential*>& members);
   JointPotential(const JointPotential&) = delete;  // the terms refer to each other
   JointPotential& operator=(const JointPotential&) = delete;
@@ -44,21 +44,21 @@ class JointPotential {
   std::size_t numMembers() const { return members_.size(); }
   int numNodes() const { return energy_.numNodes(); }
   int firstNode(std::size_t member) const { return energy_.firstNode(member); }
-  /// A matrix with the pattern of all.
+  /// Makes a matrix with the pattern of the group.
   fem::Stiffness makeMatrix() const { return energy_.makeMatrix(); }
 
-  /// Where the nodes of two members are, or of one twice.
-  fem::Stiffness::Place placeOf(std::size_t a, std::size_t b) const;
-  /// What acts beside the members' own terms, on all points; not owned.
+  /// Node map of two members, or of one twice.
+  fem::Stiffness::NodeMap nodeMapOf(std::size_t a, std::size_t b) const;
+  /// Sets terms in addition to the members' own, on all points; not owned.
   void setFurther(const std::vector<const fem::EnergyTerm*>& terms);
-  /// Takes over the members' scales of the elastic energy. True: one is another than `before`,
-  /// which become those of now.
+  /// Takes over the members' scales of the elastic energy, and stores them in `before`. Returns
+  /// whether one has changed.
   bool takeScales(std::vector<double>* before);
 
  private:
   std::vector<const Potential*> members_;
   fem::JointEnergy energy_;
-  std::vector<std::unique_ptr<PlacedTerms>> terms_;
+  std::vector<std::unique_ptr<MappedTerms>> terms_;
   Potential all_;
 };
 

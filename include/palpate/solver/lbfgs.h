@@ -12,11 +12,10 @@ namespace palpate::solver {
 
 class StaleFactor;
 
-/// L-BFGS [Nocedal, Wright 2006, alg. 7.4] whose initial Hessian is the Cholesky factor of an
-/// earlier stiffness [Liu, Bouaziz, Kavan 2017, sec. 4], with the diagonal blocks that the terms
-/// beside elasticity (inertia, contact) have at the present x. An iteration assembles nothing and
-/// costs one triangular solve; the factor is renewed when the iterations that a fresh one would
-/// have saved have cost as much as it does, and where the line search finds no way.
+/// L-BFGS [Nocedal, Wright 2006, alg. 7.4] with the Cholesky factor of an earlier stiffness as
+/// initial Hessian [Liu, Bouaziz, Kavan 2017, sec. 4], and present diagonal blocks of the other
+/// terms (inertia, contact). An iteration costs one triangular solve. The factor is renewed where
+/// extra iterations have cost as much, or where the line search fails.
 class Lbfgs final : public Minimizer {
  public:
   /// `A` has the body's pattern.

@@ -16,14 +16,14 @@ class LineSearch {
  public:
   static constexpr int kMaxHalvings = 30;
 
-  /// `x`, `g` (all components of the gradient there) and `value` move to the first point that will
-  /// do, and stay where they are if there is none, as where d goes uphill, or if `interrupt`, which
-  /// may be null and is asked after `least_halvings`, comes before one is found: false.
-  /// `direction` is zero on held components; no node goes farther than four times
-  /// the radius of gyration of all nodes.
+  /// Moves `x`, its gradient `g` and `value` to the first acceptable point along `direction`.
+  /// Returns false, without changes, where there is none, or where `interrupt`, polled after
+  /// `least_halvings`, is true; it may be null. No node moves farther than four radii of gyration
+  /// of all nodes.
+  /// @pre `direction` is zero on held components.
   bool run(const Potential& potential, const Points& direction, Points* x, Points* g, double* value,
            const Interrupt* interrupt = nullptr, int least_halvings = 1);
-  /// Times that the last run() halved its step.
+  /// Halvings of the last run().
   int halvings() const { return halvings_; }
 
  private:

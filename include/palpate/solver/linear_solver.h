@@ -12,53 +12,47 @@ namespace palpate::solver {
 
 struct LinearReport {
   SolveStatus status = SolveStatus::kConverged;
-  int iterations = 0;  ///< Zero of a matrix that was factorised alone.
-  /// At its limit, or where it takes A for indefinite that is not: `x` may be of little use.
+  int iterations = 0;  ///< Iterations; 0 for a direct solve.
+  /// Whether iterations reached their limit, or wrongly report an indefinite A; `x` may be poor.
   bool in_vain = false;
 };
 
-/// Solves A x = b, A symmetric positive definite with a pattern that is always the same but for its
-/// couplings.
+/// Solves A x = b with symmetric positive definite A of a fixed pattern, except for couplings.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
   /// `b` and `x` are 3 x n; `x` is overwritten. An iterative solver stops when |b - A x| <=
-  /// `relative_tolerance` |b|. kNotPositiveDefinite: A is not, and `x` is of no use;
-  /// kIterationLimit, kDeadline: `x` is the best so far, still a direction of descent, also where
-  /// iterations find only then that A is not positive definite.
+  /// `relative_tolerance` |b|. With kNotPositiveDefinite, `x` is invalid; with kIterationLimit or
+  /// kDeadline, `x` is a descent direction.
   virtual LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance,
                              Points* x) = 0;
 
-  /// What can be done for the matrices to come, of which only A's pattern is known: spares the
-  /// first solve().
+  /// Analyses the pattern of A for later matrices.
   virtual void takePattern(const fem::Stiffness& /*A*/) {}
-  /// Whether learnFromRest() is of use, of a body that is `lasting`, or soon has another mesh.
+  /// Whether learnFromRest() is useful; `lasting`: the mesh stays.
   virtual bool learnsFromRest(bool /*lasting*/) const { return false; }
-  /// A is the matrix of the body at rest, which those to come are like: something to be kept for
-  /// good, and never changed by what is solved.
+  /// Precomputes from A, the matrix at rest; later solves do not change the result.
   virtual void learnFromRest(const fem::Stiffness& /*A*/) {}
-  /// Just before a solve(): since the one before, A has changed only in its blocks on the diagonal,
-  /// in these slots off it and in its couplings. Unsaid, it may have changed anywhere.
+  /// Declares before a solve() that A has changed only in diagonal blocks, these off-diagonal slots
+  /// and couplings since the last one. Without it, all of A may have changed.
   virtual void onlyChanged(const std::vector<int>& /*slots*/) {}
 
-  /// Whether prepare() is of use: the first system after a restart, before there is one to solve.
+  /// Whether prepare() is useful before the first system after a restart.
   virtual bool prepares() const { return false; }
   virtual void prepare(const fem::Stiffness& /*A*/) {}
-  /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
-  /// into use.
+  /// Begins a cycle of `dt` [s]; results of background tasks are taken into use only here.
   virtual void beginCycle(double /*dt*/) {}
-  /// Forgets what it learnt from earlier systems: from here on it does what a new one would.
+  /// Drops the cached solver state: later results are those of a new solver.
   virtual void restart() {}
-  /// All that it learnt; nothing, for most.
+  /// Writes the cached solver state; empty for most solvers.
   virtual void save(StateWriter* /*out*/) const {}
-  /// @throws std::invalid_argument for the memory of another kind or of another body.
+  /// @throws std::invalid_argument for the state of another solver or body.
   virtual void restore(StateReader* /*in*/) {}
-  /// Cycles that began with waiting for work that was done beside; the only figure that depends on
-  /// how fast it was.
+  /// Cycles that waited for a background task; the only figure that depends on machine speed.
   virtual int waits() const { return 0; }
 
-  /// Asked every few iterations; null: nobody is.
+  /// Sets the predicate polled every few iterations; may be null.
   void setInterrupt(const Interrupt* interrupt) { interrupt_ = interrupt; }
 
  protected:

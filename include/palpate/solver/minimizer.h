@@ -17,11 +17,11 @@ struct NewtonSettings {
   int max_iterations = StepSettings().max_newton_iterations;
   /// Relative, of the linear solves; tighter for the last.
   double linear_tolerance = StepSettings().linear_tolerance;
-  /// Asked after every iteration and in linear solves; null: nobody is.
+  /// Polled after every iteration and in linear solves; may be null.
   const Interrupt* interrupt = nullptr;
-  /// So many iterations are done before it is asked: 1, or 0 where x is a step ahead already.
+  /// Iterations before `interrupt` is polled: 1, or 0 after a tangent step.
   int least_iterations = 1;
-  /// So often their steps are halved before it is asked: what is shorter moves little.
+  /// Line search halvings before `interrupt` is polled.
   int least_halvings = 8;
 
   bool interrupted() const { return isInterrupted(interrupt); }
@@ -30,68 +30,63 @@ struct NewtonSettings {
 struct NewtonReport {
   SolveStatus status = SolveStatus::kConverged;
   int iterations = 0;  ///< Steps taken.
-  int halvings = 0;    ///< Of the steps, in line searches.
+  int halvings = 0;    ///< Line search halvings.
   int linear_iterations = 0;
-  int projections = 0;       ///< Linear systems that had to be made positive definite.
-  int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were not assembled again.
+  int projections = 0;       ///< Linear systems made positive definite by projection.
+  int kept_stiffnesses = 0;  ///< Elastic stiffnesses that were reused.
   double residual = 0.0;     ///< Norm of the free gradient at the end [N].
   PhaseTimes phases;
 };
 
 class LinearSolver;
 
-/// Finds minima of potentials of one body, one after another. Keeps its scratch memory, and what it
-/// learnt, between calls.
+/// Minimises potentials of one body in sequence. Keeps buffers and cached solver state between
+/// calls.
 class Minimizer {
  public:
   virtual ~Minimizer() = default;
 
-  /// Improves x, 3 x n, whose held components stay. x is never worse than it was and always finite.
+  /// Minimises over the free components of x, 3 x n [m]. The value never grows; x is always finite.
   virtual NewtonReport minimize(const Potential& potential, const NewtonSettings& settings,
                                 Points* x) = 0;
-  /// How many of its iterations stand for one of `max_iterations`.
+  /// Number of its iterations that count as one of `max_iterations`.
   virtual int iterationsForOne() const { return 1; }
-  /// What a factor takes that a solve waits for, which nothing interrupts [s], by the unit costs of
-  /// unit_costs.h; 0: it waits for none, or knows no better.
+  /// Estimated time of a factorisation inside a solve, which is not interruptible [s]; 0: none or
+  /// unknown.
   virtual double factorSeconds() const { return 0.0; }
-  /// Moves the held components by `move` (3 x n, zero where free) and the free ones as the tangent
-  /// at x says, a good first guess for the next load step. x is untouched if the solve fails.
+  /// Moves held components by `move`, 3 x n [m], zero where free, and free ones by the tangent at
+  /// x, as start of the next load step. x is unchanged where the solve fails.
   virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;
 
-  /// The step d, 3 x n, of the free components that the tangent at x says if the force `push`, 3 x
-  /// n [N], is added: A d = push - g. Its cost goes into `report`. False: there is none.
+  /// Computes the tangent step d, 3 x n [m], under an added force `push`, 3 x n [N]: A d = push -
+  /// g. Adds its cost to `report`. Returns false on failure or where not supported.
   virtual bool tangentStep(const Potential& /*potential*/, const Points& /*x*/,
                            const Points& /*push*/, double /*linear_tolerance*/, Points* /*d*/,
                            NewtonReport* /*report*/) {
     return false;
   }
 
-  /// All components of the gradient where the last minimize() ended; on held ones it is the force
-  /// that the support exerts on the body.
+  /// Gradient at the end of the last minimize(), 3 x n [N]; on held components the support force.
   virtual const Points& gradient() const = 0;
-  /// Norm of the force that rounding alone makes at x, with the last matrix assembled [N]: no
-  /// residual gets below it.
+  /// Norm of the rounding error of forces at x, by the last matrix [N]: lower bound of residuals.
   virtual double roundoffForce(const Points& x) const = 0;
 
-  /// By which linear systems are solved, of those that have one for all; else null.
+  /// Linear solver, or null.
   virtual LinearSolver* linear() { return nullptr; }
-  /// As LinearSolver's, of those that solve linear systems; `assemble` writes the matrix at rest.
+  /// As LinearSolver::learnsFromRest() and learnFromRest(); `assemble` writes the matrix at rest.
   virtual bool learnsFromRest(bool /*lasting*/) const { return false; }
   virtual void learnFromRest(const std::function<void(fem::Stiffness*)>& /*assemble*/) {}
-  /// The first cycle after a restart is about to minimise `potential` near x: time for work that
-  /// would take too long later.
+  /// Prepares for minimising `potential` near x, before the first cycle after a restart.
   virtual void prepare(const Potential& /*potential*/, const Points& /*x*/) {}
-  /// The next cycle, of `dt` [s], begins: the only time at which work that was done beside is taken
-  /// into use.
+  /// Begins a cycle of `dt` [s]; results of background tasks are taken into use only here.
   virtual void beginCycle(double /*dt*/) {}
-  /// Forgets what it learnt: from here on it does what a new one would.
+  /// Drops the cached solver state: later results are those of a new minimiser.
   virtual void restart() {}
-  /// All that it learnt. Work that is being done beside goes on; it is saved as what it is done on.
+  /// Writes the cached solver state; of a background task its input.
   virtual void save(StateWriter* out) const = 0;
-  /// @throws std::invalid_argument for the memory of another kind or of another body.
+  /// @throws std::invalid_argument for the state of another minimiser or body.
   virtual void restore(StateReader* in) = 0;
-  /// Cycles that began with waiting for work that was done beside; the only figure that depends on
-  /// how fast it was.
+  /// Cycles that waited for a background task; the only figure that depends on machine speed.
   virtual int waits() const { return 0; }
 };
 

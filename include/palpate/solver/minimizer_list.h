@@ -12,7 +12,8 @@ namespace palpate::solver {
 
 struct MinimizerSettings {
   int max_linear_iterations = StepSettings().max_linear_iterations;
-  /// Null: one thread. With two, factorisations are done beside. Must outlive the minimiser.
+  /// Null: one thread. With two threads, factorisations are background tasks.
+  /// @pre Outlives the minimiser.
   ThreadPool* pool = nullptr;
   /// See Newton; the others have no use for it.
   bool keep_stiffness = false;
@@ -28,7 +29,7 @@ enum class LinearSystems {
   kNone,        ///< There are none.
   kIterations,  ///< By iterations from the matrix alone: their number grows with its condition.
   kFactor,      ///< By a factor of each cycle: time grows with the square of the nodes.
-  kOldFactor    ///< By a factor that was made before or beside, alone or as a preconditioner.
+  kOldFactor    ///< By an earlier factor, alone or as preconditioner.
 };
 
 /// What a way to take a step is.

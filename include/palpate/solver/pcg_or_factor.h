@@ -10,14 +10,12 @@
 
 namespace palpate::solver {
 
-/// Conjugate gradients, and a Cholesky factor where they find no solution: in elements next to the
-/// incompressible and across stiffness ratios of 1e4 and more they end at their limit, or call a
-/// matrix indefinite that is not, by the rounding of their products. Iterations in vain are added
-/// up, those of earlier cycles for less; once two solves or more have cost what a factor does, by
-/// unit_costs.h, factors take what is left of the cycle and 1, 2, 4 ... 64 cycles that follow,
-/// until iterations do for one again: never much more than twice the work of what would have been
-/// best from the start, as where skis are hired until that costs as much as buying them
-/// [Karlin et al. 1988].
+/// Conjugate gradients with a Cholesky factor as fallback. Nearly incompressible elements and
+/// stiffness ratios of 1e4 and more exhaust the iterations, or let rounding report an indefinite
+/// matrix. Failed iterations are summed, with decay over cycles. Where two or more solves have cost
+/// as much as a factor (unit_costs.h), factors solve the rest of the cycle and the next 1, 2, 4 ...
+/// 64 cycles. This is the ski-rental rule: at most about twice the optimal cost [Karlin et al.
+/// 1988].
 class PcgOrFactor final : public LinearSolver {
  public:
   explicit PcgOrFactor(BlockPcg pcg) : pcg_(std::move(pcg)) {}

@@ -12,15 +12,15 @@ namespace palpate::solver {
 class FactorPcg;
 class StaleFactor;
 
-/// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, which is made
-/// beside [Courtecuisse et al. 2014, sec. 4]. A factorisation that begins in cycle k is taken into
-/// use in cycle k + m, m from the number of its operations, and waited for if it is not done by
-/// then: the results do not depend on how fast it was. Until there is one, as BlockPcg. Where
-/// iterations end at their limit, and have cost what a factor does, one is made at once.
+/// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix, made in the
+/// background [Courtecuisse et al. 2014, sec. 4]. A factorisation begun in cycle k is used from
+/// cycle k + m on, m by its number of operations, so results do not depend on machine speed.
+/// Without a factor it is BlockPcg. Where failed iterations cost as much as a factor, one is made
+/// at once.
 class StalePcg final : public LinearSolver {
  public:
-  /// `A` has the pattern of all matrices to come; it is analysed here. `own_thread`: factorise in a
-  /// thread of its own; otherwise when the factor is wanted, with the same results.
+  /// `A`: pattern of all later matrices, analysed here. `own_thread`: factorise in a background
+  /// thread, else when the factor is used, with the same results.
   StalePcg(const fem::Stiffness& A, int max_iterations, bool own_thread);
   ~StalePcg() override;
 
@@ -31,7 +31,7 @@ class StalePcg final : public LinearSolver {
   void prepare(const fem::Stiffness& A) override;
   void beginCycle(double dt) override;
   void restart() override;
-  /// The matrices of the factor in use and of the one that is being made; it is made again.
+  /// Writes the matrices of both factors; restore() factorises them again.
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;
   int waits() const override { return waits_; }
@@ -59,7 +59,7 @@ class StalePcg final : public LinearSolver {
   bool is_older_ = false;    // what is being made than what is used
   bool wanted_ = true;
   int waits_ = 0;
-  std::unique_ptr<Background> background_;  // last: ends before what it works on
+  std::unique_ptr<Background> background_;  // last member: destroyed before the members it uses
 };
 
 }  // namespace palpate::solver

@@ -5,10 +5,10 @@
 
 namespace palpate::tissue {
 
-/// How fine an organ's mesh becomes around tools.
+/// Settings of mesh adaptation around tools.
 struct AdaptSettings {
-  double finest = 0.0;  ///< Edge length of the tetrahedra at a tool [m]; 0: the mesh never changes.
-  double growth = 1.0;  ///< By which it is longer in a metre of distance from the tool.
+  double finest = 0.0;  ///< Edge length at a tool [m]; 0: no adaptation.
+  double growth = 1.0;  ///< Growth of the edge length by distance from the tool [-].
 
   bool on() const { return finest > 0.0; }
 };

@@ -12,23 +12,23 @@
 
 namespace palpate::tissue {
 
-/// What it took to get through a cycle, each worse than the one before. StepFigures::recovery.
+/// Recovery after failures in a cycle, in ascending severity: StepFigures::recovery.
 enum class Recovery {
   kNone,
-  kSolvedAgain,   ///< With a guard against elements that are turned inside out.
-  kShorterSteps,  ///< A step failed; shorter ones, or implicit ones in the place of explicit ones.
-  kPutBack,       ///< Where no force or step leads away: at rest again.
-  kRolledBack,    ///< All failed; where it was before the cycle.
-  kFrozen         ///< It failed in many cycles, and was not tried.
+  kSolvedAgain,   ///< Solved again with a barrier against inverted elements.
+  kShorterSteps,  ///< Solved in shorter steps, or by implicit instead of explicit ones.
+  kPutBack,       ///< Reset to the equilibrium: no step leads out of the state.
+  kRolledBack,    ///< Rolled back to the cycle's begin: all attempts failed.
+  kFrozen         ///< Skipped after failures in many cycles.
 };
 
-/// What a cycle did and how well: of a part of an organ, an organ, a scene, or of several cycles
-/// between two inputs. What each means stands in stepFigures().
+/// Figures of a cycle: of an island, an organ, a scene, or several cycles between two inputs.
+/// stepFigures() documents each.
 struct StepFigures {
   solver::SolveStatus status = solver::SolveStatus::kConverged;
   int sweep_stages = 1;
   int time_steps = 1;
-  int recovery = 0;  ///< A Recovery.
+  int recovery = 0;  ///< A value of Recovery.
   int newton_iterations = 0;
   int linear_iterations = 0;
   int factor_waits = 0;
@@ -42,31 +42,31 @@ struct StepFigures {
   double mesh_error = 0.0;       ///< [N]
   double cavity_pressure = 0.0;  ///< [Pa]
   int tools_inside = 0;
-  PhaseTimes phases;  ///< Wall time; the one part that differs between equal runs.
+  PhaseTimes phases;  ///< Wall time; all other figures are equal in equal runs.
 
   void recover(Recovery by) { recovery = std::max(recovery, static_cast<int>(by)); }
   bool ok() const { return status == solver::SolveStatus::kConverged; }
 };
 
-/// What several figures are as one.
+/// Rule that merges several values of a figure into one.
 enum class Merge { kSum, kLargest, kLeast, kRootOfSquares, kLast };
 
-/// As in tables of the documentation: "root of squares".
+/// Name of the rule in tables of the documentation, such as "root of squares".
 const char* toString(Merge rule);
 
-/// Of what figures are merged.
+/// Sets over which figures are merged.
 enum class Over {
-  kParts,    ///< Unconnected parts of an organ.
+  kParts,    ///< Islands of an organ.
   kOrgans,   ///< Organs of a scene.
-  kSubSteps  ///< Steps that a recorded input was cut into, in their order.
+  kSubSteps  ///< Sub-steps of a recorded input, in their order.
 };
 
-/// A figure of a step: where it stands in Step, what it is called, and what several are as one.
+/// A figure of a step: member of Step, name, documentation and rules of merging.
 template <class Step>
 struct Figure {
-  const char* name;     ///< Of the field of StepReport.msg.
-  const char* message;  ///< Type of that field; null where the figure is in no message.
-  const char* doc;      ///< With its unit, as in StepReport.msg.
+  const char* name;     ///< Name of the field of StepReport.msg.
+  const char* message;  ///< Type of that field; null where no message has the figure.
+  const char* doc;      ///< Meaning with unit, as in StepReport.msg.
   std::variant<int Step::*, double Step::*, solver::SolveStatus Step::*, std::uint64_t Step::*>
       value;
   Merge over_parts, over_organs, over_sub_steps;
@@ -76,11 +76,11 @@ struct Figure {
   }
 };
 
-/// Every figure of StepFigures but the phases, which are always added up. To add one: a member, a
+/// All figures of StepFigures except the phases, which are summed. To add one: a member, a
 /// line in figures.cpp, a field of StepReport.msg and its row in docs/architecture.md.
 const std::vector<Figure<StepFigures>>& stepFigures();
 
-/// One value of two; where the order counts, `later` is the later one.
+/// Merges two values; kLast takes `later`.
 template <class Value>
 Value merged(Merge rule, Value earlier, Value later) {
   switch (rule) {

@@ -12,50 +12,50 @@ namespace palpate::tissue {
 
 struct ModelSettings;
 
-/// A soft body, an organ or an unconnected part of one, as others meet it.
+/// A body, an organ or an island of one, as interactions see it.
 struct InteractingBody {
-  const std::string& organ;           ///< Its name.
-  const Points& X;                    ///< At rest in the world, 3 x n [m].
-  const Points& x;                    ///< Where a cycle begins, likewise.
-  const Eigen::Matrix3Xi& triangles;  ///< Its surface, outward.
-  Vec3 low, high;                     ///< The box around x [m].
-  double way;  ///< No point goes farther in the cycle [m], as far as is known.
+  const std::string& organ;           ///< Name of the organ.
+  const Points& X;                    ///< Rest positions, world, 3 x n [m].
+  const Points& x;                    ///< Positions at the cycle's begin, world, 3 x n [m].
+  const Eigen::Matrix3Xi& triangles;  ///< Surface, outward.
+  Vec3 low, high;                     ///< Bounding box of x [m].
+  double way;  ///< Estimated largest displacement of a point in the cycle [m].
 };
 
-/// Whether the boxes of two bodies, each grown by its way and half of `reach` [m], meet.
-bool mayMeet(const InteractingBody& a, const InteractingBody& b, double reach);
+/// Whether the bounding boxes of two bodies, each grown by `way` and reach/2 [m], overlap.
+bool boxesOverlap(const InteractingBody& a, const InteractingBody& b, double reach);
 
-/// What acts between two bodies, or within one: an energy of the points of a and then of b, or of a
-/// alone, 3 x n [m], the same whatever moves all of them rigidly. It refers to no body.
+/// Energy of an interaction: a function of the points of a, then of b, or of a alone, 3 x n [m],
+/// invariant to rigid motion of all points. Holds no reference to a body.
 class InteractionTerm : public fem::EnergyTerm {
  public:
-  /// Finds what may act while no point goes farther from x than `way` [m].
+  /// Finds candidates while no point moves farther from x than `way` [m].
   virtual void search(const Points& x, double way) = 0;
-  /// Whether what the last search found is still all that may act at x.
+  /// Whether the candidates of the last search() are complete at x.
   virtual bool holds(const Points& x) const = 0;
 
-  // Of a term with a memory; the others do nothing.
+  // For terms with state; others need not override these.
   /// A step begins, or has ended, at x.
   virtual void beginStep(const Points& /*x*/) {}
   virtual void endStep(const Points& /*x*/) {}
-  /// As new.
+  /// Clears the state.
   virtual void forget() {}
-  /// Takes over what `old` remembers, a term of the same interaction between the same bodies, of
-  /// which one or both have another mesh now.
+  /// Takes over the state of `old`, a term of the same interaction between the same bodies before a
+  /// mesh adaptation.
   virtual void goOnFrom(const InteractionTerm& /*old*/) {}
-  /// All memory between steps.
+  /// Writes the state between steps.
   virtual void save(StateWriter* /*to*/) const {}
   /// @throws std::invalid_argument as StateReader does.
   virtual void restore(StateReader* /*from*/) {}
 };
 
-/// A way in which bodies act on each other. Bodies between which one may act in a cycle are solved
-/// together.
+/// A kind of interaction between bodies. Bodies that may interact in a cycle are solved as a group.
 class Interaction {
  public:
   virtual ~Interaction() = default;
-  /// Whether it may act between two bodies in the cycle that begins, or, where both are the same
-  /// one (&a == &b), within it. Asked in every cycle: quick, and never a false no.
+  /// Whether two bodies, or one with itself (&a == &b), may interact in the cycle that begins.
+  /// Conservative: may be true without an interaction, is never false with one. Called in each
+  /// cycle.
   virtual bool possible(const InteractingBody& a, const InteractingBody& b) const = 0;
   virtual std::unique_ptr<InteractionTerm> make(const InteractingBody& a,
                                                 const InteractingBody& b) const = 0;
@@ -66,7 +66,7 @@ struct InteractionEntry {
   std::shared_ptr<const Interaction> (*make)(const ModelSettings&);
 };
 
-/// The interactions that there are. All of them act.
+/// All interactions; each of them is active.
 const std::vector<InteractionEntry>& interactions();
 
 }  // namespace palpate::tissue

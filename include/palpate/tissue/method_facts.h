@@ -9,29 +9,28 @@
 
 namespace palpate::tissue {
 
-/// How a cycle of finite elements may be solved; the first is the default.
+/// Names of all methods for cycles of finite elements; the first is the default.
 std::vector<std::string> methodNames();
 
-/// What a method is and takes. Whoever treats methods differently asks here and knows no names.
+/// Capabilities of a method. Code that treats methods differently uses these, not names.
 struct MethodFacts : solver::MinimizerFacts {
   std::string name;
   bool explicit_steps = false;
-  bool viscous = true;            ///< It takes bodies with viscous terms.
-  bool stiffness_damping = true;  ///< It takes damping in proportion to stiffness.
-  bool spring_damping = true;     ///< It takes supports that damp.
-  bool pressures = true;          ///< It takes pressures on faces.
-  bool friction = true;           ///< It takes friction in contact.
-  bool fluids = true;             ///< And contents of cavities that resist a change of volume.
-  bool needles = true;            ///< It takes needles that go in.
-  bool prescribes = false;        ///< It takes contact that is prescribed: contact_models.h.
-  /// What it takes as the settings' integrator.
+  bool viscous = true;            ///< Whether it supports viscous materials.
+  bool stiffness_damping = true;  ///< Whether it supports stiffness-proportional damping.
+  bool spring_damping = true;     ///< Whether it supports damped springs.
+  bool pressures = true;          ///< Whether it supports pressures on faces.
+  bool friction = true;           ///< Whether it supports friction.
+  bool fluids = true;             ///< Whether it supports cavities that resist a change of volume.
+  bool needles = true;            ///< Whether it supports needles.
+  bool prescribes = false;        ///< Whether it supports contact model `prescribed`.
+  /// Supported integrators.
   std::vector<std::string> integrators = solver::integratorNames();
-  /// How it gets along without one, after "the method ..."; empty where it uses the integrator.
+  /// Its own integration, as text after "the method ..."; empty where it uses the integrator.
   std::string own_integration;
 };
 
-/// Of "auto" nothing but what it takes: what is solved by it has another method, see
-/// TissueModel::methods().
+/// For "auto" only the capabilities are meaningful; TissueModel::methods() names the chosen method.
 /// @throws std::invalid_argument for a name that is not one of methodNames().
 MethodFacts methodFacts(const std::string& name);
 

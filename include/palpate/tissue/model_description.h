@@ -27,39 +27,38 @@
 
 namespace palpate::tissue {
 
-/// An organ as a scene describes it, in its own frame O and in metres. What is dear to make is made
-/// when it is asked for, so that a model gets what it needs and no more. The functions live as long
-/// as the model is being made, and throw palpate::InputError for what is wrong in the files.
+/// An organ as a scene describes it, in its frame O [m]. Functions compute expensive parts on
+/// demand; they are valid during construction of the model.
+/// @throws palpate::InputError from the functions, for errors in files.
 struct OrganDescription {
   std::string name;
-  Pose X_WO = Pose::Identity();  ///< Where it is in the world.
+  Pose X_WO = Pose::Identity();  ///< Pose of the organ's frame O in world.
 
-  /// Its tetrahedra: read, or filled into its surface.
+  /// Tetrahedra, read from a file or meshed from the surface, in O.
   std::function<mesh::TetMesh()> tetrahedra;
-  /// Its closed surface, outward: read and repaired, or the boundary of its tetrahedra.
+  /// Closed surface, outward, in O: read and repaired, or the boundary of the tetrahedra.
   std::function<mesh::SurfaceMesh()> surface;
-  /// Its closed surface, outward, in triangles with edges of about organs[].edge_length and along
-  /// sharp ones; of tetrahedra, their boundary.
+  /// Closed surface, outward, in O, remeshed to edges of organs[].edge_length with sharp features;
+  /// or the boundary of the tetrahedra.
   std::function<mesh::SurfaceMesh()> surface_elements;
-  /// Its surface as the file has it, open or closed, of an organ that has one; may be empty.
+  /// Surface as in the file, open or closed, in O; empty for an organ without one.
   std::function<mesh::SurfaceMesh()> sheet;
-  /// What the supports leave free of points X, 3 x n, for models that know no other surroundings:
-  /// it throws where the organ has some.
+  /// Free components of points X, 3 x n, for models that support only holding; throws for others.
   std::function<fem::FreeMask(const Points& X)> free;
-  /// What surrounds the organ, on a mesh in O; directions are in the world.
+  /// Boundary conditions on a mesh in O, with directions in world.
   std::function<Surroundings(const mesh::TetMesh&)> surroundings;
-  /// What the tetrahedra of a mesh in O are made of, with frames in the world.
+  /// Materials of the tetrahedra of a mesh in O, with fibre frames in world.
   std::function<fem::Composition(const mesh::TetMesh&)> composition;
-  /// A fine surface and how presses deform it, in O, as `enriched` asks for.
+  /// A fine surface and its deformations under presses, in O, for model `enriched`.
   std::function<enrichment::DeformationDatabase()> deformations;
-  /// What the organ is made of where no region says otherwise.
+  /// Material outside of all regions.
   std::function<material::Solid()> solid;
 
   std::string element =
-      fem::elementNames().front();  ///< One of fem::elementNames(), for models of finite elements.
+      fem::elementNames().front();  ///< Name of the finite element: one of fem::elementNames().
   solver::RayleighDamping damping;
-  contact::FrictionTable friction;  ///< With what it touches.
-  AdaptSettings adapt;              ///< For models whose mesh can change.
+  contact::FrictionTable friction;  ///< Friction with obstacles.
+  AdaptSettings adapt;              ///< For models with mesh adaptation.
   SpringSettings springs;           ///< For models mass_spring and cloth.
   ClothSettings cloth;              ///< For model cloth.
   SamplingSettings sampling;        ///< For model sampled_elasticity.
@@ -69,12 +68,12 @@ struct OrganDescription {
   NeuralSettings neural;            ///< For model neural.
 };
 
-/// What the maker of a tissue model gets.
+/// Arguments for the construction of a tissue model.
 struct ModelDescription {
-  std::vector<OrganDescription> organs;  ///< One, unless the model owns all of its name together.
+  std::vector<OrganDescription> organs;  ///< One, or all organs of the model: ownsAllOrgans().
   ModelSettings settings;
-  ThreadPool* pool = nullptr;  ///< May be null; outlives the model.
-  /// What is being done, and a part in [0, 1]; may be empty.
+  ThreadPool* pool = nullptr;  ///< May be null. @pre Outlives the model.
+  /// Receives the present task and the fraction done, in [0, 1]; may be empty.
   std::function<void(const std::string& what, double fraction)> progress;
   std::vector<std::string>* warnings = nullptr;  ///< For the user, a line each; may be null.
 };

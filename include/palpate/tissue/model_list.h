@@ -10,16 +10,14 @@
 
 namespace palpate::tissue {
 
-/// What an organ may be modelled by; the first is the default.
+/// Names of all tissue models; the first is the default.
 std::vector<std::string> modelNames();
 
-/// Whether one model of that name owns all organs of that name, solved together; otherwise each
-/// organ has a model of its own.
+/// Whether one model owns all organs with the model name `name`; else each organ has its own model.
 bool ownsAllOrgans(const std::string& name);
 
-/// @throws std::invalid_argument for an unknown name or what the model cannot treat,
-/// std::runtime_error if it has no state to begin with, palpate::InputError as
-/// OrganDescription.
+/// @throws std::invalid_argument for an unknown name or an unsupported description,
+/// std::runtime_error if there is no equilibrium, palpate::InputError as OrganDescription.
 std::unique_ptr<TissueModel> makeModel(const std::string& name,
                                        const ModelDescription& description);
 

@@ -13,16 +13,16 @@
 
 namespace palpate::tissue {
 
-/// What a scene says to all its tissue models; each heeds what it has a use for. What is a key of
-/// scenes has its default in the struct that scenes hold as well.
+/// Settings of a scene for all its tissue models; each uses a part. Defaults of keys are those of
+/// the structs that scenes hold.
 struct ModelSettings : solver::StepSettings {
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2], world
   contact::ResponseSettings contact;
-  std::vector<contact::ResponseEntry> responses = contact::responses();  ///< That it may name.
+  std::vector<contact::ResponseEntry> responses = contact::responses();  ///< For contact.model.
   TouchingOrgans touching;  ///< For models that own several organs.
-  std::vector<InteractionEntry> interactions = tissue::interactions();  ///< That act between them.
+  std::vector<InteractionEntry> interactions = tissue::interactions();  ///< Of these organs.
   contact::SampleSpacing sample_spacing;
-  bool needles = false;  ///< Some instrument goes into tissue.
+  bool needles = false;  ///< Whether an instrument is a needle.
   SkipSwitches skip;
 };
 

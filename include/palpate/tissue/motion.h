@@ -12,7 +12,7 @@ namespace palpate::tissue {
 /// Names of Wave::form.
 std::vector<std::string> waveFormNames();
 
-/// A motion along a line, again and again:
+/// A periodic motion along a line:
 ///
 ///   sine   sin(2 pi c)
 ///   cos4   cos^4(pi (c - 1/2)): breathing, which dwells at the end of expiration, where c is whole
@@ -26,23 +26,22 @@ struct Wave {
   double phase = 0.0;             ///< In cycles.
 };
 
-/// A motion along a table: displacements from the first one, between them by cubic Hermite
-/// interpolation with the slopes of parabolas through three rows. Neither it nor its velocity
-/// leaps.
+/// A motion by a table of displacements from the first row: cubic Hermite interpolation with slopes
+/// of parabolas through three rows. Displacement and velocity are continuous.
 struct MotionTable {
   std::vector<double> t;  ///< [s], from zero, increasing; at least two.
-  Points at;              ///< Of each, world [m]; where periodic, the last is the first.
-  bool periodic = false;  ///< Else it stays where the last row is.
+  Points at;  ///< Displacement of each row, world [m]; if periodic, the last equals the first.
+  bool periodic = false;  ///< False: the last row's displacement lasts.
 };
 
-/// How something is displaced over time, from nowhere at t = 0, at rest there.
+/// Displacement as a function of time, zero and at rest at t = 0.
 class Motion {
  public:
-  /// The wave grows to its size within the first period.
+  /// The amplitude grows to its value within the first period.
   explicit Motion(const Wave& wave);
-  /// A table that is periodic grows to its size within the first period, too; another one begins
-  /// and ends with no velocity.
-  /// @throws std::invalid_argument for a table that is not as MotionTable says.
+  /// A periodic table grows to its amplitude within the first period; another one begins and ends
+  /// with zero velocity.
+  /// @throws std::invalid_argument for a table that violates MotionTable.
   explicit Motion(MotionTable table);
 
   /// Displacement [m] at time t >= 0 [s].

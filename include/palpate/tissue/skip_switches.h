@@ -3,8 +3,8 @@
 
 namespace palpate::tissue {
 
-/// Work that is left out where a scene does not need it. False: it is done all the same, to see
-/// that the answer stays and what it costs. What each means and counts stands in tissue/skips.h.
+/// Switches of work that is skipped where a scene does not need it. False: the work is done, to
+/// measure its cost and check equal results. tissue/skips.h documents each.
 struct SkipSwitches {
   bool sleeping = true;
   bool islands = true;

@@ -10,7 +10,7 @@
 
 namespace palpate::tissue {
 
-/// Work that a cycle did not do because the scene did not need it.
+/// Counters of work that a cycle skipped.
 struct SkipCounters {
   std::int64_t far_bodies = 0;  ///< Tool shapes that cannot touch in this cycle: no contact search.
   std::int64_t sleeping_organs = 0;   ///< At rest and untouched: no solve.
@@ -27,21 +27,21 @@ struct SkipCounters {
   std::int64_t still_points = 0;      ///< Points of springs that were left where they are.
   std::int64_t apart_organs = 0;      ///< Pairs of bodies that could not act on each other.
 
-  /// Of the pieces of work: shapes, organs, solves.
+  /// Sum over Skip::in_total: shapes, organs, solves.
   std::int64_t total() const;
   SkipCounters& operator+=(const SkipCounters& other);
 };
 
-/// A kind of work that cycles leave out: its key below `solver.skip`, its counter in the report.
+/// A kind of skipped work: its key below `solver.skip` and its counter in the report.
 struct Skip {
   const char* key;
   bool SkipSwitches::*on;
-  const char* doc;      ///< What is left out, for the table of keys.
-  const char* counter;  ///< Name of the counter; null where no cycle of the simulation counts it.
+  const char* doc;      ///< Description of the skipped work, for the table of keys.
+  const char* counter;  ///< Name of the counter; null where no cycle counts it.
   std::int64_t SkipCounters::*count;
-  /// What an organ's cycle adds to the counter: a number, or one where it is true.
+  /// Contribution of an organ's cycle to the counter: a number, or 1 where true.
   std::variant<int TissueStep::*, bool TissueStep::*> figure;
-  bool in_total;  ///< Counts pieces of work large enough for SkipCounters::total().
+  bool in_total;  ///< Whether SkipCounters::total() includes the counter.
 
   int of(const TissueStep& step) const;
 };
@@ -51,9 +51,8 @@ struct Skip {
 /// StepReport.msg.
 const std::vector<Skip>& skips();
 
-/// Adds what a part of an organ, or an organ of a model, left out to what the whole did: numbers
-/// are summed; what is true or not is true if it is of all parts, and a part that slept left out
-/// everything. `over`: of parts, those that slept are counted.
+/// Merges the counters of an island or organ into those of the whole. Numbers are summed; flags are
+/// true where true of all parts. Sleeping parts are counted where `over` is kParts.
 void mergeSkips(Over over, const TissueStep& part, TissueStep* whole);
 
 }  // namespace palpate::tissue

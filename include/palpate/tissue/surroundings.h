@@ -12,48 +12,47 @@
 
 namespace palpate::tissue {
 
-/// Nodes, all components of which are held, that are carried along a motion.
+/// Nodes with prescribed motion in all components.
 struct CarriedNodes {
   std::vector<int> nodes;  ///< Ascending.
   Motion motion;
 };
 
-/// Springs on the boundary faces of which all corners are among `nodes`, anchored where these are
-/// at rest, or carried along a motion.
+/// Springs on the boundary faces with all corners in `nodes`, anchored at rest positions or moved.
 struct SpringSupport {
   std::vector<int> nodes;  ///< Ascending.
   fem::FoundationConstants constants;
   std::optional<Motion> motion;
 };
 
-/// Pressure on the boundary faces of which all corners are among `nodes`.
+/// Pressure on the boundary faces with all corners in `nodes`.
 struct PressedFaces {
   std::vector<int> nodes;  ///< Ascending.
   fem::CavityContent content;
 };
 
-/// What an organ's surroundings do to it beside gravity and tools, on the nodes of a mesh of it.
+/// Boundary conditions of an organ other than gravity and tools, on the nodes of a mesh.
 ///
-/// Several may meet in a node. What is held is held, whatever else there is; of the motions that
-/// would carry it the last one does; springs and pressures add up.
+/// Several may apply to a node: holding takes precedence, the last motion counts, springs and
+/// pressures add up.
 struct Surroundings {
-  /// Held, and no more.
+  /// Boundary conditions that only hold nodes.
   Surroundings(fem::FreeMask mask = {}) : free(std::move(mask)) {}  // NOLINT: is what it holds
 
   fem::FreeMask free;                 ///< 3 x n, in the world.
-  std::vector<CarriedNodes> carried;  ///< Of later ones over earlier ones.
+  std::vector<CarriedNodes> carried;  ///< Later entries take precedence.
   std::vector<SpringSupport> springs;
   std::vector<PressedFaces> pressures;
 
-  /// Whether it is all in `free`.
+  /// Whether `free` is the only boundary condition.
   bool onlyHolds() const { return carried.empty() && springs.empty() && pressures.empty(); }
-  /// Whether springs lose energy.
+  /// Whether springs have damping.
   bool damps() const;
-  /// Whether a content resists a change of its volume.
+  /// Whether a cavity's content resists a change of volume.
   bool resistsVolumes() const;
 };
 
-/// What a part of a body has of it, whose nodes are these of the whole, ascending.
+/// Boundary conditions of a part of a body, given the part's nodes in the whole, ascending.
 Surroundings partOf(const Surroundings& whole, const std::vector<int>& nodes);
 
 }  // namespace palpate::tissue

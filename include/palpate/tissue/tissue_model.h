@@ -16,37 +16,36 @@
 
 namespace palpate::tissue {
 
-/// A touching point at the end of a cycle.
+/// A contact of a surface sample at the end of a cycle.
 struct TissueContact {
-  contact::Owner owner;  ///< Of the obstacle.
-  double penetration;    ///< [m]; negative where it is held at a distance.
-  Vec3 p_W;              ///< Of the tissue surface [m].
-  Vec3 force_W;          ///< On the obstacle [N].
-  int organ = 0;         ///< Of the model's.
+  contact::Owner owner;  ///< Owner of the obstacle.
+  double penetration;    ///< Penetration [m]; negative where teeth hold the sample at a distance.
+  Vec3 p_W;              ///< Position of the sample, world [m].
+  Vec3 force_W;          ///< Force on the obstacle, world [N].
+  int organ = 0;         ///< Index among the model's organs.
 };
 
-/// What a cycle did. Forces are those on the tissue, summed over its nodes, in world [N].
+/// Result of a cycle. Forces act on the tissue, summed over its nodes, world [N].
 struct TissueStep : StepFigures {
   std::vector<TissueContact> contacts;
   Vec3 support_force = Vec3::Zero();
   Vec3 gravity_force = Vec3::Zero();
-  Vec3 inertia_force = Vec3::Zero();      ///< Of inertia and of damping by mass.
-  Vec3 interaction_force = Vec3::Zero();  ///< Of other organs.
-  // What was left out, see skips.h.
-  int far_bodies = 0;            ///< Bodies that could not touch in this cycle.
-  bool slept = false;            ///< At rest and untouched: nothing was solved.
-  bool satisfied = false;        ///< The predictor was within tolerance: no iteration was needed.
-  int sleeping_islands = 0;      ///< Parts that slept, of a body that consists of several.
-  int distant_samples = 0;       ///< Surface points, times near bodies, that were out of reach.
-  int inactive_samples = 0;      ///< Those within reach that did not touch at the end.
-  int frictionless_touches = 0;  ///< Contacts whose friction was not evaluated: they have none.
-  int inviscid_solids = 0;       ///< Without viscous terms, in a cycle that was solved.
-  int kept_stiffnesses = 0;      ///< Elastic stiffnesses that were not assembled again.
-  int still_points = 0;          ///< Outside of the region that moves; of model mass_spring.
-  int apart_organs =
-      0;  ///< Others that one of its bodies could not act on, each pair counted once.
+  Vec3 inertia_force = Vec3::Zero();      ///< Inertia and mass-proportional damping [N].
+  Vec3 interaction_force = Vec3::Zero();  ///< Forces of other organs [N].
+  // Counters of skipped work, see skips.h.
+  int far_bodies = 0;        ///< Obstacles that could not touch in this cycle.
+  bool slept = false;        ///< Whether the organ slept: at rest and untouched, nothing solved.
+  bool satisfied = false;    ///< Whether the predictor was within tolerance, without an iteration.
+  int sleeping_islands = 0;  ///< Islands that slept.
+  int distant_samples = 0;   ///< Pairs of sample and near obstacle out of reach.
+  int inactive_samples = 0;  ///< Pairs within reach without a touch at the end.
+  int frictionless_touches = 0;  ///< Contacts without friction, not evaluated.
+  int inviscid_solids = 0;       ///< Solids without viscous terms in a solved cycle.
+  int kept_stiffnesses = 0;      ///< Elastic stiffnesses that were reused.
+  int still_points = 0;          ///< Points outside the moving region of model mass_spring.
+  int apart_organs = 0;          ///< Pairs of bodies that could not interact, each counted once.
 
-  /// As new, but with its memory.
+  /// Resets all members, but keeps the capacity of `contacts`.
   void clear() {
     std::vector<TissueContact> memory = std::move(contacts);
     memory.clear();
@@ -55,58 +54,60 @@ struct TissueStep : StepFigures {
   }
 };
 
-/// What there is of an organ now. The references hold until its model steps, is reset or restored.
-struct Shape {
+/// Present surface of an organ. References are valid until its model steps, is reset or restored.
+struct SurfaceState {
   const Points& positions;            ///< World, 3 x n [m]; always finite.
   const Points& velocities;           ///< World, 3 x n [m/s].
-  const Eigen::Matrix3Xi& triangles;  ///< Its surface, outward, into positions.
-  /// Grows whenever the triangles or the number of points become others, and never shrinks:
-  /// whoever keeps something about them looks here. Points that no triangle uses are inside.
+  const Eigen::Matrix3Xi& triangles;  ///< Surface, outward: indices into `positions`.
+  /// Grows whenever triangles or the number of points change; caches compare it. Points that no
+  /// triangle uses are interior.
   std::uint64_t revision;
 };
 
-/// One or more soft organs that tools press, solved together. The simulation sees only this; behind
-/// it stands a mechanical model. To add one: docs/adding_a_model.md.
+/// Interface of tissue models: one or more organs that are solved together and touched by tools.
+/// To add one: docs/adding_a_model.md.
 class TissueModel {
  public:
   virtual ~TissueModel() = default;
 
   virtual int numOrgans() const { return 1; }
-  virtual Shape shape(int organ) const = 0;
-  /// The points of shape() at rest in the world, and what lies between them, for files of results.
-  /// A model without cells leaves these out. Made anew in each call.
+  virtual SurfaceState surfaceState(int organ) const = 0;
+  /// Rest configuration of the points of surfaceState(), world [m], and the cells, for result
+  /// files. A model without cells has none. Computed in each call.
   virtual mesh::CellMesh cells(int organ) const = 0;
-  const Points& positions(int organ = 0) const { return shape(organ).positions; }
-  const Points& velocities(int organ = 0) const { return shape(organ).velocities; }
+  const Points& positions(int organ = 0) const { return surfaceState(organ).positions; }
+  const Points& velocities(int organ = 0) const { return surfaceState(organ).velocities; }
 
-  /// One cycle of `dt` [s]. Never throws. A solve that fails is a status: positions() then are the
-  /// last good ones, and the contacts are empty. `obstacles` are the same shapes in the same order
-  /// in every cycle. Figures of several organs are sums, or the worst of them.
+  /// Simulates one cycle of `dt` [s]; never throws. After a failed solve, reported as status,
+  /// positions() are the last good ones and contacts are empty. Figures of several organs are
+  /// merged by stepFigures().
+  /// @pre `obstacles` have the same shapes in the same order in every cycle.
   virtual const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) = 0;
-  /// What the last step() did organ by organ, of a model that can tell that of several; else null.
+  /// Results of the last step() of each organ; null where the model does not separate them.
   virtual const std::vector<TissueStep>* reports() const { return nullptr; }
 
-  /// By which methods an organ is solved, once each, that of its largest part first: names of
-  /// methodFacts(), "auto" never among them. Empty for a model that has no such choice.
+  /// Methods that solve an organ, without repetition, that of the largest island first: names of
+  /// methodFacts(), never "auto". Empty for a model without methods.
   virtual std::vector<std::string> methods(int /*organ*/) const { return {}; }
 
-  /// What was decided when the model was made and the user should know, a line each.
+  /// Decisions at construction that concern the user, a line each.
   virtual std::vector<std::string> notes() const { return {}; }
 
-  /// Asked now and then in every step; when it says true, the step ends with the best state so far
-  /// and the status kDeadline. Null, as at first: nobody is asked, and steps can be repeated.
+  /// Sets a predicate that every step polls. Where it is true, the step ends with the best state
+  /// and status kDeadline. Null, the default: none, so results are reproducible.
   virtual void setInterrupt(const solver::Interrupt* interrupt) = 0;
 
-  /// Back to the initial equilibrium, at rest.
+  /// Returns to the initial equilibrium, at rest.
   virtual void reset() = 0;
-  /// Goes on from there without a past. Sizes as positions(organ), all finite: the caller's duty.
-  virtual void place(int organ, const Points& positions, const Points& velocities) = 0;
+  /// Sets positions [m] and velocities [m/s] of an organ, 3 x n, and clears all other state.
+  /// @pre Sizes are those of positions(organ); all values are finite.
+  virtual void setPositions(int organ, const Points& positions, const Points& velocities) = 0;
 
-  /// All memory. To take it changes nothing.
+  /// Returns the whole state, without changing it.
   virtual State state() const = 0;
-  /// Goes on as the model would have of which this is the state(), to the bit.
-  /// @throws std::invalid_argument for a state of another kind, or bytes that are cut off; the
-  /// model must then be reset or restored before it goes on.
+  /// Sets the state of a state() call; later results are bitwise equal to those of that model.
+  /// @throws std::invalid_argument for a state of another kind or truncated bytes; the model must
+  /// then be reset or restored.
   virtual void restore(const State& state) = 0;
 };
 

@@ -8,16 +8,16 @@
 
 namespace palpate::tissue {
 
-/// Two organs by their names; the same one twice: the organ itself.
+/// Names of two organs; twice the same name: self-contact of an organ.
 struct OrganPair {
   std::string organ, other;
 };
 
-/// Which organs may touch.
+/// Pairs of organs that may touch.
 struct TouchingOrgans {
-  bool organs = true;            ///< Organs touch each other.
-  bool self = false;             ///< Where they fold, themselves.
-  std::vector<OrganPair> apart;  ///< But for these.
+  bool organs = true;            ///< Whether organs touch each other.
+  bool self = false;             ///< Whether organs touch themselves.
+  std::vector<OrganPair> apart;  ///< Pairs without contact.
 
   bool mayTouch(const std::string& a, const std::string& b) const;
 };

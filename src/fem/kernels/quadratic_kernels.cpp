@@ -20,7 +20,7 @@ inline double* jacobians(const Arrays& arrays, int batch, int q, int lane) {
 
 // H at point q of the k-th batch of a run.
 inline Symmetric viscousStress(const Arrays& arrays, const TetRun& run, int k, int q, int lane,
-                               const MemoryPlaces& places) {
+                               const MemorySlots& places) {
   const double* H = arrays.viscous[run.first_memory + kPoints * k].component[0] + q;
   Lanes c[6];
   for (int i = 0; i < 6; ++i) c[i] = gather(H + kBatchSize * i, places.at + lane);
@@ -60,7 +60,7 @@ struct Loops {
     for (int k = 0; k < numBatches(run); ++k) {
       const int b = run.first_batch + k;
       const TetBatch<10>& batch = arrays.batches[b];
-      const MemoryPlaces places = memoryPlaces(countOf(run, k));
+      const MemorySlots places = memorySlots(countOf(run, k));
       double energy[kBatchSize];
       for (int lane = 0; lane < kBatchSize; lane += kWidth) {
         const Quadratic e = quadraticAt(batch, lane, x);
@@ -115,7 +115,7 @@ struct Loops {
       const int b = run.first_batch + k;
       const TetBatch<10>& batch = arrays.batches[b];
       const int count = countOf(run, k);
-      const MemoryPlaces places = memoryPlaces(count);
+      const MemorySlots places = memorySlots(count);
       double energy[kBatchSize], force[30][kBatchSize];
       for (int lane = 0; lane < kBatchSize; lane += kWidth) {
         const Quadratic e = quadraticAt(batch, lane, x);
@@ -159,7 +159,7 @@ struct Loops {
       const int b = run.first_batch + k;
       const TetBatch<10>& batch = arrays.batches[b];
       const int count = countOf(run, k);
-      const MemoryPlaces places = memoryPlaces(count);
+      const MemorySlots places = memorySlots(count);
       CornerBlocks corner_blocks;
       double dilatation[4][30][kBatchSize];
       for (int lane = 0; lane < kBatchSize; lane += kWidth) {
@@ -197,7 +197,7 @@ struct Loops {
     for (int k = 0; k < numBatches(run); ++k) {
       const TetBatch<10>& batch = arrays.batches[run.first_batch + k];
       const int count = countOf(run, k);
-      const MemoryPlaces places = memoryPlaces(count);
+      const MemorySlots places = memorySlots(count);
       double* first = S[run.first_memory + kPoints * k].component[0];
       for (int q = 0; q < kPoints; ++q) {
         double out[6][kBatchSize];

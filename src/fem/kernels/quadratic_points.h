@@ -90,11 +90,11 @@ inline CornerPressures cornerPressures(const TetPressures<10>* batches, int batc
 
 /// Where the viscous memory of point 0 of each element of a batch begins: the points of an element
 /// follow one another, two elements share a SymmetricBatch.
-struct MemoryPlaces {
+struct MemorySlots {
   int at[kBatchSize];
 };
-inline MemoryPlaces memoryPlaces(int count) {
-  MemoryPlaces places;
+inline MemorySlots memorySlots(int count) {
+  MemorySlots places;
   for (int e = 0; e < kBatchSize; ++e) {
     const int k = e < count ? e : count - 1;
     places.at[e] =

@@ -69,15 +69,15 @@ BemOrgan::BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadP
       loads_(bem::bodyForces(surface_, parts.moduli, stiffness_.matrix,
                              parts.density * settings.gravity)),
       u_loads_(columns(compliance_ * flat(loads_))),
-      touch_(surface_.points, surface_.triangles, settings),
+      tool_contact_(surface_.points, surface_.triangles, settings),
       rest_(Rest::kMotion * sizeOf(surface_.points), settings.skip.sleeping),
-      contact_(&touch_.contact, surface_.points, free_, {places_, compliance_}) {
+      contact_(&tool_contact_.contact, surface_.points, free_, {places_, compliance_}) {
   // That moves no point farther than the tolerance, or a part of what strains the body a little.
   least_force_ =
       settings.position_tolerance > 0.0
           ? settings.position_tolerance / compliance_.diagonal().maxCoeff()
           : 0.01 * settings.tolerance * parts.moduli.mu * std::pow(sizeOf(surface_.points), 2);
-  setBearing(parts, &touch_.contact);
+  setBearing(parts, &tool_contact_.contact);
   BemOrgan::reset();
 }
 
@@ -105,8 +105,8 @@ double BemOrgan::tolerance() const {
 
 const TissueStep& BemOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
-  touch_.begin(obstacles, x_, v_, dt, &out_);
-  if (rest_.sleeps(touch_)) {
+  tool_contact_.begin(obstacles, x_, v_, dt, &out_);
+  if (rest_.sleeps(tool_contact_)) {
     rest_.report(&out_);
     return out_;
   }
@@ -124,10 +124,10 @@ const TissueStep& BemOrgan::step(const std::vector<contact::Obstacle>& obstacles
   out_.satisfied = out_.newton_iterations == 0 && out_.ok();
   v_ = (x_ - x_begin_) / dt;
   report();
-  touch_.endStep(x_);
-  if (out_.ok()) touch_.contact.learn(x_, dt);
-  contact_scale_ = touch_.report(x_, &out_);
-  touch_.countInactive(&out_);
+  tool_contact_.endStep(x_);
+  if (out_.ok()) tool_contact_.contact.learn(x_, dt);
+  contact_scale_ = tool_contact_.report(x_, &out_);
+  tool_contact_.countInactive(&out_);
   rest_.remember(out_);
   return out_;
 }
@@ -137,27 +137,28 @@ void BemOrgan::fail() {
   x_ = x_begin_;
   force_ = force_begin_;
   v_.setZero();
-  touch_.contact.forget();
-  touch_.sides.doubt();
+  tool_contact_.contact.forget();
+  tool_contact_.inside_tools.invalidate();
   if (out_.status == solver::SolveStatus::kDeadline) return;
   if (solver::usable(out_.status)) out_.status = solver::SolveStatus::kNonFinite;
 }
 
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end.
 void BemOrgan::solveStages() {
-  touch_.place(0.0);
-  touch_.sweep.beginStep(x_);
+  tool_contact_.moveTo(0.0);
+  tool_contact_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   for (double s = 0.0; s < 1.0;) {
-    s = touch_.sweep.next(x_, s, 1.0);
+    s = tool_contact_.tool_path.next(x_, s, 1.0);
     ++out_.sweep_stages;
-    touch_.place(s);
+    tool_contact_.moveTo(s);
     out_.status = solveStage((s < 1.0 ? kStageTolerance : 1.0) * 0.5 * out_.tolerance).status;
     if (!solver::usable(out_.status) || out_.status == solver::SolveStatus::kDeadline) return;
   }
-  const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
-  for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
-    touch_.contact.settle(x_);
+  const int most =
+      tool_contact_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
+  for (int k = 0; k < most && out_.ok() && !tool_contact_.contact.augmentationConverged(x_); ++k) {
+    tool_contact_.contact.augment(x_);
     out_.status = solveStage(0.5 * out_.tolerance).status;
   }
 }
@@ -170,8 +171,8 @@ solver::NewtonReport BemOrgan::solveStage(double tolerance) {
                             interrupt_);
     out_.newton_iterations += solved.iterations;
     displace();
-    if (touch_.sweep.candidatesHold(x_)) break;
-    touch_.sweep.search(x_);
+    if (tool_contact_.tool_path.candidatesHold(x_)) break;
+    tool_contact_.tool_path.search(x_);
   }
   return solved;
 }
@@ -190,7 +191,7 @@ void BemOrgan::report() {
   const PhaseTimer timer(&out_.phases, Phase::kForces);
   // What contact does at the points where they are now, beside what they were solved for.
   g_.setZero();
-  touch_.contact.addGradient(x_, &g_);
+  tool_contact_.contact.addGradient(x_, &g_);
   double unbalanced = 0.0;
   Vec3 on_support = Vec3::Zero();
   for (Eigen::Index k = 0; k < g_.size(); ++k) {
@@ -207,7 +208,7 @@ void BemOrgan::report() {
   out_.elastic_energy = 0.5 * (g_.cwiseProduct(loads_).sum() + g_.cwiseProduct(force_).sum());
   out_.residual = std::sqrt(unbalanced);
   support_scale_ = out_.support_force.norm();
-  if (rest_.isStill(x_, touch_, out_) && out_.residual <= out_.tolerance) {
+  if (rest_.isStill(x_, tool_contact_, out_) && out_.residual <= out_.tolerance) {
     rest_.fallAsleep();
     v_.setZero();
   }
@@ -219,18 +220,18 @@ void BemOrgan::reset() {
   v_.setZero(3, x_.cols());
   g_ = v_;
   contact_scale_ = support_scale_ = 0.0;
-  touch_.forget();
+  tool_contact_.forget();
   rest_.wake();
 }
 
 // The contact forces are those that hold it there.
-void BemOrgan::place(int, const Points& positions, const Points& velocities) {
+void BemOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   x_ = positions;
   v_ = velocities;
   g_ = x_ - surface_.points;
   force_ = (columns(stiffness_.matrix * flat(g_)) - loads_).cwiseProduct(free_);
   contact_scale_ = support_scale_ = 0.0;
-  touch_.forget();
+  tool_contact_.forget();
   rest_.wake();
 }
 
@@ -245,7 +246,7 @@ State BemOrgan::state() const {
   out.put(force_);
   out.put(contact_scale_);
   out.put(support_scale_);
-  touch_.save(&out);
+  tool_contact_.save(&out);
   rest_.save(&out);
   return {kind(), out.bytes()};
 }
@@ -258,7 +259,7 @@ void BemOrgan::restore(const State& state) {
   in.getSame(&force_);
   in.get(&contact_scale_);
   in.get(&support_scale_);
-  touch_.restore(&in);
+  tool_contact_.restore(&in);
   rest_.restore(&in);
   in.finish();
 }

@@ -13,7 +13,7 @@
 #include "palpate/tissue/tissue_model.h"
 #include "tissue/touch/compliant_contact.h"
 #include "tissue/touch/rest.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
@@ -37,13 +37,13 @@ class BemOrgan final : public TissueModel {
   /// @throws std::invalid_argument as bem::surfaceStiffness() and bem::surfaceCompliance().
   BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadPool* pool);
 
-  Shape shape(int) const override { return {x_, v_, surface_.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, surface_.triangles, 0}; }
   mesh::CellMesh cells(int organ) const override;
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
   void reset() override;
-  void place(int organ, const Points& positions, const Points& velocities) override;
+  void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 
@@ -64,7 +64,7 @@ class BemOrgan final : public TissueModel {
   Eigen::Matrix3Xd support_rows_;  // of the stiffness, summed over what is held, 3 x 3 n
   std::vector<int> places_;
   Points loads_, u_loads_;  // of gravity [N], under it [m]
-  Touch touch_;
+  ToolContact tool_contact_;
   Rest rest_;
   CompliantContact contact_;
   const solver::Interrupt* interrupt_ = nullptr;

@@ -25,11 +25,11 @@ EnrichedOrgan::EnrichedOrgan(std::unique_ptr<FemOrgan> body, FineSurface fine,
       learned_(std::move(learned)),
       time_(time),
       still_(kStill * body_->body().size),
-      settled_(body_->body().x),
-      triangles_(fine_.triangles().array() + static_cast<int>(settled_.cols())),
+      equilibrium_(body_->body().x),
+      triangles_(fine_.triangles().array() + static_cast<int>(equilibrium_.cols())),
       detail_(Points::Zero(3, fine_.numPoints())),
       rate_(detail_),
-      x_(3, settled_.cols() + fine_.numPoints()),
+      x_(3, equilibrium_.cols() + fine_.numPoints()),
       v_(x_) {
   EnrichedOrgan::reset();
 }
@@ -45,7 +45,7 @@ mesh::CellMesh EnrichedOrgan::cells(int) const {
 const TissueStep& EnrichedOrgan::endCycle(const std::vector<contact::Obstacle>&, double dt) {
   const TissueStep& report = body_->report();
   if (report.slept) return report;
-  u_ = body_->body().x - settled_;
+  u_ = body_->body().x - equilibrium_;
   learned_.find(report.contacts, u_, fine_, &target_);
   if (follow(dt)) {
     fine_.offsets(detail_, &offsets_);
@@ -71,7 +71,7 @@ bool EnrichedOrgan::follow(double dt) {
 }
 
 void EnrichedOrgan::show() {
-  const Eigen::Index m = settled_.cols(), n = fine_.numPoints();
+  const Eigen::Index m = equilibrium_.cols(), n = fine_.numPoints();
   x_.leftCols(m) = body_->body().x;
   v_.leftCols(m) = body_->body().v;
   fine_.carried(body_->body().x, &on_);
@@ -89,9 +89,9 @@ void EnrichedOrgan::reset() {
   show();
 }
 
-void EnrichedOrgan::place(int, const Points& positions, const Points& velocities) {
-  const Eigen::Index m = settled_.cols(), n = fine_.numPoints();
-  body_->place(0, positions.leftCols(m), velocities.leftCols(m));
+void EnrichedOrgan::setPositions(int, const Points& positions, const Points& velocities) {
+  const Eigen::Index m = equilibrium_.cols(), n = fine_.numPoints();
+  body_->setPositions(0, positions.leftCols(m), velocities.leftCols(m));
   fine_.carried(body_->body().x, &on_);
   detail_ = positions.rightCols(n) - on_ - fine_.distance();
   rate_.setZero();

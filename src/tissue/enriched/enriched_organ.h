@@ -15,11 +15,11 @@ namespace palpate::tissue {
 /// what the cycle before found, within `time`, so that it moves no tool at once.
 class EnrichedOrgan final : public OrganBodies {
  public:
-  /// `body` feels contact at the samples of `fine`, and is settled. `time` [s].
+  /// `body` feels contact at the samples of `fine`, in equilibrium. `time` [s].
   EnrichedOrgan(std::unique_ptr<FemOrgan> body, FineSurface fine, LearnedDetail learned,
                 double time);
 
-  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override;
   std::vector<std::string> methods(int) const override { return body_->methods(0); }
   std::vector<std::string> notes() const override { return body_->notes(); }
@@ -29,7 +29,7 @@ class EnrichedOrgan final : public OrganBodies {
 
   void reset() override;
   /// The body's nodes first, then the fine points; these say what their detail is.
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 
@@ -42,7 +42,7 @@ class EnrichedOrgan final : public OrganBodies {
   FineSurface fine_;
   LearnedDetail learned_;
   double time_, still_;  // [s]; a change of detail that is none [m]
-  Points settled_;       // of the body's nodes
+  Points equilibrium_;   // of the body's nodes
   Eigen::Matrix3Xi triangles_;
   Points detail_, rate_;              // of the fine points [m], [m/s]
   Points target_, u_, offsets_, on_;  // room to work in

@@ -7,7 +7,7 @@ namespace palpate::tissue {
 
 FineSurface::FineSurface(const mesh::SurfaceMesh& coarse, mesh::SurfaceMesh fine, double spacing)
     : fine_(std::move(fine)),
-      places_(mesh::nearestPlaces(coarse, fine_.points)),
+      places_(mesh::nearestSurfacePoints(coarse, fine_.points)),
       on_fine_(contact::sampleSurface(fine_.points, fine_.triangles, spacing)) {
   carried(coarse.points, &distance_);
   distance_ = fine_.points - distance_;
@@ -15,7 +15,7 @@ FineSurface::FineSurface(const mesh::SurfaceMesh& coarse, mesh::SurfaceMesh fine
   for (std::size_t s = 0; s < on_fine_.size(); ++s) {
     at.col(static_cast<Eigen::Index>(s)) = on_fine_[s].position(fine_.points);
   }
-  const std::vector<mesh::FacePlace> places = mesh::nearestPlaces(coarse, at);
+  const std::vector<mesh::SurfacePoint> places = mesh::nearestSurfacePoints(coarse, at);
   for (std::size_t s = 0; s < on_fine_.size(); ++s) {
     contact::SurfaceSample sample{places[s].nodes, places[s].weights, on_fine_[s].area};
     sample.offset = at.col(static_cast<Eigen::Index>(s)) - sample.of(coarse.points);

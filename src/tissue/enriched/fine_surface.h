@@ -5,7 +5,7 @@
 
 #include "palpate/contact/surface_samples.h"
 #include "palpate/mesh/surface_mesh.h"
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 
 namespace palpate::tissue {
 
@@ -34,7 +34,7 @@ class FineSurface {
 
  private:
   mesh::SurfaceMesh fine_;
-  std::vector<mesh::FacePlace> places_;
+  std::vector<mesh::SurfacePoint> places_;
   Points distance_;
   std::vector<contact::SurfaceSample> on_fine_, samples_;  // between fine points, coarse nodes
 };

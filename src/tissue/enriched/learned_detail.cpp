@@ -22,7 +22,7 @@ LearnedDetail::LearnedDetail(const EnrichedSettings& settings,
     : residual_(settings.detail == "residual"),
       R_WO_(X_WO.linear()),
       coarse_(X_WO * database.coarse.points.colwise().homogeneous()),
-      coarse_places_(mesh::nearestPlaces(body, coarse_)) {
+      coarse_places_(mesh::nearestSurfacePoints(body, coarse_)) {
   if (settings.detail != "none") shape_.emplace(learn(settings, database));
 }
 

@@ -39,9 +39,9 @@ class LearnedDetail {
   std::optional<enrichment::EnrichedShape> shape_;  // none: there is no detail
   bool residual_;
   Mat3 R_WO_;
-  Points coarse_;                               // at rest in the world
-  std::vector<mesh::FacePlace> coarse_places_;  // on the body
-  std::vector<Tool> tools_;                     // by instrument
+  Points coarse_;                                  // at rest in the world
+  std::vector<mesh::SurfacePoint> coarse_places_;  // on the body
+  std::vector<Tool> tools_;                        // by instrument
   Points moved_W_, moved_O_, learned_, carried_;
 };
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fem_organ.h"
-#include "next_mesh.h"
+#include "mesh_adaptation.h"
 #include "palpate/base/state_bytes.h"
 
 namespace palpate::tissue {
@@ -19,18 +19,18 @@ class AdaptiveTissue final : public OrganBodies {
                  const Surroundings& surroundings, const FemSettings& settings,
                  const AdaptSettings& adapt, ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
-        tools_(kWorthALook * adapt.finest, kFineWithin * adapt.finest),
-        next_(mesh, composition, surroundings, settings, adapt, pool) {
-    coarse_ = next_.make();
-    coarse_->settle();
-    next_.setCoarse(coarse_.get());
+        tools_(kMinToolMotion * adapt.finest, kFineDistance * adapt.finest),
+        adaptation_(mesh, composition, surroundings, settings, adapt, pool) {
+    coarse_ = adaptation_.make();
+    coarse_->findEquilibrium();
+    adaptation_.setCoarse(coarse_.get());
     notes_ = coarse_->notes();
-    next_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept
+    adaptation_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept
     become(coarse_.get());
   }
 
-  Shape shape(int) const override {
-    const Shape shape = organ_->shape(0);
+  SurfaceState surfaceState(int) const override {
+    const SurfaceState shape = organ_->surfaceState(0);
     return {shape.positions, shape.velocities, shape.triangles, revision_};
   }
   mesh::CellMesh cells(int) const override { return organ_->cells(0); }
@@ -48,7 +48,7 @@ class AdaptiveTissue final : public OrganBodies {
     for (const contact::Obstacle& obstacle : obstacles) {
       if (obstacle.owner.isInstrument()) moving_.push_back(obstacle);
     }
-    next_.resume(moving_);
+    adaptation_.resume(moving_);
     if (cycles_left_ == 0 || --cycles_left_ > 0) return;
     if (isInTime()) return takeNext();
     cycles_left_ = 1;
@@ -58,34 +58,34 @@ class AdaptiveTissue final : public OrganBodies {
   const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double dt) override {
     // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
     const Points& x = organ_->positions(0);
-    const double far = organ_ == coarse_.get() ? next_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(moving_, kTimeAhead / dt, x, far)) beginNext(x, dt);
+    const double far = organ_ == coarse_.get() ? adaptation_.reach() : 0.0;
+    if (cycles_left_ == 0 && tools_.look(moving_, kLookAheadTime / dt, x, far)) beginNext(x, dt);
     return organ_->report();
   }
 
   void reset() override {
     cycles_left_ = 0;
     tools_.forget();
-    next_.restore("");
+    adaptation_.restore("");
     fine_.reset();
     coarse_->reset();
     become(coarse_.get());
   }
 
-  void place(int, const Points& positions, const Points& velocities) override {
-    organ_->place(0, positions, velocities);
+  void setPositions(int, const Points& positions, const Points& velocities) override {
+    organ_->setPositions(0, positions, velocities);
     tools_.forget();
   }
 
   State state() const override {
     StateWriter out;
     const State state = organ_->state();
-    out.put(next_.bisected());
+    out.put(adaptation_.bisected());
     out.put(state.kind);
     out.put(state.bytes);
     tools_.save(&out);
     out.put(cycles_left_);
-    if (cycles_left_ > 0) next_.saveTask(&out);
+    if (cycles_left_ > 0) adaptation_.saveTask(&out);
     return {kind_, out.bytes()};
   }
 
@@ -97,14 +97,14 @@ class AdaptiveTissue final : public OrganBodies {
     in.get(&bisected);
     in.get(&inner.kind);
     in.get(&inner.bytes);
-    next_.restore(bisected);
-    fine_ = next_.isCoarse() ? nullptr : next_.make();
+    adaptation_.restore(bisected);
+    fine_ = adaptation_.isCoarse() ? nullptr : adaptation_.make();
     become(fine_ ? fine_.get() : coarse_.get());
     organ_->reset();
     organ_->restore(inner);
     tools_.restore(&in);
     in.get(&cycles_left_);
-    if (cycles_left_ > 0) next_.restoreTask(&in);
+    if (cycles_left_ > 0) adaptation_.restoreTask(&in);
     in.finish();
   }
 
@@ -112,10 +112,10 @@ class AdaptiveTissue final : public OrganBodies {
   // To take the next mesh into use a fixed number of cycles later, however fast it is made, keeps
   // the results from depending on time.
   void beginNext(const Points& x, double dt) {
-    next_.begin(x, tools_, dt);
+    adaptation_.begin(x, tools_, dt);
     tools_.suited();
-    const double cycles = std::min(std::ceil(kTimeBeside / dt - 1e-6), 1e6);
-    cycles_left_ = std::max(kFewestCyclesBeside, static_cast<int>(cycles));
+    const double cycles = std::min(std::ceil(kBackgroundTime / dt - 1e-6), 1e6);
+    cycles_left_ = std::max(kMinBackgroundCycles, static_cast<int>(cycles));
   }
 
   // Where cycles are asked to end, one waits for the mesh as long as it may; those after it take it
@@ -123,21 +123,21 @@ class AdaptiveTissue final : public OrganBodies {
   bool isInTime() {
     const bool waits = !std::exchange(late_, false);
     if (interrupt_ == nullptr || !*interrupt_) return true;
-    late_ = !next_.await(waits ? *interrupt_ : [] { return true; });
+    late_ = !adaptation_.await(waits ? *interrupt_ : [] { return true; });
     return !late_;
   }
 
   // The tissue went on since the mesh was begun: a mesh that does not suit it any more, because
   // elements would be turned inside out, is left, and asked for again.
   void takeNext() {
-    const std::string before = next_.bisected();
-    NextMesh::Result next = next_.take();
+    const std::string before = adaptation_.bisected();
+    MeshAdaptation::Result next = adaptation_.take();
     if (!next.complete) tools_.forget();
     if (!next.change) return;
     const FemOrgan& old = *organ_;
     const FemOrgan& organ = next.organ ? *next.organ : *coarse_;
     if (!organ.canGoOnFrom(old, *next.change)) {
-      next_.restore(before);
+      adaptation_.restore(before);
       return tools_.forget();
     }
     const std::unique_ptr<FemOrgan> kept = std::exchange(fine_, std::move(next.organ));
@@ -155,7 +155,7 @@ class AdaptiveTissue final : public OrganBodies {
   std::vector<contact::Obstacle> moving_;
   ToolDistance tools_;
   std::unique_ptr<FemOrgan> coarse_, fine_;
-  NextMesh next_;              // after what it works on
+  MeshAdaptation adaptation_;  // after what it works on
   FemOrgan* organ_ = nullptr;  // one of both
   int cycles_left_ = 0;        // until the next mesh is taken; 0: none is being made
   bool late_ = false;          // it should have been taken by now

@@ -8,9 +8,8 @@
 
 namespace palpate::tissue {
 
-/// How the tissue around each node of a surface bears what presses there: Young's modulus at rest,
-/// of the stiffest solid around, over the mean length of the edges [Pa/m]; 0 where there is no
-/// surface. `triangles`: the surface.
+/// Stiffness scale at each surface node: Young's modulus at rest of the stiffest adjacent solid
+/// over the mean edge length [Pa/m]; 0 off the surface. `triangles`: the surface.
 Eigen::VectorXd bearingStiffness(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles,
                                  const fem::Composition& composition);
 

@@ -119,10 +119,10 @@ void BodyGroup::endSolved() {
   const bool at_rest = cameToRest();
   const bool touched = isTouched();
   bool anew = false;
-  for (FemOrgan* member : members_) anew |= !touched && member->givesUp(out_, at_rest);
+  for (FemOrgan* member : members_) anew |= !touched && member->shouldReset(out_, at_rest);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (anew) {
-      members_[k]->beginAnewTogether(out_, solver::SolveStatus::kInverted);
+      members_[k]->resetWithGroup(out_, solver::SolveStatus::kInverted);
     } else {
       members_[k]->endTogether(out_, at_rest, bodies_.part(k, steps_.gradient()),
                                bodies_.interactionForces()[k]);

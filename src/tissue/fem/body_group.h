@@ -9,23 +9,23 @@
 
 namespace palpate::tissue {
 
-/// Bodies that are solved as one, by Newton's method with conjugate gradients (`implicit_pcg`): its
-/// matrices are the members' side by side, in their orders and with their coarse spaces, so that
-/// nothing is ordered or factorised when bodies come together. What members remember stays with
-/// them, and each can go on alone.
+/// Bodies that are solved as one by Newton's method with conjugate gradients (`implicit_pcg`). The
+/// matrices are block diagonal in the members' orders and coarse spaces, so a new group needs no
+/// ordering or factorisation. State stays with the members, which can leave the group.
 class BodyGroup {
  public:
-  /// The members must outlive this. All have a motion.
+  /// @pre The members outlive this, and each has a motion().
   explicit BodyGroup(std::vector<FemOrgan*> members);
 
   const std::vector<FemOrgan*>& members() const { return members_; }
-  /// What acts between them in this cycle.
+  /// Sets the interactions between members in this cycle.
   void setInteractions(const std::vector<MemberInteraction>& interactions) {
     bodies_.setInteractions(interactions);
   }
-  /// They come together anew: as a group that is new.
+  /// Drops cached solver state: the group is new or was interrupted.
   void join();
-  /// A cycle of `dt` [s], which all have begun. It sleeps if all of them would.
+  /// Solves a cycle of `dt` [s], or sleeps if all members sleep.
+  /// @pre All members have begun the cycle.
   void step(double dt);
 
   void save(StateWriter* out) const;
@@ -39,8 +39,8 @@ class BodyGroup {
   void endSolved();
 
   std::vector<FemOrgan*> members_;
-  std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // for members that have none
-  MovingBodies bodies_;
+  std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // solvers of members without one
+  StepGroup bodies_;
   ImplicitSteps steps_;
   TissueStep out_;
 };

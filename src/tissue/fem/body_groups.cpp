@@ -11,25 +11,26 @@ constexpr std::ptrdiff_t kMostKept = 4;  // groups that do not meet
 }  // namespace
 
 // The leader of bodies that belong together is the first of them.
-void BodyGroups::findLeaders(std::size_t count, const Meetings& meetings) {
+void BodyGroups::findLeaders(std::size_t count, const NeighbourSearch& neighbours) {
   leader_.resize(count);
   for (std::size_t k = 0; k < count; ++k) leader_[k] = k;
-  meets_.assign(count, 0);
-  for (const std::unique_ptr<Meeting>& m : meetings.all()) {
+  interacts_.assign(count, 0);
+  for (const std::unique_ptr<InteractingPair>& m : neighbours.all()) {
     if (!m->acts) continue;
-    meets_[m->a] = meets_[m->b] = 1;
+    interacts_[m->a] = interacts_[m->b] = 1;
     const std::size_t first = std::min(leader_[m->a], leader_[m->b]);
     const std::size_t other = std::max(leader_[m->a], leader_[m->b]);
     std::replace(leader_.begin(), leader_.end(), other, first);
   }
 }
 
-void BodyGroups::step(const std::vector<GroupBody>& bodies, const Meetings& meetings, double dt) {
-  findLeaders(bodies.size(), meetings);
-  for (Group& group : groups_) group.meets = false;
+void BodyGroups::step(const std::vector<GroupBody>& bodies, const NeighbourSearch& neighbours,
+                      double dt) {
+  findLeaders(bodies.size(), neighbours);
+  for (Group& group : groups_) group.in_use = false;
   for (std::size_t first = 0; first < bodies.size(); ++first) {
-    if (meets_[first] == 0) {
-      bodies[first].body->goAlone(dt);
+    if (interacts_[first] == 0) {
+      bodies[first].body->stepAlone(dt);
       continue;
     }
     if (leader_[first] != first) continue;
@@ -39,11 +40,11 @@ void BodyGroups::step(const std::vector<GroupBody>& bodies, const Meetings& meet
     }
     Group& group = groupOf(bodies);
     if (!group.lasts) group.solved->join();
-    group.meets = true;
-    takeInteractions(meetings, &group);
+    group.in_use = true;
+    takeInteractions(neighbours, &group);
     group.solved->step(dt);
   }
-  for (Group& group : groups_) group.lasts = group.meets;
+  for (Group& group : groups_) group.lasts = group.in_use;
   dropOld();
 }
 
@@ -71,13 +72,13 @@ BodyGroups::Group& BodyGroups::groupOf(const std::vector<GroupBody>& bodies) {
   return groups_.back();
 }
 
-void BodyGroups::takeInteractions(const Meetings& meetings, Group* group) {
+void BodyGroups::takeInteractions(const NeighbourSearch& neighbours, Group* group) {
   interactions_.clear();
   const auto number = [&](std::size_t body) {
     const auto at = std::find(group->bodies.begin(), group->bodies.end(), body);
     return static_cast<std::size_t>(at - group->bodies.begin());
   };
-  for (const std::unique_ptr<Meeting>& m : meetings.all()) {
+  for (const std::unique_ptr<InteractingPair>& m : neighbours.all()) {
     if (!m->acts || leader_[m->a] != group->bodies.front()) continue;
     interactions_.push_back({m->term.get(), number(m->a), number(m->b), m->way});
   }

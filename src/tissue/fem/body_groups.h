@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "body_group.h"
-#include "meetings.h"
+#include "neighbour_search.h"
 
 namespace palpate::tissue {
 
-/// The groups of a cycle: bodies that meet, directly or by way of others, are solved together, the
-/// others alone. A group lasts while the same bodies belong together, and the latest ones that are
-/// not needed are kept: bodies that meet again and again find theirs.
+/// Groups of a cycle: connected components of interacting bodies are solved as one, others alone.
+/// A group lasts while its members stay the same. The latest unused groups are kept for reuse.
 class BodyGroups {
  public:
-  /// Solves a cycle of `dt` [s] of all bodies, which have begun it.
-  void step(const std::vector<GroupBody>& bodies, const Meetings& meetings, double dt);
+  /// Solves a cycle of `dt` [s] of all bodies.
+  /// @pre All bodies have begun the cycle.
+  void step(const std::vector<GroupBody>& bodies, const NeighbourSearch& neighbours, double dt);
 
-  /// All bodies are alone.
+  /// Ends all groups.
   void forget() {
     for (Group& group : groups_) group.lasts = false;
   }
-  /// Bodies are alone that belonged together with a marked one; a mark for each body.
+  /// Ends the groups with a marked body; `bodies`: a mark per body.
   void forgetOf(const std::vector<char>& bodies) {
     for (Group& group : groups_) {
       for (const std::size_t k : group.bodies) group.lasts = group.lasts && !bodies[k];
@@ -36,16 +36,16 @@ class BodyGroups {
     std::vector<std::size_t> bodies;
     std::vector<std::uint64_t> revisions;  // of each
     std::unique_ptr<BodyGroup> solved;
-    bool lasts, meets;  // since the last cycle; in this one
+    bool lasts, in_use;  // in the last cycle; in this one
   };
-  void findLeaders(std::size_t count, const Meetings& meetings);
+  void findLeaders(std::size_t count, const NeighbourSearch& neighbours);
   Group& groupOf(const std::vector<GroupBody>& bodies);
-  void takeInteractions(const Meetings& meetings, Group* group);
+  void takeInteractions(const NeighbourSearch& neighbours, Group* group);
   void dropOld();
 
-  std::vector<Group> groups_;  // the latest last
+  std::vector<Group> groups_;  // the most recent last
   std::vector<std::size_t> leader_, members_;
-  std::vector<char> meets_;  // each body, in this cycle
+  std::vector<char> interacts_;  // of each body, in this cycle
   std::vector<MemberInteraction> interactions_;
 };
 

@@ -11,7 +11,7 @@ BodyMotion::BodyMotion(FemBody* body)
                   {body->settings.mass_damping, body->settings.stiffness_damping}),
       begin_(integrator_),
       potential_{body->elasticity.get(),
-                 {&body->gravity, &body->contact, &body->touch.needles, &body->guard},
+                 {&body->gravity, &body->contact, &body->tool_contact.needles, &body->guard},
                  body->free} {
   integrator_.addTerms(&potential_);
   for (const fem::EnergyTerm* load : body->drive.loads) potential_.terms.push_back(load);
@@ -43,7 +43,7 @@ void BodyMotion::beginCycle() {
   begin_ = integrator_;
   viscous_ = body_.elasticity->saveViscousState();
   touched_.clear();
-  body_.touch.save(&touched_);
+  body_.tool_contact.save(&touched_);
 }
 
 void BodyMotion::goBack() {
@@ -54,7 +54,7 @@ void BodyMotion::goBack() {
   body_.v = begin_.velocities();
   body_.elasticity->restoreViscousState(viscous_.get());
   StateReader before(touched_.bytes());
-  body_.touch.restore(&before);
+  body_.tool_contact.restore(&before);
 }
 
 void BodyMotion::endCycle() {
@@ -65,7 +65,7 @@ void BodyMotion::endCycle() {
 void BodyMotion::beginStep(double begin, double h) {
   integrator_.beginStep(h, &potential_);
   body_.elasticity->beginStep(h);
-  body_.surroundings.place(begin);
+  body_.surroundings.moveTo(begin);
   body_.surroundings.beginStep(h, body_.x);
 }
 
@@ -73,7 +73,7 @@ void BodyMotion::endStep(double unbalanced) {
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
   integrator_.endStep(body_.x, elastic_gradient_, unbalanced);
   body_.elasticity->endStep(body_.x);
-  body_.touch.endStep(body_.x);
+  body_.tool_contact.endStep(body_.x);
 }
 
 // Held components: only rounding, which would grow.

@@ -10,51 +10,49 @@
 
 namespace palpate::tissue {
 
-/// A body in implicit steps: how it goes on by itself, what of that is minimised over its points,
-/// and the way back to where a cycle began. Whether a step is solved for this body alone or for
-/// several, see ImplicitSteps.
+/// Implicit steps of one body: integrator, incremental potential over its points, and rollback to
+/// the cycle's begin. ImplicitSteps solves it alone or in a group.
 class BodyMotion {
  public:
-  /// `body` must outlive this.
+  /// @pre `body` outlives this.
   explicit BodyMotion(FemBody* body);
   BodyMotion(const BodyMotion&) = delete;  // the potential refers to the integrator
   BodyMotion& operator=(const BodyMotion&) = delete;
 
   FemBody& body() { return body_; }
   const FemBody& body() const { return body_; }
-  /// Inertia, elasticity, loads and contact in the step under way.
+  /// Incremental potential of the present step: inertia, elasticity, loads, contact.
   const solver::Potential& potential() const { return potential_; }
-  /// The body's own conjugate gradients, in whose order and with whose coarse space it can be
-  /// solved together with others; null: it has none.
+  /// Conjugate gradient solver of the body, whose order and coarse space groups use; null: none.
   solver::BlockPcg* pcg = nullptr;
 
   const Eigen::VectorXd& masses() const { return integrator_.masses(); }
 
-  /// body.x and body.v were set from outside.
+  /// Resets the integrator after body.x and body.v were set.
   void restart();
-  /// Goes on where `old` was, which is of the same body on another mesh; body.x and body.v are
-  /// there already.
+  /// Takes over the integrator of `old`, of the same body before a mesh adaptation.
+  /// @pre body.x and body.v are transferred.
   void goOnFrom(const BodyMotion& old, const mesh::MeshChange& change);
   void stop() { integrator_.stop(); }
 
-  /// A cycle begins, and it can goBack() to here until it ends.
+  /// Begins a cycle; goBack() rolls back to here until endCycle().
   void beginCycle();
   void goBack();
   void endCycle();
 
-  /// A step of `h` [s] begins at body.x, at part `begin` of the cycle.
+  /// Begins a step of `h` [s] at body.x and fraction `begin` of the cycle.
   void beginStep(double begin, double h);
-  /// It has ended at body.x, with forces out of balance by `unbalanced` [N].
+  /// Ends the step at body.x with a residual of `unbalanced` [N].
   void endStep(double unbalanced);
-  /// Where the free nodes come in `h` [s] if they go on as they do, 3 x n [m].
+  /// Extrapolated displacement of free nodes in `h` [s], 3 x n [m].
   void extrapolate(double h, Points* way) const;
-  /// The sum of all potentials at body.x, of which the elastic energy may be known.
+  /// Value of the potential at body.x [J]; reuses a known elastic energy.
   double valueHere();
 
-  /// Squared norm of the forces that would begin to move the body if it were stopped at body.x,
-  /// where the potential has `gradient` [N^2].
+  /// Squared norm of the static forces at body.x with zero velocity [N^2]; `gradient`: of the
+  /// potential, 3 x n [N].
   double squaredUnbalancedForce(const Points& gradient);
-  /// The contacts at body.x and the forces of support and inertia, into `out`.
+  /// Writes contacts at body.x, support and inertia forces into `out`.
   void reportForces(const Points& gradient, TissueStep* out);
 
   void save(StateWriter* out) const { integrator_.save(out); }
@@ -62,10 +60,10 @@ class BodyMotion {
 
  private:
   FemBody& body_;
-  solver::Integrator integrator_, begin_;  // of the step, of the cycle
+  solver::Integrator integrator_, begin_;  // of the step, of the cycle's begin
   solver::Potential potential_;
-  std::unique_ptr<fem::ViscousState> viscous_;  // of the cycle's begin
-  StateWriter touched_;                         // likewise
+  std::unique_ptr<fem::ViscousState> viscous_;  // at the cycle's begin
+  StateWriter touched_;                         // contact state at the cycle's begin
   Points elastic_gradient_, inertia_forces_;
 };
 

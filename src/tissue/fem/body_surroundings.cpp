@@ -62,7 +62,7 @@ double BodySurroundings::largestPressure(const Points& x) const {
   return largest;
 }
 
-void BodySurroundings::place(double s) {
+void BodySurroundings::moveTo(double s) {
   for (Springs& springs : springs_) {
     if (springs.motion) springs.foundation.moveAnchors(springs.motion->at(at(s)));
   }
@@ -107,7 +107,7 @@ Vec3 BodySurroundings::commonWay(double s) const {
 }
 
 void BodySurroundings::rest() {
-  place(1.0);
+  moveTo(1.0);
   for (Springs& s : springs_) s.foundation.beginStep(std::numeric_limits<double>::infinity(), {});
 }
 

@@ -12,62 +12,63 @@
 
 namespace palpate::tissue {
 
-/// What its surroundings do to a body of finite elements: terms of its energy, and ways that held
-/// nodes are carried. Knows the simulated time, which begins at zero.
+/// Boundary conditions of a finite element body: energy terms and prescribed motion. Has the
+/// simulated time, which begins at zero [s].
 class BodySurroundings {
  public:
   BodySurroundings(const Surroundings& surroundings, const mesh::TetMesh& mesh);
 
-  /// What acts on the body; lives as long as this.
+  /// Energy terms; valid while this exists.
   std::vector<const fem::EnergyTerm*> terms() const;
   bool empty() const { return springs_.empty() && cavities_.empty(); }
-  /// Whether held nodes are carried.
+  /// Whether nodes have prescribed motion.
   bool carries() const { return !carried_.empty(); }
   bool damps() const { return damps_; }
   bool resistsVolumes() const { return resists_volumes_; }
   bool presses() const { return !cavities_.empty(); }
-  /// Whether something would move the body at rest.
+  /// Whether a load acts in the rest configuration.
   bool actsAtRest() const;
-  /// Whether anything depends on time.
+  /// Whether a boundary condition depends on time.
   bool moves() const { return moves_; }
 
-  /// All pressures of rest times `factor`.
+  /// Scales all rest pressures by `factor` [-].
   void setFactor(double factor);
-  /// Cavities are full of their content where the body is at x, 3 x n [m].
+  /// Sets the cavities' reference volumes to those at x, 3 x n [m].
   void seal(const Points& x);
-  /// The largest pressure in a cavity, or zero [Pa].
+  /// Largest pressure in a cavity at x, or zero [Pa].
   double largestPressure(const Points& x) const;
 
-  /// The next cycle, of `dt` [s]; endCycle() lets its time pass.
+  /// Begins a cycle of `dt` [s]; endCycle() advances the time.
   void beginCycle(double dt) { cycle_ = dt; }
   void endCycle() {
     if (moves_) time_ += cycle_;
   }
-  /// Anchors are where they are at part `s` in [0, 1] of the cycle.
-  void place(double s);
-  /// A step of `h` [s], infinity: without damping, begins at x, 3 x n [m].
+  /// Moves spring anchors to fraction `s` in [0, 1] of the cycle.
+  void moveTo(double s);
+  /// Begins a step of `h` [s] at x, 3 x n [m]; infinite h: no damping.
   void beginStep(double h, const Points& x);
-  /// From x to where the carried nodes are at part `s`, 3 x n [m], zero of others.
+  /// Displacement from x to the prescribed positions at fraction `s`, 3 x n [m]; zero for other
+  /// nodes.
   void carry(double s, const Points& x, Points* way) const;
-  /// Puts the carried nodes of x there.
+  /// Sets prescribed nodes of x to their positions at fraction `s`.
   void carryTo(double s, Points* x) const;
-  /// How far all that holds the body has moved by part `s` of the cycle [m]; zero where it does not
-  /// move alike, or a component is held that does not move.
+  /// Common displacement of all supports at fraction `s` of the cycle [m]; zero unless all move
+  /// alike.
   Vec3 commonWay(double s) const;
-  /// Springs are where they are at the end of the cycle, as if nothing moved.
+  /// Moves springs to the cycle's end, without damping.
   void rest();
-  /// Back to time zero.
+  /// Resets the time to zero.
   void reset();
 
-  /// `free` with ones for carried nodes: where there may be a velocity.
+  /// `free` with ones for prescribed nodes: components with velocity.
   fem::FreeMask movable(fem::FreeMask free) const;
   std::vector<fem::HeldDirection> heldDirections() const;
-  /// Bound of the square of the frequencies that it adds to a body at rest in X of these masses,
-  /// n [1/s^2].
+  /// Upper bound of the squared frequencies that springs add to a body at rest in X, 3 x n [m],
+  /// with `masses`, n [kg] [1/s^2].
   double largestSquare(const Points& X, const Eigen::VectorXd& masses) const;
 
   void goOnFrom(const BodySurroundings& old);
-  /// Nothing where nothing is remembered.
+  /// Writes the state; empty where time does not matter.
   void save(StateWriter* out) const;
   void restore(StateReader* in);
 

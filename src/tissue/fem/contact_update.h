@@ -7,37 +7,37 @@
 
 namespace palpate::tissue {
 
-/// The contact's part of an explicit step, taken implicitly: positions y of the touched nodes with
+/// Implicit contact in an explicit step. Solves for positions y of the touched nodes with
 ///
 ///   c_i (y_i - x_i) = contact forces at y,   c_i [kg/s^2] the mass over the square of the step,
 ///
-/// so a stiff response does not bound the step [implicit-explicit: Eberhardt et al. 2000, of stiff
-/// springs]. Newton's method on these nodes only; what of the responses' stiffness is not
-/// semidefinite enters its systems where it is small against c, so that they are positive definite;
-/// they are solved by conjugate gradients.
+/// so the contact stiffness does not bound the step [implicit-explicit: Eberhardt et al. 2000, of
+/// stiff springs]. Newton's method on these nodes, with conjugate gradients. Indefinite parts of
+/// the contact stiffness are included where small against c, so that systems are positive definite.
 class ContactUpdate {
  public:
   explicit ContactUpdate(FemBody* body);
 
-  /// Moves the touched nodes of x, 3 x n [m], from where the step would bring them without contact.
-  /// `coefficients`: c, n [kg/s^2]. `tolerance` [N] of the norm of their unbalanced forces. Begins
-  /// with the forces of the last time.
+  /// Moves the touched nodes of x, 3 x n [m], from the positions without contact to y.
+  /// `coefficients`: c, n [kg/s^2]; `tolerance`: of the residual [N]. Warm start with the forces of
+  /// the last call.
   void apply(const Eigen::VectorXd& coefficients, double tolerance, Points* x);
-  /// Afterwards: lets none of these nodes go farther than `longest` [m] from `begin`, 3 x n [m]:
-  /// tissue that a tool is deep in is pushed out in several steps. False if it held one back.
+  /// Limits the displacement of nodes() from `begin`, 3 x n [m], to `longest` [m], so that deep
+  /// penetration is resolved over several steps. Returns false where a node was limited.
+  /// @pre apply().
   bool limit(const Eigen::VectorXd& coefficients, const Points& begin, double longest, Points* x);
-  /// No contact: forgets forces and nodes.
+  /// Clears forces and nodes: no contact.
   void clear();
 
   /// Nodes that apply() may have moved.
   const std::vector<int>& nodes() const { return nodes_; }
   /// Minus the contact forces at the end of apply(), 3 x n [N]; zero but at nodes().
   const Points& gradient() const { return gradient_; }
-  /// How deep the deepest point is in a tool [m].
+  /// Largest penetration [m].
   double deepest() const { return deepest_; }
-  /// Of Newton's method in apply().
+  /// Newton iterations of apply().
   int iterations() const { return iterations_; }
-  /// Norm of the unbalanced forces that apply() left [N].
+  /// Residual of apply() [N].
   double residual() const { return residual_; }
 
  private:

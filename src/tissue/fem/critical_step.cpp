@@ -34,11 +34,12 @@ double noise(Eigen::Index k) {
 
 }  // namespace
 
-CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double beside)
+CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free,
+                           double other_squares)
     : elasticity_(*elasticity),
       scale_(free * elasticity->masses().cwiseSqrt().cwiseInverse().asDiagonal()),
       element_size_(std::cbrt(elasticity->volume() / static_cast<double>(free.cols()))),
-      beside_(beside) {}
+      other_squares_(other_squares) {}
 
 // Bound of the largest eigenvalue of the symmetric matrix that `multiply` applies, from mode_ on,
 // which ends as its eigenvector.
@@ -168,12 +169,14 @@ void CriticalStep::restore(StateReader* in) {
 }
 
 double CriticalStep::seconds() const {
-  const double square = square_ + beside_;
+  const double square = square_ + other_squares_;
   return square > 0.0 ? 2.0 / std::sqrt(square) : std::numeric_limits<double>::infinity();
 }
 
 double CriticalStep::squeezed() const {
-  return rest_square_ > 0.0 ? std::sqrt((square_ + beside_) / (rest_square_ + beside_)) : 1.0;
+  return rest_square_ > 0.0
+             ? std::sqrt((square_ + other_squares_) / (rest_square_ + other_squares_))
+             : 1.0;
 }
 
 }  // namespace palpate::tissue

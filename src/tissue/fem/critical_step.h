@@ -9,35 +9,36 @@
 
 namespace palpate::tissue {
 
-/// The longest stable step of central differences, 2 / w, where w^2 is the largest eigenvalue of
-/// M^-1 K over the free components [Belytschko, Liu, Moran 2000, sec. 6.2].
+/// Critical step of central differences, 2 / w [s], with w^2 the largest eigenvalue of M^-1 K over
+/// the free components [Belytschko, Liu, Moran 2000, sec. 6.2].
 ///
-/// w^2 is bounded by Lanczos' iteration with its residual [Zhou, Li 2011]: at rest on the assembled
-/// stiffness; later in a few steps on differences of elastic gradients, so that no matrix is
-/// assembled, from the last eigenvector and a bit of noise where the body has moved since: modes of
-/// elements that have just been squeezed are found there. Fibres that resist tension only, slack at
-/// rest, count as taut, and the step is so short that changing from one to the other adds nothing.
+/// Lanczos' iteration with its residual bounds w^2 [Zhou, Li 2011]: at rest on the assembled
+/// stiffness, later on differences of elastic gradients without a matrix. It starts from the last
+/// eigenvector, with noise at displaced nodes to find modes of compressed elements. Fibres that
+/// resist tension only count as taut.
 class CriticalStep {
  public:
-  /// Part of it that is taken.
+  /// Factor of safety on the critical step [-].
   static constexpr double kSafety = 0.9;
 
-  /// `elasticity` must outlive this. `beside` [1/s^2]: bound of the squares of the frequencies of
-  /// what acts beside it, which adds no more than this to w^2 [Weyl 1912].
-  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double beside = 0.0);
+  /// `other_squares`: upper bound of the squared frequencies of all other forces, added to w^2
+  /// [Weyl 1912] [1/s^2].
+  /// @pre `elasticity` outlives this.
+  CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& free, double other_squares = 0.0);
 
-  /// The bound at `X`, 3 x n [m], where the body rests relaxed. Ends with the body relaxed.
+  /// Computes the bound in the relaxed rest configuration `X`, 3 x n [m], and leaves the body
+  /// relaxed.
   void begin(const Points& X);
-  /// Follows the body to x, 3 x n [m], if it has moved noticeably since the last look.
+  /// Updates the bound at x, 3 x n [m], where nodes have moved noticeably since the last update.
   void follow(const Points& x);
 
   void save(StateWriter* out) const;
-  /// After begin(), of the same body.
+  /// @pre begin() with the same body.
   void restore(StateReader* in);
 
-  /// [s]; infinity if nothing is free.
+  /// Critical step [s]; infinity without free components.
   double seconds() const;
-  /// How many times shorter it is than at rest; 1 if nothing is free.
+  /// Ratio of the critical step at rest to the present one [-]; 1 without free components.
   double squeezed() const;
 
  private:
@@ -47,10 +48,10 @@ class CriticalStep {
   Points noiseMode() const;
 
   fem::Elasticity& elasticity_;
-  Points scale_;         // 1/sqrt(m) where free, else 0
-  double element_size_;  // [m]
-  double beside_;        // [1/s^2]
-  double square_ = 0.0;  // w^2 of the elasticity [1/s^2]
+  Points scale_;          // 1/sqrt(m) where free, else 0
+  double element_size_;   // [m]
+  double other_squares_;  // [1/s^2]
+  double square_ = 0.0;   // of the elasticity, w^2 [1/s^2]
   double rest_square_ = 0.0;
   double least_square_ = 0.0;  // of fibres that may be taut at any time, else 0
   Points mode_, rest_mode_;    // of w, times sqrt(m): unit

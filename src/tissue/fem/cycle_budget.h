@@ -6,16 +6,16 @@
 
 namespace palpate::tissue {
 
-/// How much work a cycle may still take, in Newton's iterations, so that what does not converge
-/// costs a bounded time: those of a few solves, and more for each trial after the first and for
-/// each stage on the tools' way. Trials of a line search count for a part of one.
+/// Budget of Newton iterations of a cycle, which bounds the cost without convergence: those of a
+/// few solves, more for each later attempt and for each stage. Line search halvings count as
+/// fractions.
 class CycleBudget {
  public:
-  /// Of the first trial, and what each one after it adds: times those that a solve may take.
+  /// Budgets of the first attempt and of each later one, in units of max_newton_iterations [-].
   static constexpr int kSolvesACycle = 4, kSolvesATrial = 1;
-  /// On the tools' way, and what each stage adds.
+  /// Iterations of a stage before the last, and addition to the budget per stage.
   static constexpr int kStageIterations = 4;
-  /// That cost as much as an iteration.
+  /// Line search halvings with the cost of one iteration [-].
   static constexpr int kHalvingsForOne = 8;
 
   /// `iterations_for_one`: see Minimizer::iterationsForOne().
@@ -27,10 +27,9 @@ class CycleBudget {
   void beginStage() { ++stages_; }
   void spend(const solver::NewtonReport& report);
 
-  /// Iterations left in this trial; may be negative. A case that has to converge takes what it
-  /// takes.
+  /// Iterations left in this attempt; may be negative. Unbounded with FemSettings::only_converged.
   int left() const;
-  /// Iterations of the next solve, on the tools' way or at the end of it: at least one.
+  /// Iterations of the next solve, in a stage before the last or in the last: at least one.
   int ofNextSolve(bool on_the_way) const;
 
  private:

@@ -66,7 +66,7 @@ ModelSettings touchSettings(const FemSettings& settings, double size) {
   return touch;
 }
 
-// See Touch. Quadratic faces are four triangles of half their edges.
+// See ToolContact. Quadratic faces are four triangles of half their edges.
 std::function<double(double)> excessOf(const std::string& element) {
   if (!forceExcess(element, 1.0)) return {};
   const double edges = fem::isQuadratic(element) ? 2.0 : 1.0;
@@ -97,10 +97,10 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
       drive(std::move(what_drives)),
       gravity(settings.gravity * elasticity->loadWeights().transpose()),
       surroundings(what_surrounds, mesh),
-      touch(mesh.points, triangles, touchSettings(settings, size), 0, excessOf(settings.element),
-            mesh.tets, settings.thickness, samples),
-      contact(touch.contact),
-      sweep(touch.sweep),
+      tool_contact(mesh.points, triangles, touchSettings(settings, size), 0,
+                   excessOf(settings.element), mesh.tets, settings.thickness, samples),
+      contact(tool_contact.contact),
+      tool_path(tool_contact.tool_path),
       largest_poisson_ratio(largestPoissonRatio(composition)),
       inviscid_solids(settings.skip.viscous_terms ? numInviscid(composition) : 0),
       x(mesh.points),
@@ -127,19 +127,19 @@ double FemBody::leastTolerance() const {
   return std::max(settings.tolerance * weight_norm_, least_force_);
 }
 
-double FemBody::tolerance() const { return toleranceBeside(contact_force, support_force); }
+double FemBody::tolerance() const { return toleranceFor(contact_force, support_force); }
 
-double FemBody::toleranceBeside(double touching, double support) const {
+double FemBody::toleranceFor(double touching, double support) const {
   return std::max(settings.tolerance * std::max(touching, support), leastTolerance());
 }
 
 double FemBody::toleranceAt(const Points& at, const Points& gradient, double others) {
   nodal_.setZero(3, at.cols());
   contact.addGradient(at, &nodal_);
-  touch.needles.addGradient(at, &nodal_);
+  tool_contact.needles.addGradient(at, &nodal_);
   const double touching = std::hypot(nodal_.norm(), others);
   findSupport(at, gradient, &nodal_);
-  return toleranceBeside(touching, nodal_.norm());
+  return toleranceFor(touching, nodal_.norm());
 }
 
 mesh::CellMesh FemBody::cells() const {
@@ -148,7 +148,7 @@ mesh::CellMesh FemBody::cells() const {
   return cells;
 }
 
-void FemBody::reportContacts(TissueStep* out) { contact_force = touch.report(x, out); }
+void FemBody::reportContacts(TissueStep* out) { contact_force = tool_contact.report(x, out); }
 
 double FemBody::addLoads(const Points& at, Points* g) const {
   double sum = gravity.addGradient(at, g);
@@ -189,7 +189,7 @@ void FemBody::goOnFrom(const FemBody& old, const mesh::MeshChange& change) {
       surroundings.movable(free).array();
   surroundings.goOnFrom(old.surroundings);
   elasticity->goOnFrom(*old.elasticity, change);
-  touch.goOnFrom(old.touch, mesh.points, old.mesh.points);
+  tool_contact.goOnFrom(old.tool_contact, mesh.points, old.mesh.points);
   guard.setActive(old.guard.active());
   elastic_energy.reset();
   contact_force = old.contact_force;
@@ -201,7 +201,7 @@ void FemBody::save(StateWriter* out) const {
   out->put(x);
   out->put(v);
   elasticity->save(out);
-  touch.save(out);
+  tool_contact.save(out);
   out->put(elastic_energy.has_value());
   if (elastic_energy) out->put(*elastic_energy);
   out->put(contact_force);
@@ -215,7 +215,7 @@ void FemBody::restore(StateReader* in) {
   in->getSame(&v);
   if (!x.allFinite() || !v.allFinite()) throw std::invalid_argument("the state is not finite");
   elasticity->restore(in);
-  touch.restore(in);
+  tool_contact.restore(in);
   bool known = false;
   in->get(&known);
   elastic_energy.reset();
@@ -228,9 +228,9 @@ void FemBody::restore(StateReader* in) {
   guard.setActive(guarded);
 }
 
-Points settleUnderLoads(FemBody* body) {
-  Points settled = body->mesh.points;
-  if (body->settings.gravity.isZero() && !body->surroundings.actsAtRest()) return settled;
+Points equilibriumUnderLoads(FemBody* body) {
+  Points equilibrium = body->mesh.points;
+  if (body->settings.gravity.isZero() && !body->surroundings.actsAtRest()) return equilibrium;
   const std::string motions =
       fem::freeRigidMotions(body->mesh.points, body->free, body->surroundings.heldDirections());
   if (!motions.empty()) {
@@ -249,10 +249,10 @@ Points settleUnderLoads(FemBody* body) {
         body->surroundings.setFactor(s);
         return body->mesh.points;
       },
-      static_settings, &settled);
+      static_settings, &equilibrium);
   body->gravity.setFactor(1.0);
   body->surroundings.setFactor(1.0);
-  const bool turned_over = body->elasticity->minJacobian(settled) <= 0.0;
+  const bool turned_over = body->elasticity->minJacobian(equilibrium) <= 0.0;
   if (report.status != solver::SolveStatus::kConverged || turned_over) {
     const bool presses = body->surroundings.actsAtRest();
     throw std::runtime_error(
@@ -262,7 +262,7 @@ Points settleUnderLoads(FemBody* body) {
         (presses ? " of both; is it too soft, or the pressure too high?"
                  : " of its weight; is it too soft or too heavy?"));
   }
-  return settled;
+  return equilibrium;
 }
 
 }  // namespace palpate::tissue

@@ -14,21 +14,21 @@
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/drive.h"
 #include "palpate/tissue/fem/fem_tissue.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
-/// What other bodies do to one.
+/// Force of other bodies on a body.
 struct InteractionForce {
   Vec3 sum = Vec3::Zero();  ///< [N]
-  double norm = 0.0;        ///< Of its nodal forces [N].
+  double norm = 0.0;        ///< Norm of the nodal forces [N].
 };
 
-/// A body of finite elements, what acts on it, and where it is: what every method of stepping works
-/// on.
+/// State of a finite element body with elasticity, loads and contact, on which every step method
+/// works.
 struct FemBody {
-  /// `surface`: of the mesh, where it is known already; without columns it is found. `samples`:
-  /// where contact is felt, else there are samples of the surface.
+  /// `surface`: boundary of the mesh; without columns it is computed. `samples`: of contact;
+  /// default: samples of the surface.
   FemBody(const mesh::TetMesh& mesh, const fem::Composition& composition,
           const Surroundings& what_surrounds, const FemSettings& fem_settings,
           ThreadPool* thread_pool, Drive what_drives = {},
@@ -36,39 +36,36 @@ struct FemBody {
           const Eigen::Matrix3Xi& surface = {},
           const std::vector<contact::SurfaceSample>& samples = {});
 
-  /// More than this no tissue has; its square and its fourth power leave what numbers there are
-  /// [N].
+  /// Upper bound of plausible forces, whose powers do not overflow [N].
   static constexpr double kMostForce = 1e30;
-  /// Newton's tolerance [N] for the norm of unbalanced nodal forces, from the forces of the last
-  /// cycle.
+  /// Tolerance of the residual from the forces of the last cycle [N].
   double tolerance() const;
-  /// The same from the forces at `at`, where the potential has `gradient`, 3 x n [N]; `others`: the
-  /// nodal norm of what other bodies exert there [N].
+  /// Tolerance of the residual from the forces at `at`, 3 x n [m] [N]; `gradient`: of the
+  /// potential, 3 x n [N]; `others`: norm of other bodies' nodal forces [N].
   double toleranceAt(const Points& at, const Points& gradient, double others);
-  /// What both are at least [N].
+  /// Lower bound of both tolerances [N].
   double leastTolerance() const;
-  /// Collects the contacts at x into `out`, and their nodal norm.
+  /// Adds the contacts at x to `out`, and sets contact_force.
   void reportContacts(TissueStep* out);
   /// Energy of gravity, the loads and the surroundings at `at` [J]; g += its gradient, 3 x n [N].
   double addLoads(const Points& at, Points* g) const;
-  /// The way that the held components have still to go at part s of the cycle, 3 x n [m], zero
-  /// where free. False: they are there.
+  /// Displacement of held components from x to their prescribed positions at fraction s of the
+  /// cycle, 3 x n [m], zero where free. Returns false where all are zero.
   bool heldWay(double s, Points* way) const;
-  /// Whether held components move at all.
+  /// Whether held components have prescribed motion.
   bool heldMoves() const { return drive.held || surroundings.carries(); }
-  /// Sums what the supports and all else that surrounds it exert, given the gradient of all
-  /// energies at x (3 x n [N]).
+  /// Writes the sum of the forces of all boundary conditions into `out`; `gradient`: of all
+  /// energies at x, 3 x n [N].
   void reportSupport(const Points& gradient, TissueStep* out);
 
-  /// The mesh at rest, and what it is made of.
+  /// Cells of the rest configuration, with materials.
   mesh::CellMesh cells() const;
 
-  /// Takes over where `old` is, which is the same body on another mesh, of which this one's came
-  /// by `change`, and what it remembers.
+  /// Takes over positions and state of `old`, the same body before the mesh adaptation `change`.
   void goOnFrom(const FemBody& old, const mesh::MeshChange& change);
-  /// All memory from one cycle to the next.
+  /// Writes the state between cycles.
   void save(StateWriter* out) const;
-  /// @throws std::invalid_argument for the memory of another body, or one that is not finite.
+  /// @throws std::invalid_argument for the state of another body, or values that are not finite.
   void restore(StateReader* in);
 
   FemSettings settings;
@@ -76,46 +73,46 @@ struct FemBody {
   fem::FreeMask free;
   ThreadPool* pool;
   double size;                ///< Diagonal of the bounding box at rest [m].
-  std::vector<int> solid_of;  ///< Of each tetrahedron; empty: all of the first.
+  std::vector<int> solid_of;  ///< Solid of each tetrahedron; empty: the first for all.
   Eigen::Matrix3Xi triangles;
   std::shared_ptr<fem::Elasticity> elasticity;
-  fem::InversionGuard guard;  ///< Of implicit methods.
+  fem::InversionGuard guard;  ///< Barrier against inversion in implicit methods.
   Drive drive;
   fem::DeadLoad gravity;
   BodySurroundings surroundings;
-  Touch touch;
-  contact::ContactPotential& contact;  ///< Of `touch`,
-  ToolSweep& sweep;                    ///< likewise.
-  double largest_poisson_ratio;        ///< Of any solid at rest.
-  std::string method;                  ///< By which it is stepped; never "auto".
-  std::string method_note;  ///< Why its method was chosen, or what is wrong with it; or empty.
-  int inviscid_solids;      ///< Without viscous terms.
-  Vec3 weight;              ///< Sum of the gravity forces [N].
-  double force_floor;       ///< Of a small strain on one element [N].
+  ToolContact tool_contact;
+  contact::ContactPotential& contact;            ///< Member of `tool_contact`.
+  ToolPath& tool_path;                           ///< Member of `tool_contact`.
+  double largest_poisson_ratio;                  ///< Largest of any solid at rest [-].
+  std::string method;                            ///< Name of the step method; never "auto".
+  std::string method_note;                       ///< Reason for the method, or a warning; or empty.
+  int inviscid_solids;                           ///< Number of solids without viscous terms.
+  Vec3 weight;                                   ///< Sum of the gravity forces, world [N].
+  double force_floor;                            ///< Force of a small strain of one element [N].
   const solver::Interrupt* interrupt = nullptr;  ///< See TissueModel::setInterrupt().
 
   Points x, v;  ///< 3 x n, world [m], [m/s].
-  /// At x, where it is known and does not depend on the step [J].
+  /// Elastic energy at x, where known and independent of the step [J].
   std::optional<double> elastic_energy;
-  /// Smallest det F at x, where it is known.
+  /// Least det F at x, where known [-].
   std::optional<double> min_jacobian;
-  /// Nodal norms of the last cycle [N]; of contact with tools and with other bodies.
+  /// Norms of nodal forces in the last cycle, of contact and supports [N].
   double contact_force = 0.0, support_force = 0.0;
-  Points support_forces;  ///< On the nodes at the last cycle's end, 3 x n [N].
+  Points support_forces;  ///< Support forces at the end of the last cycle, 3 x n [N].
 
  private:
-  double toleranceBeside(double touching, double support) const;
+  double toleranceFor(double touching, double support) const;
   void findSupport(const Points& at, const Points& gradient, Points* forces);
 
-  double weight_norm_;                          // of the nodal forces of gravity and loads [N]
-  double least_force_;                          // worth being balanced [N]
-  std::vector<const fem::EnergyTerm*> around_;  // the surroundings' terms
+  double weight_norm_;                          // norm of the nodal forces of gravity and loads [N]
+  double least_force_;                          // least force for tolerances [N]
+  std::vector<const fem::EnergyTerm*> around_;  // energy terms of `surroundings`
   Points around_gradient_, nodal_;
 };
 
-/// The equilibrium under the body's gravity and surroundings, 3 x n [m].
+/// Positions in equilibrium under gravity and boundary conditions, 3 x n [m].
 /// @throws std::invalid_argument if the supports do not hold the body, std::runtime_error if there
 /// is no equilibrium.
-Points settleUnderLoads(FemBody* body);
+Points equilibriumUnderLoads(FemBody* body);
 
 }  // namespace palpate::tissue

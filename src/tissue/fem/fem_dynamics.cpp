@@ -31,7 +31,7 @@ bool FemDynamics::advance(double dt) {
   FemBody& body = impl_->body;
   TissueStep& out = impl_->out;
   out.clear();
-  body.touch.begin({}, body.x, body.v, dt, &out);
+  body.tool_contact.begin({}, body.x, body.v, dt, &out);
   if (!impl_->method->advance(dt, &out)) return false;
   impl_->method->reportForces(&out);
   return true;

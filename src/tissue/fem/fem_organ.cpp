@@ -9,13 +9,13 @@ namespace palpate::tissue {
 namespace {
 
 // Of the least det F: what a change of the mesh must leave.
-constexpr double kKeptVolume = 0.5;
+constexpr double kMinKeptJacobianRatio = 0.5;
 // det F that nothing but a tool makes so small, and a part of what it is without tools.
-constexpr double kCrushed = 0.1, kCrushedPart = 0.5;
+constexpr double kMinRestJacobian = 0.1, kMinRestJacobianRatio = 0.5;
 // Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
-constexpr double kLittle = 1e-4;
+constexpr double kMinProgressRatio = 1e-4;
 // Of det F, or of one: what is more, over some cycles, leads on.
-constexpr double kHeadway = 0.01;
+constexpr double kMinJacobianGain = 0.01;
 
 Drive driveBy(const fem::EnergyTerm* load) {
   Drive drive;
@@ -34,16 +34,16 @@ FemOrgan::FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& compositio
       method_(own.method ? own.method(&body_) : makeStepMethod(settings.method, &body_)),
       rest_((body_.elasticity->viscous() ? Rest::kMotionCreeping : Rest::kMotion) * body_.size,
             settings.skip.sleeping && !body_.surroundings.moves()),
-      settled_(own.start.cols() > 0 ? own.start : body_.mesh.points),
+      equilibrium_(own.start.cols() > 0 ? own.start : body_.mesh.points),
       own_method_(own.method != nullptr),
       own_start_(own.start.cols() > 0),
       own_notes_(own.notes) {}
 
-void FemOrgan::settle() {
+void FemOrgan::findEquilibrium() {
   if (!own_start_) {
-    settled_ = settleUnderLoads(&body_);
-    body_.surroundings.seal(settled_);
-    method_->settle(&settled_);
+    equilibrium_ = equilibriumUnderLoads(&body_);
+    body_.surroundings.seal(equilibrium_);
+    method_->moveToEquilibrium(&equilibrium_);
   }
   reset();
 }
@@ -52,7 +52,7 @@ bool FemOrgan::canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) 
   const Points x = change.interpolate(old.body_.x);
   const double before = old.body_.elasticity->minJacobian(old.body_.x);
   const double now = body_.elasticity->minJacobian(x);
-  return now >= (before > 0.0 ? kKeptVolume * before : before) &&
+  return now >= (before > 0.0 ? kMinKeptJacobianRatio * before : before) &&
          std::isfinite(body_.elasticity->energy(x));
 }
 
@@ -60,9 +60,9 @@ void FemOrgan::goOnFrom(const FemOrgan& old, const mesh::MeshChange& change) {
   body_.goOnFrom(old.body_, change);
   method_->goOnFrom(*old.method_, change);
   rest_.wake();
-  freeze_ = Freeze();
+  backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
-  was_folded_ = old.was_folded_;
+  was_inverted_ = old.was_inverted_;
   out_.clear();
 }
 
@@ -79,10 +79,10 @@ std::vector<std::string> FemOrgan::notes() const {
 
 void FemOrgan::reset() {
   body_.surroundings.reset();
-  place(0, settled_, Points::Zero(3, settled_.cols()));
+  setPositions(0, equilibrium_, Points::Zero(3, equilibrium_.cols()));
 }
 
-void FemOrgan::place(int, const Points& positions, const Points& velocities) {
+void FemOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   put(positions, velocities);
   method_->prepare(body_.settings.step);
 }
@@ -96,15 +96,15 @@ void FemOrgan::put(const Points& positions, const Points& velocities) {
   body_.x = positions;
   body_.v = velocities;
   body_.elasticity->relax(positions);
-  body_.touch.forget();
+  body_.tool_contact.forget();
   body_.guard.setActive(false);
   body_.elastic_energy.reset();
   body_.min_jacobian.reset();
   body_.contact_force = body_.support_force = 0.0;
   method_->restart();
-  freeze_ = Freeze();
+  backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;
-  was_folded_ = false;
+  was_inverted_ = false;
   rest_.wake();
   out_.clear();
 }
@@ -114,9 +114,9 @@ State FemOrgan::state() const {
   body_.save(&out);
   method_->save(&out);
   rest_.save(&out);
-  freeze_.save(&out);
+  backoff_.save(&out);
   out.put(stuck_at_);
-  out.put(was_folded_);
+  out.put(was_inverted_);
   return {stateKind(body_.settings, body_.x.cols()), out.bytes()};
 }
 
@@ -126,9 +126,9 @@ void FemOrgan::restore(const State& state) {
   body_.restore(&in);
   method_->restore(&in);
   rest_.restore(&in);
-  freeze_.restore(&in);
+  backoff_.restore(&in);
   in.get(&stuck_at_);
-  in.get(&was_folded_);
+  in.get(&was_inverted_);
   if (!std::isfinite(stuck_at_)) StateReader::fail();
   in.finish();
   out_.clear();
@@ -139,23 +139,23 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   stuck_ = false;
   body_.min_jacobian.reset();
   body_.surroundings.beginCycle(dt);
-  body_.touch.begin(obstacles, body_.x, body_.v, dt, &out_);
+  body_.tool_contact.begin(obstacles, body_.x, body_.v, dt, &out_);
   contact_force_ = body_.contact_force;
   support_force_ = body_.support_force;
   if (isTouched()) reached();
 }
 
-void FemOrgan::goAlone(double dt) {
+void FemOrgan::stepAlone(double dt) {
   if (sleeps()) return sleepOn();
   if (isFrozen()) return stayFrozen(failure());
   rest_.begin(body_.x);
   if (method_->advance(dt, &out_)) {
     const bool at_rest = cameToRest();
-    if (!isTouched() && givesUp(out_, at_rest)) {
-      return beginAnew(solver::SolveStatus::kInverted);
+    if (!isTouched() && shouldReset(out_, at_rest)) {
+      return resetToEquilibrium(solver::SolveStatus::kInverted);
     }
     if (at_rest && !method_->restsInMinimum()) {
-      return beginAnew(solver::SolveStatus::kNotPositiveDefinite);
+      return resetToEquilibrium(solver::SolveStatus::kNotPositiveDefinite);
     }
     if (at_rest) fallAsleep();
     method_->reportForces(&out_);
@@ -163,7 +163,7 @@ void FemOrgan::goAlone(double dt) {
   } else {
     const bool for_good = failsForGood(out_.status);
     fail();
-    if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
+    if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
   }
   body_.surroundings.endCycle();
   reportState();
@@ -185,15 +185,15 @@ void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Point
   reportState();
 }
 
-void FemOrgan::beginAnewTogether(const TissueStep& together, solver::SolveStatus why) {
+void FemOrgan::resetWithGroup(const TissueStep& together, solver::SolveStatus why) {
   takeFigures(together);
-  beginAnew(why);
+  resetToEquilibrium(why);
 }
 
 void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
   takeFigures(together);
   fail();
-  if (for_good || isOutsideOfLaw()) return beginAnew(failureHere());
+  if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
   body_.surroundings.endCycle();
   reportState();
 }
@@ -218,12 +218,12 @@ void FemOrgan::addWork(const TissueStep& together) {
 
 void FemOrgan::reportSolved() {
   if (!stuck_) {
-    freeze_.solved();
+    backoff_.solved();
     stuck_at_ = kNotStuck;
   }
   out_.gravity_force = body_.weight;
   out_.inviscid_solids = body_.inviscid_solids;
-  body_.touch.countInactive(&out_);
+  body_.tool_contact.countInactive(&out_);
   if (out_.status != solver::SolveStatus::kDeadline) return;
   // A tolerance is a part of forces that are in balance: where a cycle was cut there may be any.
   body_.contact_force = contact_force_;
@@ -233,7 +233,7 @@ void FemOrgan::reportSolved() {
 // It neither moves nor would begin to if it were stopped here. The cycle's tolerance is of the
 // forces of the one before, which may have been those of a tool that is gone.
 bool FemOrgan::cameToRest() {
-  if (!rest_.isStill(body_.x, body_.touch, out_)) return false;
+  if (!rest_.isStill(body_.x, body_.tool_contact, out_)) return false;
   if (method_->unbalancedForce() > out_.tolerance) return false;
   TissueStep now;
   method_->reportForces(&now);
@@ -245,7 +245,8 @@ bool FemOrgan::cameToRest() {
 // points see nothing.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
-  return now < kCrushed && now < kCrushedPart * body_.elasticity->minJacobianWithin(settled_);
+  return now < kMinRestJacobian &&
+         now < kMinRestJacobianRatio * body_.elasticity->minJacobianWithin(equilibrium_);
 }
 
 // In this cycle, but for what its supports have moved all of it.
@@ -256,29 +257,29 @@ double FemOrgan::wayOfShape() const {
 // Inside out it hardly moves, and yet does not come to rest, nor nearer to being turned back.
 bool FemOrgan::isStuck(const TissueStep& cycle) {
   if (cycle.status == solver::SolveStatus::kDeadline || cycle.newton_iterations == 0) return false;
-  if (wayOfShape() > kLittle * body_.size) return false;
+  if (wayOfShape() > kMinProgressRatio * body_.size) return false;
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   if (now > 0.0) return false;
   if (stuck_at_ == kNotStuck) {
     stuck_at_ = now;
-  } else if (now > stuck_at_ + kHeadway * std::max(1.0, -stuck_at_)) {
+  } else if (now > stuck_at_ + kMinJacobianGain * std::max(1.0, -stuck_at_)) {
     stuck_at_ = now;
-    freeze_.solved();
+    backoff_.solved();
   }
   return true;
 }
 
-bool FemOrgan::givesUp(const TissueStep& cycle, bool at_rest) {
-  const bool before = was_folded_;
+bool FemOrgan::shouldReset(const TissueStep& cycle, bool at_rest) {
+  const bool before = was_inverted_;
   if (at_rest) {
-    was_folded_ = isCrushed();
-    return was_folded_ && !before;
+    was_inverted_ = isCrushed();
+    return was_inverted_ && !before;
   }
   stuck_ = isStuck(cycle);
   if (!stuck_) return false;
-  freeze_.failed(solver::SolveStatus::kInverted);
-  was_folded_ |= freeze_.fails();
-  return was_folded_ && !before;
+  backoff_.failed(solver::SolveStatus::kInverted);
+  was_inverted_ |= backoff_.fails();
+  return was_inverted_ && !before;
 }
 
 // Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
@@ -299,12 +300,13 @@ solver::SolveStatus FemOrgan::failureHere() const {
 
 // No step leads away from where it is, or all fail with no tool near, or what it came to rest in is
 // no shape of a body: where it was settled, at rest, as its supports have moved since.
-void FemOrgan::beginAnew(solver::SolveStatus why) {
+void FemOrgan::resetToEquilibrium(solver::SolveStatus why) {
   const StepFigures figures = out_;
-  const bool was_folded = was_folded_;
+  const bool was_inverted = was_inverted_;
   body_.surroundings.rest();
-  put(settled_.colwise() + body_.surroundings.commonWay(1.0), Points::Zero(3, settled_.cols()));
-  was_folded_ = was_folded;
+  put(equilibrium_.colwise() + body_.surroundings.commonWay(1.0),
+      Points::Zero(3, equilibrium_.cols()));
+  was_inverted_ = was_inverted;
   static_cast<StepFigures&>(out_) = figures;
   out_.recovery = static_cast<int>(Recovery::kPutBack);
   Points g;
@@ -326,9 +328,9 @@ void FemOrgan::fallAsleep() {
 // The tools went on; where they are now may be inside. A cycle that only was late is no failure.
 void FemOrgan::fail() {
   out_.recover(Recovery::kRolledBack);
-  if (out_.status != solver::SolveStatus::kDeadline) freeze_.failed(out_.status);
+  if (out_.status != solver::SolveStatus::kDeadline) backoff_.failed(out_.status);
   stop();
-  body_.touch.sides.doubt();
+  body_.tool_contact.inside_tools.invalidate();
 }
 
 void FemOrgan::stayFrozen(solver::SolveStatus why) {
@@ -370,7 +372,7 @@ std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
                                        const OwnParts& own) {
   auto organ = std::make_unique<FemOrgan>(mesh, composition, surroundings, settings, pool,
                                           Eigen::Matrix3Xi(), own);
-  organ->settle();
+  organ->findEquilibrium();
   return organ;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "failure_backoff.h"
 #include "fem_body.h"
-#include "freeze.h"
 #include "organ_bodies.h"
 #include "palpate/mesh/mesh_change.h"
 #include "palpate/tissue/fem/fem_tissue.h"
@@ -16,52 +16,49 @@
 
 namespace palpate::tissue {
 
-/// What a body has that is no finite elements, or goes its own way.
+/// Parts of a body of another model than finite elements.
 struct OwnParts {
-  std::string name;                             ///< For its states, instead of that of an element.
-  std::shared_ptr<fem::Elasticity> elasticity;  ///< Null: that of settings.element.
-  /// Its method; empty: settings.method.
+  std::string name;                             ///< Name in states, instead of the element's.
+  std::shared_ptr<fem::Elasticity> elasticity;  ///< Elasticity; null: that of settings.element.
+  /// Maker of the step method; empty: settings.method.
   std::function<std::unique_ptr<StepMethod>(FemBody*)> method;
-  std::vector<std::string> notes;  ///< What was decided, and the user should know.
-  Eigen::Matrix3Xi surface = {};   ///< Without columns: that of the tetrahedra.
-  /// Beside gravity and contact; null: none. Nothing but positions matters to it.
+  std::vector<std::string> notes;  ///< Decisions that concern the user, a line each.
+  Eigen::Matrix3Xi surface = {};   ///< Surface; without columns: boundary of the tetrahedra.
+  /// Additional load that depends on positions alone; null: none.
   std::shared_ptr<const fem::EnergyTerm> load = nullptr;
-  /// Where contact is felt; none: samples of the surface.
+  /// Samples of contact; none: samples of the surface.
   std::vector<contact::SurfaceSample> samples = {};
-  Points start = {};  ///< Where it begins, at rest, 3 x n [m]; without columns: in equilibrium.
+  Points start = {};  ///< Initial positions, 3 x n [m]; without columns: the equilibrium.
 };
 
-/// A body of finite elements that is stepped by one method, sleeps where nothing happens, and
-/// reports: makeFemTissue().
+/// A finite element body with its step method, sleep, recovery from failures and report:
+/// makeFemTissue().
 class FemOrgan final : public OrganBodies {
  public:
-  /// At rest in its mesh, as yet without gravity.
+  /// Begins in the rest configuration, without gravity.
   FemOrgan(const mesh::TetMesh& mesh, const fem::Composition& composition,
            const Surroundings& surroundings, const FemSettings& settings, ThreadPool* pool,
            const Eigen::Matrix3Xi& surface = {}, const OwnParts& own = {});
 
-  /// Begins at the equilibrium under gravity, or where its own parts say, which reset() goes back
-  /// to from now on.
+  /// Moves to the equilibrium under gravity, or to OwnParts::start, and stores it for reset().
   /// @throws as makeFemTissue()
-  void settle();
-  /// Goes on where `old` is, which is the same body on another mesh, of which this one's came by
-  /// `change`: positions, velocities, and all memory that has a place. What reset() goes back to
-  /// stays, and so does what prepareAt() made.
+  void findEquilibrium();
+  /// Takes over positions, velocities and state of `old`, the same body before the mesh adaptation
+  /// `change`. Keeps the equilibrium and the solver state of prepareAt().
   void goOnFrom(const FemOrgan& old, const mesh::MeshChange& change);
-  /// Whether it can: no element would be turned inside out, or lose half of the room that the least
-  /// one of `old` has left, and the energy is finite.
+  /// Whether goOnFrom() keeps the least det F above half of that of `old`, and a finite energy.
   bool canGoOnFrom(const FemOrgan& old, const mesh::MeshChange& change) const;
 
-  Shape shape(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {body_.x, body_.v, body_.triangles, 0}; }
   mesh::CellMesh cells(int) const override { return body_.cells(); }
   std::vector<std::string> methods(int) const override;
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { body_.interrupt = interrupt; }
   void reset() override;
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
-  /// Is at x, 3 x n [m], at rest, and its method ready for cycles of `dt` [s] there and nearby.
+  /// Moves to x, 3 x n [m], with zero velocity, and prepares the method for cycles of `dt` [s].
   void prepareAt(const Points& x, double dt);
   void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(this); }
   const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double) override {
@@ -69,67 +66,67 @@ class FemOrgan final : public OrganBodies {
   }
 
   const FemBody& body() const { return body_; }
-  /// Where it is at rest untouched at first, 3 x n [m]: where settle() found it, or as it was told.
-  const Points& settledAt() const { return settled_; }
-  void setSettledAt(Points x) { settled_ = std::move(x); }
-  /// A cycle of `dt` [s] begins; after that the body goes on alone, or as the member of a group.
+  /// Initial equilibrium without contact, 3 x n [m].
+  const Points& equilibrium() const { return equilibrium_; }
+  void setEquilibrium(Points x) { equilibrium_ = std::move(x); }
+  /// Begins a cycle of `dt` [s]; stepAlone() or a BodyGroup continues it.
   void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
-  void goAlone(double dt);
-  /// What the cycle did.
+  void stepAlone(double dt);
+  /// Result of the cycle.
   const TissueStep& report() const { return out_; }
-  /// It stays awake until it has been solved once.
+  /// Ends sleep until the next solved cycle.
   void wake() { rest_.wake(); }
 
   /// See contact::ContactPotential::setOffsets().
   void setContactOffsets(const Points& offsets) { body_.contact.setOffsets(offsets); }
 
-  // As the member of a group.
-  /// Null: its method steps it alone.
+  // Interface for groups.
+  /// Motion for groups; null: the method steps alone.
   BodyMotion* motion() { return method_->motion(); }
-  /// It becomes one.
+  /// Drops cached solver state: a BodyGroup integrates this body from now on.
   void join() { method_->forget(); }
-  /// Whether it would sleep through the cycle.
-  bool sleeps() const { return rest_.sleeps(body_.touch); }
-  /// It does.
+  /// Whether the body sleeps in the cycle.
+  bool sleeps() const { return rest_.sleeps(body_.tool_contact); }
+  /// Reports the cycle as asleep.
   void sleepOn() { rest_.report(&out_); }
-  /// Whether it failed so often that the cycle is left out; asked once a cycle.
-  bool isFrozen() { return freeze_.holds(isTouched()); }
-  /// Whether it failed that often at all, and of what.
-  bool isFailing() const { return freeze_.fails(); }
-  solver::SolveStatus failure() const { return freeze_.status(); }
-  /// The cycle is left out for it; `why`: its own failure, or another member's.
+  /// Whether backoff skips the cycle. Called once a cycle.
+  bool isFrozen() { return backoff_.holds(isTouched()); }
+  /// Whether backoff is active, and the status of the last failure.
+  bool isFailing() const { return backoff_.fails(); }
+  solver::SolveStatus failure() const { return backoff_.status(); }
+  /// Skips the cycle; `why`: the failure of this body or of another member.
   void stayFrozen(solver::SolveStatus why);
-  /// It is solved.
+  /// Begins a solved cycle.
   void beginTogether() { rest_.begin(body_.x); }
-  /// Whether it came to rest for its part in a cycle of the group that did `together`.
+  /// Whether this member rests after a cycle of the group with result `together`.
   bool isStill(const TissueStep& together) const {
-    return rest_.isStill(body_.x, body_.touch, together);
+    return rest_.isStill(body_.x, body_.tool_contact, together);
   }
-  /// Its forces at body.x, into `out`; its tolerance is of them from now on. `gradient`: of the
-  /// potential, 3 x n [N]; `others`: what they exert on it.
+  /// Writes the forces at body.x into `out` and uses them for tolerances; `gradient`: of the
+  /// potential, 3 x n [N]; `others`: forces of other members.
   void takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out);
-  /// Whether a tool may touch it in this cycle.
-  bool isTouched() const { return body_.touch.possibleByTools(); }
-  /// Asked once after a cycle that was solved, of a body that is touched by no tool, nor through
-  /// others: whether it would stay folded, for it came to rest so, or trembles inside out in one
-  /// cycle after the other, each of which counts as a failure as long as they lead nowhere. What
-  /// does so again once it was put back is pressed so, by its load or by another organ: it stays,
-  /// and if it trembles it is frozen.
-  bool givesUp(const TissueStep& cycle, bool at_rest);
-  /// A tool was near it, or near another member.
-  void reached() { was_folded_ = false; }
-  /// It, or another member, does: it is where it was settled, at rest, and moved with its supports.
-  void beginAnewTogether(const TissueStep& together, solver::SolveStatus why);
-  /// The cycle ended at body.x, and the group `at_rest`; `gradient`, `others`: likewise.
+  /// Whether a tool may touch the body in this cycle.
+  bool isTouched() const { return body_.tool_contact.possibleByTools(); }
+  /// True if the body should be reset: it rests with inverted elements, or stayed inverted without
+  /// progress. A body that is inverted again after a reset is compressed by its loads: it stays,
+  /// and cycles without progress count as failures.
+  /// @pre Called once after a solved cycle, without a tool near the group.
+  bool shouldReset(const TissueStep& cycle, bool at_rest);
+  /// A tool was near the group: allows another reset.
+  void reached() { was_inverted_ = false; }
+  /// Resets the body to its equilibrium, displaced with its supports, as all members.
+  void resetWithGroup(const TissueStep& together, solver::SolveStatus why);
+  /// Ends a solved cycle of the group; `at_rest`: the group rests; `gradient`, `others`: as in
+  /// takeForces().
   void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
                    const InteractionForce& others);
-  /// Whether a cycle that failed with `status` is a trial after which no other one would do better.
+  /// Whether a failure with `status` is permanent.
   bool failsForGood(solver::SolveStatus status) const {
-    return status != solver::SolveStatus::kDeadline && freeze_.isForGood();
+    return status != solver::SolveStatus::kDeadline && backoff_.isForGood();
   }
-  /// It failed, and all of its group `for_good`.
+  /// Ends a failed cycle of the group; `for_good`: permanent for all members.
   void failTogether(const TissueStep& together, bool for_good);
-  /// The group's work is reported with this member's.
+  /// Adds the group's iterations and times to this member's report.
   void addWork(const TissueStep& together);
 
  private:
@@ -140,7 +137,7 @@ class FemOrgan final : public OrganBodies {
   double wayOfShape() const;
   bool isOutsideOfLaw() const;
   solver::SolveStatus failureHere() const;
-  void beginAnew(solver::SolveStatus why);
+  void resetToEquilibrium(solver::SolveStatus why);
   void fallAsleep();
   void fail();
   void stop();
@@ -154,12 +151,12 @@ class FemOrgan final : public OrganBodies {
   FemBody body_;
   std::unique_ptr<StepMethod> method_;
   Rest rest_;
-  Freeze freeze_;
-  bool stuck_ = false;           // in this cycle
-  double stuck_at_ = kNotStuck;  // least det F as it began to be
-  bool was_folded_ = false;      // and put back, since it was at rest otherwise or a tool was near
-  Points settled_;
-  double contact_force_ = 0.0, support_force_ = 0.0;  // the body's as the cycle began
+  FailureBackoff backoff_;
+  bool stuck_ = false;           // inverted without progress, in this cycle
+  double stuck_at_ = kNotStuck;  // least det F when that began
+  bool was_inverted_ = false;    // and reset, since the last valid rest or near tool
+  Points equilibrium_;
+  double contact_force_ = 0.0, support_force_ = 0.0;  // of body_ at the cycle's begin [N]
   bool own_method_, own_start_;
   std::vector<std::string> own_notes_;
   TissueStep out_;

@@ -23,9 +23,9 @@ class FemOrgans final : public TissueModel {
   FemOrgans(std::vector<NamedOrgan> organs, const ModelSettings& settings)
       : touching_(settings.touching),
         organs_(std::move(organs)),
-        meetings_(
+        neighbours_(
             makeInteractions(settings),
-            [this](const GroupBody& a, const GroupBody& b) { return mayMeet(a, b); },
+            [this](const GroupBody& a, const GroupBody& b) { return mayInteract(a, b); },
             !settings.skip.apart_organs),
         reports_(organs_.size()) {
     for (std::size_t k = 0; k < organs_.size(); ++k) by_name_.push_back(k);
@@ -35,7 +35,7 @@ class FemOrgans final : public TissueModel {
   }
 
   int numOrgans() const override { return static_cast<int>(organs_.size()); }
-  Shape shape(int organ) const override { return at(organ).shape(0); }
+  SurfaceState surfaceState(int organ) const override { return at(organ).surfaceState(0); }
   mesh::CellMesh cells(int organ) const override { return at(organ).cells(0); }
   std::vector<std::string> methods(int organ) const override { return at(organ).methods(0); }
   const std::vector<TissueStep>* reports() const override { return &reports_; }
@@ -45,7 +45,7 @@ class FemOrgans final : public TissueModel {
     for (const NamedOrgan& organ : organs_) {
       for (const std::string& note : organ.tissue->notes()) all.push_back(noteOn(organ.name, note));
     }
-    if (!meetings_.any()) return all;
+    if (!neighbours_.any()) return all;
     for (const GroupBody& b : bodies_) {
       if (b.body->motion()) continue;
       all.push_back(noteOn(*b.organ, "method " + b.body->body().method +
@@ -63,8 +63,8 @@ class FemOrgans final : public TissueModel {
     for (const NamedOrgan& organ : organs_) organ.tissue->beginCycle(obstacles, dt);
     takeBodies();
     for (const GroupBody& b : bodies_) b.body->begin(obstacles, dt);
-    meetings_.find(bodies_, dt, &apart_);
-    groups_.step(bodies_, meetings_, dt);
+    neighbours_.find(bodies_, dt, &apart_);
+    groups_.step(bodies_, neighbours_, dt);
     startAnewWhatIsPutBack();
     report(obstacles, dt);
     return out_;
@@ -72,18 +72,18 @@ class FemOrgans final : public TissueModel {
 
   void reset() override {
     for (const NamedOrgan& organ : organs_) organ.tissue->reset();
-    meetings_.forget();
+    neighbours_.forget();
     groups_.forget();
   }
 
-  void place(int organ, const Points& positions, const Points& velocities) override {
-    at(organ).place(0, positions, velocities);
+  void setPositions(int organ, const Points& positions, const Points& velocities) override {
+    at(organ).setPositions(0, positions, velocities);
     takeBodies();
     for (const GroupBody& b : bodies_) {
       b.body->wake();
       b.body->reached();
     }
-    meetings_.forget();
+    neighbours_.forget();
     groups_.forget();
   }
 
@@ -94,7 +94,7 @@ class FemOrgans final : public TissueModel {
       out.put(state.kind);
       out.put(state.bytes);
     }
-    meetings_.save(&out);
+    neighbours_.save(&out);
     groups_.save(&out);
     return {kind(), out.bytes()};
   }
@@ -113,7 +113,7 @@ class FemOrgans final : public TissueModel {
       }
     }
     takeBodies();
-    meetings_.restore(bodies_, &in);
+    neighbours_.restore(bodies_, &in);
     groups_.restore(bodies_, &in);
     in.finish();
   }
@@ -125,23 +125,23 @@ class FemOrgans final : public TissueModel {
   std::string noteOn(const std::string& organ, const std::string& note) const {
     return (organs_.size() > 1 ? "organ " + organ + ": " : "") + note;
   }
-  bool mayMeet(const GroupBody& a, const GroupBody& b) const {
+  bool mayInteract(const GroupBody& a, const GroupBody& b) const {
     return a.body->motion() && b.body->motion() && touching_.mayTouch(*a.organ, *b.organ);
   }
 
-  // It is where it did not go: what it was to the others is another.
+  // Members that were reset to rest have invalid contact history with their neighbours.
   void startAnewWhatIsPutBack() {
     put_back_.clear();
     for (const GroupBody& b : bodies_) {
       put_back_.push_back(b.body->report().recovery == static_cast<int>(Recovery::kPutBack));
     }
     if (std::find(put_back_.begin(), put_back_.end(), 1) == put_back_.end()) return;
-    for (const std::unique_ptr<Meeting>& m : meetings_.all()) {
+    for (const std::unique_ptr<InteractingPair>& m : neighbours_.all()) {
       if (!m->acts || (!put_back_[m->a] && !put_back_[m->b])) continue;
       bodies_[m->a].body->wake();
       bodies_[m->b].body->wake();
     }
-    meetings_.forgetOf(put_back_);
+    neighbours_.forgetOf(put_back_);
     groups_.forgetOf(put_back_);
   }
 
@@ -150,7 +150,7 @@ class FemOrgans final : public TissueModel {
     for (const std::size_t k : by_name_) {
       found_.clear();
       organs_[k].tissue->addBodies(&found_);
-      const std::uint64_t revision = organs_[k].tissue->shape(0).revision;
+      const std::uint64_t revision = organs_[k].tissue->surfaceState(0).revision;
       for (FemOrgan* body : found_) {
         bodies_.push_back({&organs_[k].name, static_cast<int>(k), body, revision});
       }
@@ -183,7 +183,7 @@ class FemOrgans final : public TissueModel {
   std::vector<std::size_t> by_name_;
   std::vector<GroupBody> bodies_;
   std::vector<FemOrgan*> found_;
-  Meetings meetings_;
+  NeighbourSearch neighbours_;
   BodyGroups groups_;
   std::vector<int> apart_;      // of each body
   std::vector<char> put_back_;  // likewise, in this cycle

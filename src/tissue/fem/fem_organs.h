@@ -9,16 +9,16 @@
 
 namespace palpate::tissue {
 
-/// Several organs, by name.
+/// An organ with its name.
 struct NamedOrgan {
   std::string name;
   std::unique_ptr<OrganBodies> tissue;
 };
 
-/// Organs as one model: in each cycle bodies between which an interaction of `settings` may act are
-/// solved together, see BodyGroups, and the others as if they were alone in the scene, to the bit.
-/// Results but sums over organs do not depend on the order of `organs`. Bodies whose method has no
-/// motion to lend (StepMethod::motion()) act on no others, and a note says so.
+/// Makes one model of several organs. In each cycle, BodyGroups solves interacting bodies as one;
+/// other bodies have bitwise the results of a scene of their own. Results except sums over organs
+/// do not depend on the order of `organs`. Bodies without StepMethod::motion() do not interact, as
+/// a note says.
 std::unique_ptr<TissueModel> makeFemOrgans(std::vector<NamedOrgan> organs,
                                            const ModelSettings& settings);
 

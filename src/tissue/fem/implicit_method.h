@@ -8,7 +8,7 @@
 
 namespace palpate::tissue {
 
-/// ImplicitSteps of one body. Scenes and cases of `palpate solve` are stepped by it alike.
+/// ImplicitSteps of one body, for scenes and for cases of `palpate solve`.
 class ImplicitMethod final : public StepMethod {
  public:
   ImplicitMethod(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
@@ -28,7 +28,7 @@ class ImplicitMethod final : public StepMethod {
 
  private:
   BodyMotion motion_;
-  MovingBodies bodies_;
+  StepGroup bodies_;
   ImplicitSteps steps_;
 };
 

@@ -10,12 +10,12 @@
 namespace palpate::tissue {
 namespace {
 
-// So many times beyond the tolerance of the forces that there are, a solution is none.
-constexpr double kGone = 10.0;
-// Unbalanced forces of less than this many tolerances Newton's method finds its way out of in one
-// step or two.
-constexpr double kWorthFollowing = 100.0;
-constexpr double kFollowTolerance = 0.01;  // of the linear solve: better does not pay
+// Residual over the tolerance by present forces above which a tolerance is stale [-].
+constexpr double kStaleToleranceFactor = 10.0;
+// Residual over tolerance above which a tangent step follows the tools [-]; below it Newton's
+// method takes one or two iterations.
+constexpr double kMinFollowRatio = 100.0;
+constexpr double kFollowLinearTolerance = 0.01;  // relative tolerance of that linear solve [-]
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void ImplicitSteps::prepareHere() {
   prepared_ = true;
 }
 
-// The cycle in one step, or, where that fails, in more and shorter ones.
+// Solves the cycle in one step or, after failures, in more and shorter ones.
 bool ImplicitSteps::advance(double dt, TissueStep* out) {
   out_ = out;
   const int waits = minimizer_->waits();
@@ -56,7 +56,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
   const int most = bodies_.settings().max_time_steps;
   bool solved = false;
   for (int steps = 1; steps <= most && !solved; steps *= 2) {
-    // Where a trial used up what there was, those between would fail as well.
+    // Without budget, attempts with fewer than the most steps would fail as well.
     if (steps > 1 && budget_.left() <= 0) {
       while (2 * steps <= most) steps *= 2;
     }
@@ -70,7 +70,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
     solved = done == steps;
     if (solved) break;
     bodies_.goBack();
-    // Shorter steps take longer: where there were some to try, the cycle was only late.
+    // Shorter steps take longer: at a deadline the cycle counts as late, not as failed.
     if (!solver::isInterrupted(bodies_.interrupt())) continue;
     const bool last = 2 * steps > most;
     if (!last || solver::usable(out_->status)) out_->status = solver::SolveStatus::kDeadline;
@@ -82,7 +82,7 @@ bool ImplicitSteps::advance(double dt, TissueStep* out) {
   return solved;
 }
 
-// One step of `h`, in which the tools go from `begin` to `end` of their way.
+// Solves one step of `h` [s] with the tools moving from fraction `begin` to `end` of their path.
 bool ImplicitSteps::timeStep(double begin, double end, double h) {
   if (bodies_.beginStep(begin, h)) forgetLearnt();
   {
@@ -99,48 +99,47 @@ bool ImplicitSteps::timeStep(double begin, double end, double h) {
   return true;
 }
 
-// From where the velocities lead if they go on changing as they did, if that is better than from
-// where the bodies are; carried nodes are where they will be in both, or lifting them would look
-// like a loss.
+// Starts from the extrapolation of velocities if its potential is lower than at the present
+// positions. Prescribed nodes are at the step's end in both, so that their work does not decide.
 void ImplicitSteps::startFromPredictor(double begin, double end, double h) {
   const PhaseTimer timer(&out_->phases, Phase::kForces);
   Points& x = bodies_.x();
   const solver::Potential& potential = bodies_.potential();
-  bodies_.placeTools(begin);
+  bodies_.moveTools(begin);
   bodies_.beginTouches();
   begin_x_ = x;
   bodies_.extrapolate(h, &way_);
   predicted_ = x + potential.maxStep(x, way_) * way_;
-  bodies_.placeSurroundings(end);
+  bodies_.moveSurroundings(end);
   if (bodies_.carries()) {
     bodies_.carryTo(end, &predicted_);
     bodies_.carryHere(end);
   }
   const double value_here = bodies_.valueHere();
-  // Of all that is computed here most is kept for the first iteration, which begins at one of both.
+  // The first iteration reuses this evaluation.
   const double value_there = potential.gradient(predicted_, &gradient_there_);
-  const bool better = value_there < value_here;  // false for NaN
+  const bool better = value_there < value_here;  // also false for NaN
   if (!better && !std::isfinite(value_here)) {
-    x = begin_x_;  // the tangent brings the others along
+    x = begin_x_;  // moveHeld() moves the other nodes
     return;
   }
   if (better) x.swap(predicted_);
   if (bodies_.carries()) bodies_.carryTo(end, &begin_x_);
 }
 
-// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+// Moves the tools stage by stage to `end`, and solves the tissue after each.
 void ImplicitSteps::solveStages(double begin, double end) {
   out_->tolerance = bodies_.tolerance();
   solver::NewtonReport solved;
   for (double s = begin; s < end;) {
     const double from = s;
-    // In time the tools go as far as the tissue can follow; late they go all the way at once, also
-    // where a cycle is late as it begins, and its stages are left to those that follow it sooner.
+    // Before the deadline a stage ends where the tissue can follow; after it the last stage begins
+    // at once.
     const bool late = solver::isInterrupted(bodies_.interrupt());
     {
       const PhaseTimer timer(&out_->phases, Phase::kContact);
       s = late ? end : bodies_.nextStage(s, end);
-      if (late) bodies_.doubtSides();
+      if (late) bodies_.invalidateInsideTools();
       ++out_->sweep_stages;
       budget_.beginStage();
     }
@@ -150,15 +149,15 @@ void ImplicitSteps::solveStages(double begin, double end) {
     solved = solveStage(s < end, followed);
     if (startGuarding()) solved = solveStage(s < end);
     if (s < end) continue;
-    const int most = bodies_.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    const int most = bodies_.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
     for (int k = 0; k < most && solved.status == solver::SolveStatus::kConverged; ++k) {
-      const bool content = settled();
-      if (content && !outlivesForces(solved.residual)) break;
-      if (budget_.left() <= 0) {  // it keeps the contact that x was solved for
+      const bool converged = augmentationConverged();
+      if (converged && !toleranceIsStale(solved.residual)) break;
+      if (budget_.left() <= 0) {  // multipliers and limits stay those of x
         solved.status = solver::SolveStatus::kIterationLimit;
         break;
       }
-      if (!content) settle();
+      if (!converged) augment();
       solved = solveStage(false);
       if (startGuarding()) solved = solveStage(false);
     }
@@ -169,28 +168,28 @@ void ImplicitSteps::solveStages(double begin, double end) {
       out_->newton_iterations == 0 && solved.status == solver::SolveStatus::kConverged;
 }
 
-// Brings the tools from part `from` of the cycle to part `to`, and what they touch with them: from
-// `x` as the tangent there says, to first order, if that is better than where the body is. It
-// spares Newton's method finding the points that stay in touch one after another. True: it was. Not
-// tried where no time is left: it may be an iteration for nothing.
+// Moves the tools from fraction `from` of the cycle to `to`, and the tissue by a tangent step at
+// `x` if that lowers the potential. Returns whether it did. Saves Newton's method from finding
+// persistent contacts one by one. Skipped after the deadline.
 bool ImplicitSteps::followTools(double from, double to, const Points& x, bool in_time) {
   const solver::Potential& potential = bodies_.potential();
   double value = 0.0;
   {
     const PhaseTimer timer(&out_->phases, Phase::kContact);
     const bool touching = bodies_.pushTo(to, x, &push_);
-    bodies_.placeTools(to);
+    bodies_.moveTools(to);
     if (!touching || !in_time) return false;
     value = potential.gradient(bodies_.x(), &gradient_there_);
     const double residual = solver::freeNorm(gradient_there_, potential.free);
-    if (residual <= kWorthFollowing * out_->tolerance) return false;
-    bodies_.placeTools(from);
+    if (residual <= kMinFollowRatio * out_->tolerance) return false;
+    bodies_.moveTools(from);
   }
   solver::NewtonReport step;
-  const bool found = minimizer_->tangentStep(potential, x, push_, kFollowTolerance, &way_, &step);
+  const bool found =
+      minimizer_->tangentStep(potential, x, push_, kFollowLinearTolerance, &way_, &step);
   add(step);
   const PhaseTimer timer(&out_->phases, Phase::kForces);
-  bodies_.placeTools(to);
+  bodies_.moveTools(to);
   if (!found) return false;
   predicted_ = x + potential.maxStep(x, way_) * way_;
   const bool better = potential.gradient(predicted_, &gradient_there_) < value;
@@ -206,34 +205,35 @@ void ImplicitSteps::add(const solver::NewtonReport& report) {
   budget_.spend(report);
 }
 
-// Held nodes that move take the others along as the tangent says. What surroundings carry has been
-// where the step ends since it began, so that stages of a tool cost no more for it.
+// Moves prescribed nodes, and the others by a tangent step. Carried nodes are at the step's end
+// from its begin, so that they cost once a step, not once a stage.
 solver::SolveStatus ImplicitSteps::moveHeld(double s, double end) {
   if (!bodies_.heldWay(bodies_.carries() ? end : s, &way_)) return solver::SolveStatus::kConverged;
   const PhaseTimer timer(&out_->phases, Phase::kLinearSolve);
   return minimizer_->predict(bodies_.potential(), way_, &bodies_.x());
 }
 
-// Whether contact is content with the solution; else it is another one from now on.
-bool ImplicitSteps::settled() {
+// Whether contact needs no further augmentation at x.
+bool ImplicitSteps::augmentationConverged() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
-  return bodies_.settled();
+  return bodies_.augmentationConverged();
 }
 
-// Whether this much out of balance is within the tolerance only because that is a part of forces
-// that are gone, with a tool that leapt away: it is of those that there are from now on.
-bool ImplicitSteps::outlivesForces(double residual) {
-  if (residual <= kGone * bodies_.leastTolerance()) return false;  // no forces need be summed
+// Whether the residual meets the tolerance only by forces of a tool that has left. Then the
+// tolerance becomes that by the present forces.
+bool ImplicitSteps::toleranceIsStale(double residual) {
+  if (residual <= kStaleToleranceFactor * bodies_.leastTolerance())
+    return false;  // without summing forces
   const PhaseTimer timer(&out_->phases, Phase::kContact);
   const double here = bodies_.toleranceHere(minimizer_->gradient());
-  if (residual <= kGone * here || here >= out_->tolerance) return false;
+  if (residual <= kStaleToleranceFactor * here || here >= out_->tolerance) return false;
   out_->tolerance = here;
   return true;
 }
 
-void ImplicitSteps::settle() {
+void ImplicitSteps::augment() {
   const PhaseTimer timer(&out_->phases, Phase::kContact);
-  bodies_.settle();
+  bodies_.augment();
 }
 
 bool ImplicitSteps::startGuarding() {
@@ -243,7 +243,7 @@ bool ImplicitSteps::startGuarding() {
   return true;
 }
 
-// Where it `followed` the tools, x is an iteration ahead already.
+// Solves a stage. `followed`: a tangent step counts as its first iteration.
 solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
   const FemSettings& of_scene = bodies_.settings();
   solver::NewtonSettings settings;
@@ -253,8 +253,7 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
     settings.tolerance = std::max(settings.tolerance, minimizer_->roundoffForce(bodies_.x()));
   }
   settings.interrupt = bodies_.interrupt();
-  // What was not found in time once is not found the next time either: without them it would stay
-  // where it is for good.
+  // After a cycle without progress before its deadline, line searches must not end early.
   if (stalled_) settings.least_halvings = solver::LineSearch::kMaxHalvings + 1;
   settings.least_iterations = followed ? 0 : 1;
   settings.max_iterations = budget_.ofNextSolve(on_the_way);
@@ -270,9 +269,9 @@ solver::NewtonReport ImplicitSteps::solveStage(bool on_the_way, bool followed) {
   return solved;
 }
 
-// A state to go on from. One that only ran out of iterations or time is, unless it was asked to
-// converge: each iteration lowered the energy. One with elements inside out is the last resort, or
-// what there is where no time is left for shorter steps: a body that began so would stay so.
+// Whether the step is accepted. A state at an iteration limit or deadline is, unless
+// only_converged: each iteration lowered the potential. Inverted elements are accepted only without
+// further attempts or time.
 bool ImplicitSteps::acceptable() {
   const bool only_converged = bodies_.settings().only_converged;
   const bool enough = only_converged ? out_->ok() : solver::usable(out_->status);

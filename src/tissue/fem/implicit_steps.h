@@ -4,19 +4,19 @@
 #include <memory>
 
 #include "cycle_budget.h"
-#include "moving_bodies.h"
 #include "palpate/solver/minimizer.h"
+#include "step_group.h"
 
 namespace palpate::tissue {
 
-/// Implicit steps of bodies that move as one: each minimises the incremental potential (inertia,
-/// elasticity, loads, contact, interactions) with a minimiser. A cycle whose solve fails is
-/// rejected and tried again in 2, 4, 8 ... shorter steps, at once in the shortest where it used up
-/// the CycleBudget. Where that is used up the cycle ends with the best state so far.
+/// Implicit steps of a StepGroup: each minimises the incremental potential of inertia, elasticity,
+/// loads, contact and interactions. A failed attempt is rolled back and repeated in 2, 4, 8 ...
+/// steps, or at once in the most steps where it used up the CycleBudget. Without budget the cycle
+/// ends with the best state.
 class ImplicitSteps {
  public:
-  /// `bodies` must outlive this.
-  ImplicitSteps(MovingBodies* bodies, std::unique_ptr<solver::Minimizer> minimizer)
+  /// @pre `bodies` outlives this.
+  ImplicitSteps(StepGroup* bodies, std::unique_ptr<solver::Minimizer> minimizer)
       : bodies_(*bodies),
         minimizer_(std::move(minimizer)),
         budget_(bodies->settings(), minimizer_->iterationsForOne()) {}
@@ -26,14 +26,14 @@ class ImplicitSteps {
   bool advance(double dt, TissueStep* out);
   /// As StepMethod::prepare().
   void prepare(double dt);
-  /// Forgets what the minimiser learnt, and the last cycle.
+  /// Drops the cached solver state and that of the last cycle.
   void forget() {
     forgetLearnt();
     forgetCycle();
   }
-  /// The bodies did not come to where they are by the last cycle.
+  /// Drops the state of the last cycle: positions were set since.
   void forgetCycle() { stalled_ = false; }
-  /// Of the potential where the last step ended, 3 x n [N].
+  /// Gradient of the potential at the end of the last step, 3 x n [N].
   const Points& gradient() const { return minimizer_->gradient(); }
 
   void save(StateWriter* out) const;
@@ -48,9 +48,9 @@ class ImplicitSteps {
   bool timeStep(double begin, double end, double h);
   void startFromPredictor(double begin, double end, double h);
   void solveStages(double begin, double end);
-  bool settled();
-  void settle();
-  bool outlivesForces(double residual);
+  bool augmentationConverged();
+  void augment();
+  bool toleranceIsStale(double residual);
   bool startGuarding();
   bool followTools(double from, double to, const Points& x, bool in_time);
   void add(const solver::NewtonReport& report);
@@ -58,15 +58,15 @@ class ImplicitSteps {
   solver::NewtonReport solveStage(bool on_the_way, bool followed = false);
   bool acceptable();
 
-  MovingBodies& bodies_;
+  StepGroup& bodies_;
   std::unique_ptr<solver::Minimizer> minimizer_;
-  bool prepared_ = false;  // since the last restart
-  bool stalled_ = false;   // the last cycle was late, and led nowhere
-  int iterations_ = 0;     // of the minimiser in the cycle, without those that followed tools
+  bool prepared_ = false;  // whether the minimiser is prepared since the last restart
+  bool stalled_ = false;   // whether the last cycle hit its deadline without progress
+  int iterations_ = 0;     // of the minimiser in the cycle, without those of followTools()
   CycleBudget budget_;
 
   Points begin_x_, predicted_, gradient_there_, push_, way_;
-  TissueStep* out_ = nullptr;  // of the cycle under way
+  TissueStep* out_ = nullptr;  // result of the present cycle
 };
 
 }  // namespace palpate::tissue

@@ -17,9 +17,8 @@ struct traits<palpate::tissue::InterruptibleMatrix> : traits<SparseMatrix<double
 
 namespace palpate::tissue {
 
-/// A sparse matrix, as it is, for Eigen's iterative solvers, whose products throw Interrupted when
-/// these are to end: they have no other way to. What they were to find is by then as far as they
-/// came, by ten iterations at least, or whoever has no time at all would get nowhere.
+/// Reference to a sparse matrix for Eigen's iterative solvers. Its products throw Interrupted at a
+/// deadline, after ten iterations at least; the solver's iterate then holds the result so far.
 class InterruptibleMatrix : public Eigen::EigenBase<InterruptibleMatrix> {
  public:
   using Scalar = double;
@@ -33,7 +32,7 @@ class InterruptibleMatrix : public Eigen::EigenBase<InterruptibleMatrix> {
   };
   // NOLINTEND(readability-identifier-naming)
   struct Interrupted {};
-  /// Its diagonal, inverted.
+  /// Jacobi preconditioner.
   struct Diagonal : Eigen::DiagonalPreconditioner<double> {
     using Base = Eigen::DiagonalPreconditioner<double>;
     Diagonal& compute(const InterruptibleMatrix& of) {

@@ -64,7 +64,7 @@ class Islands final : public OrganBodies {
     for (const Island& island : islands_) take(island);
   }
 
-  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override {
     mesh::CellMesh cells = mesh::cellsOf(mesh_);
     cells.solid = solid_of_;
@@ -122,11 +122,12 @@ class Islands final : public OrganBodies {
     out_.clear();
   }
 
-  void place(int, const Points& positions, const Points& velocities) override {
+  void setPositions(int, const Points& positions, const Points& velocities) override {
     x_ = positions;
     v_ = velocities;
     for (const Island& island : islands_) {
-      island.body->place(0, gather(positions, island.nodes), gather(velocities, island.nodes));
+      island.body->setPositions(0, gather(positions, island.nodes),
+                                gather(velocities, island.nodes));
     }
     out_.clear();
   }

@@ -21,7 +21,7 @@ LinearMethod::LinearMethod(FemBody* body)
   u0_ = u_loads_;
 }
 
-void LinearMethod::settle(Points* x) { *x = body_.mesh.points + u0_; }
+void LinearMethod::moveToEquilibrium(Points* x) { *x = body_.mesh.points + u0_; }
 
 // The contact forces that held the body where it was put, as far as contact can.
 void LinearMethod::restart() {
@@ -55,25 +55,27 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   solver::NewtonReport solved;
   StateWriter touched;
   body_.contact.save(&touched);
-  body_.sweep.place(0.0);
-  body_.sweep.beginStep(body_.x);
+  body_.tool_path.moveTo(0.0);
+  body_.tool_path.beginStep(body_.x);
   for (double s = 0.0; s < 1.0;) {
     {
       const PhaseTimer timer(&out->phases, Phase::kContact);
-      s = body_.sweep.next(body_.x, s, 1.0);
+      s = body_.tool_path.next(body_.x, s, 1.0);
       ++out->sweep_stages;
-      body_.sweep.place(s);
+      body_.tool_path.moveTo(s);
     }
     moveHeld(s);
     solved = solveStage(s < 1.0, out);
     if (solved.status == solver::SolveStatus::kDeadline) {
-      body_.touch.sides.doubt();
+      body_.tool_contact.inside_tools.invalidate();
       break;
     }
-    const int most = body_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
+    const int most = body_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
     for (int k = 0; s == 1.0 && k < most; ++k) {
-      if (solved.status != solver::SolveStatus::kConverged || body_.contact.settled(body_.x)) break;
-      body_.contact.settle(body_.x);
+      if (solved.status != solver::SolveStatus::kConverged ||
+          body_.contact.augmentationConverged(body_.x))
+        break;
+      body_.contact.augment(body_.x);
       solved = solveStage(false, out);
     }
   }
@@ -98,7 +100,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
 // Displacements without contact: those under the loads, and what held nodes and anchors that move
 // take along.
 void LinearMethod::moveHeld(double s) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   if (!body_.heldMoves() && !body_.surroundings.moves()) return;
   Points way = Points::Zero(3, body_.x.cols());
   if (body_.drive.held) {
@@ -145,8 +147,8 @@ solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) 
       compliance_.solve(force_, &u_);
       body_.x = body_.mesh.points + u0_ + u_;
     }
-    if (body_.sweep.candidatesHold(body_.x)) break;
-    body_.sweep.search(body_.x);
+    if (body_.tool_path.candidatesHold(body_.x)) break;
+    body_.tool_path.search(body_.x);
   }
   return solved;
 }

@@ -7,14 +7,13 @@
 
 namespace palpate::tissue {
 
-/// Linear elastostatics with everything but contact solved beforehand [Bro-Nielsen, Cotin 1996;
-/// James, Pai 1999]: a cycle solves for the contact forces on the surface's compliance, then for
-/// all displacements by one back-substitution. Gravity is superposed. Quasi-static: no inertia, no
-/// damping; velocities are differences over the cycle.
+/// Linear elastostatics with a precomputed factorisation [Bro-Nielsen, Cotin 1996; James, Pai
+/// 1999]. A cycle solves for contact forces on the surface compliance, then for all displacements
+/// by one back-substitution. Gravity is superposed. Quasi-static: no inertia, no damping;
+/// velocities are differences over the cycle.
 ///
-/// The stiffness is that of the element and law at rest, so forces grow linearly with the load,
-/// volume is kept to first order only, and a part that turns is deformed by it: large rotations are
-/// wrong.
+/// The stiffness is that at rest: forces are linear, volume is kept to first order only, and large
+/// rotations are wrong.
 class LinearMethod final : public StepMethod {
  public:
   /// @throws std::invalid_argument as SurfaceCompliance.
@@ -25,7 +24,7 @@ class LinearMethod final : public StepMethod {
   double unbalancedForce() override { return residual_; }
   const Eigen::VectorXd& masses() const override { return body_.elasticity->masses(); }
   std::optional<double> elasticEnergy() const override { return energy_; }
-  void settle(Points* x) override;
+  void moveToEquilibrium(Points* x) override;
   void restart() override;
   void stop() override {}
   void save(StateWriter* out) const override;
@@ -42,8 +41,8 @@ class LinearMethod final : public StepMethod {
   SurfaceCompliance compliance_;
   CompliantContact contact_;
   Points loads_;    // gravity and loads at rest, 3 x n [N]
-  Points u_loads_;  // under them
-  Points u0_;       // without contact: u_loads_, and what held nodes and anchors take along
+  Points u_loads_;  // displacements under loads_ [m]
+  Points u0_;       // displacements without contact: u_loads_ and prescribed motion [m]
   Points force_;    // of contact on the nodes [N]
   Points x_begin_, force_begin_, u_, g_;
   double residual_ = 0.0, energy_ = 0.0;

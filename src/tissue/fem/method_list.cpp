@@ -12,8 +12,8 @@
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
 #include "palpate/tissue/method_facts.h"
+#include "prescribed_newton.h"
 #include "step_method.h"
-#include "sticking_newton.h"
 #include "tled_or_implicit.h"
 
 namespace palpate::tissue {
@@ -54,7 +54,7 @@ std::unique_ptr<StepMethod> linearPrecomputed(FemBody* body) {
 }
 
 std::unique_ptr<StepMethod> newtonBicgstab(FemBody* body) {
-  return std::make_unique<StickingNewton>(body);
+  return std::make_unique<PrescribedNewton>(body);
 }
 
 std::unique_ptr<StepMethod> automatic(FemBody* body) {

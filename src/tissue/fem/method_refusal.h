@@ -8,8 +8,8 @@
 
 namespace palpate::tissue {
 
-/// Why a method with these facts cannot treat a body, its settings and surroundings, and what to
-/// change; empty if it can.
+/// Reason, with advice, why a method does not support a body with its settings and boundary
+/// conditions; empty if it does.
 std::string methodRefusal(const MethodFacts& method, const FemBody& body);
 
 }  // namespace palpate::tissue

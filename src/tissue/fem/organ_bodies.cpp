@@ -11,7 +11,7 @@ const TissueStep& OrganBodies::step(const std::vector<contact::Obstacle>& obstac
   addBodies(&stepped_);
   for (FemOrgan* body : stepped_) {
     body->begin(obstacles, dt);
-    body->goAlone(dt);
+    body->stepAlone(dt);
   }
   return endCycle(obstacles, dt);
 }

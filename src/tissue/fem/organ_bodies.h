@@ -11,19 +11,20 @@ namespace palpate::tissue {
 
 class FemOrgan;
 
-/// An organ of finite elements, of one body or several, whose cycle begins and ends apart from its
-/// bodies' solves: each of these may be solved alone, or together with those of other organs.
+/// A finite element organ of one or several bodies. Cycles begin and end separately from the
+/// solves, so that bodies can be solved alone or in groups with other organs'.
 class OrganBodies : public TissueModel {
  public:
-  /// Its mesh may become another one.
+  /// Begins a cycle; the mesh may change.
   virtual void beginCycle(const std::vector<contact::Obstacle>& /*obstacles*/, double /*dt*/) {}
-  /// Adds the bodies that it consists of now: always as many, in the same order.
+  /// Adds the present bodies, always the same number in the same order.
   virtual void addBodies(std::vector<FemOrgan*>* bodies) = 0;
-  /// All of them have been begun and solved: what they did.
+  /// Ends the cycle and returns its result.
+  /// @pre All bodies are solved.
   virtual const TissueStep& endCycle(const std::vector<contact::Obstacle>& obstacles,
                                      double dt) = 0;
 
-  /// Each body alone.
+  /// Steps each body alone.
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
 
  private:

@@ -60,12 +60,12 @@ void PrescribedContact::updateMask() {
 }
 
 double PrescribedContact::nextStage(const Points& x, double s, double end) {
-  return body_.sweep.next(x, s, end);
+  return body_.tool_path.next(x, s, end);
 }
 
 void PrescribedContact::beginStage(const Points&, double, double) {
   const auto gone = [this](Hold& h) {
-    h.obstacle = body_.sweep.find(h.number);
+    h.obstacle = body_.tool_path.find(h.number);
     return h.obstacle < 0;
   };
   holds_.erase(std::remove_if(holds_.begin(), holds_.end(), gone), holds_.end());
@@ -136,7 +136,7 @@ double PrescribedContact::nodalNorm(const Points& gradient) const {
 void PrescribedContact::report(const Points& x, const Points& gradient, TissueStep* out) const {
   for (const Hold& h : holds_) {
     const Vec3 p_W = body_.contact.samples()[h.sample].position(x);
-    out->contacts.push_back({body_.sweep.owner(h.obstacle), 0.0, p_W, -force(h, gradient)});
+    out->contacts.push_back({body_.tool_path.owner(h.obstacle), 0.0, p_W, -force(h, gradient)});
   }
 }
 

@@ -8,9 +8,9 @@
 namespace palpate::tissue {
 
 /// Contact as prescribed displacement [Castillo Leon 2011, sec. 7.5, for a segment as tool]: a
-/// surface point that is inside a tool is put on the tool's surface along the normal and held
-/// there. A node moves alone; a point amid an edge or triangle moves its two or three nodes alike,
-/// if none of them is held. What holds pulls is let go.
+/// surface sample inside a tool is moved to the tool's surface along the normal and held. A sample
+/// on an edge or triangle moves its nodes alike, unless one is held. Samples in tension are
+/// released.
 class PrescribedContact final : public PrescribedDisplacements {
  public:
   explicit PrescribedContact(FemBody* body) : body_(*body), held_(body->free) {}
@@ -22,7 +22,7 @@ class PrescribedContact final : public PrescribedDisplacements {
   void restore(StateReader* from) override;
 
   double nextStage(const Points& x, double s, double end) override;
-  /// Finds the tools of earlier holds among those placed now; holds by others are let go.
+  /// Maps holds to the present obstacles; holds by absent ones are released.
   void beginStage(const Points& x, double s, double end) override;
   bool holdWhatPenetrates(const Points& x) override;
   bool release(const Points& x, const Points& gradient) override;
@@ -37,7 +37,7 @@ class PrescribedContact final : public PrescribedDisplacements {
   struct Hold {
     int sample;
     int number;         // Obstacle::number
-    int obstacle = -1;  // of those placed now
+    int obstacle = -1;  // index among the present obstacles
   };
   Vec3 force(const Hold& hold, const Points& gradient) const;
   bool free(int sample) const;

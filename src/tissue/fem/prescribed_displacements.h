@@ -8,55 +8,55 @@
 
 namespace palpate::tissue {
 
-/// Contact as a method sees it that prescribes displacements. All points are 3 x n, those of the
-/// body [m].
+/// Contact by prescribed displacements. All points are those of the body, 3 x n [m].
 class PrescribedDisplacements {
  public:
   virtual ~PrescribedDisplacements() = default;
 
-  /// As new: nothing is held.
+  /// Clears the state: nothing is held.
   virtual void clear() = 0;
-  /// Keeps what is held, and goes back to that.
+  /// Stores the holds, and rolls back to them.
   virtual void keep() = 0;
   virtual void goBack() = 0;
-  /// All that it remembers.
+  /// Writes the state.
   virtual void save(StateWriter* to) const = 0;
   /// @throws std::invalid_argument for bytes of another body.
   virtual void restore(StateReader* from) = 0;
 
-  /// Where the next stage ends, after part `s` of the cycle and up to `end`.
+  /// End of the next stage, a fraction of the cycle in (s, end].
   virtual double nextStage(const Points& x, double s, double end) = 0;
-  /// The tools are placed where the stage from part `s` of the cycle to `end` ends: what they still
-  /// hold, they hold there.
+  /// Begins the stage from fraction `s` of the cycle to `end`; holds move with the tools.
+  /// @pre The tools are at the stage's end.
   virtual void beginStage(const Points& x, double s, double end) = 0;
-  /// Holds what is inside a tool at x; false if there is nothing new.
+  /// Holds samples inside a tool at x. Returns false without a new one.
   virtual bool holdWhatPenetrates(const Points& x) = 0;
-  /// Lets go what the tools pull at, given the gradient of all energies at x [N]; false if there is
-  /// nothing.
+  /// Releases samples in tension; `gradient`: of all energies at x, 3 x n [N]. Returns false
+  /// without any.
   virtual bool release(const Points& x, const Points& gradient) = 0;
-  /// The way that the holds ask of x; zero where nothing is held.
+  /// Displacement from x to the held positions, 3 x n [m]; zero where nothing is held.
   virtual void moves(const Points& x, Points* move) const = 0;
 
   /// Whether anything is held.
   virtual bool holds() const = 0;
   /// 1 where neither the supports nor a tool hold a component, else 0.
   virtual const fem::FreeMask& free() const = 0;
-  /// Norm of the gradient where nothing is held [N].
+  /// Norm of `gradient` over the free components [N].
   virtual double unbalanced(const Points& gradient) const;
-  /// Norm of what the tools exert on the nodes [N].
+  /// Norm of the tools' nodal forces [N].
   virtual double nodalNorm(const Points& gradient) const = 0;
-  /// The forces of the tissue on the tools.
+  /// Adds the contacts, with forces of the tissue on the tools, to `out`.
   virtual void report(const Points& x, const Points& gradient, TissueStep* out) const = 0;
-  /// Adds the searches since keep().
+  /// Adds counts of surface searches since keep() to `out`.
   virtual void addWork(TissueStep* /*out*/) const {}
 
-  // Where components are held together, not one by one: Newton's system in the others.
+  // For holds of linear combinations of components: reduction of Newton's system.
   virtual void reduce(Eigen::SparseMatrix<double>* /*A*/) const {}
   virtual void reduce(Points* /*right*/) const {}
   virtual void expand(Points* /*step*/) const {}
 };
 
-/// That which body->settings name; the body outlives it.
+/// Makes the kind that body->settings name.
+/// @pre The body outlives the result.
 std::unique_ptr<PrescribedDisplacements> makePrescribedDisplacements(FemBody* body);
 
 }  // namespace palpate::tissue

@@ -5,8 +5,8 @@
 
 namespace palpate::tissue {
 
-/// A = the matrix of the first step from rest, without contact. The body's elasticity is as if no
-/// step had begun.
+/// Assembles the stiffness A of the first step from rest, without contact. The elasticity keeps the
+/// state before a step.
 void assembleAtRest(FemBody* body, fem::Stiffness* A);
 
 }  // namespace palpate::tissue

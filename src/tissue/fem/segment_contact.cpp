@@ -83,7 +83,7 @@ void SegmentContact::hold(const std::optional<Hold>& held) {
 }
 
 int SegmentContact::findTool() const {
-  const std::vector<contact::Obstacle>& near = body_.sweep.near();
+  const std::vector<contact::Obstacle>& near = body_.tool_path.near();
   for (std::size_t k = 0; k < near.size(); ++k) {
     if (!near[k].owner.isInstrument() || (hold_ && near[k].number != hold_->number)) continue;
     if (halfLength(*near[k].geometry) > 0.0) return static_cast<int>(k);
@@ -92,7 +92,7 @@ int SegmentContact::findTool() const {
 }
 
 SegmentContact::Segment SegmentContact::placed(int obstacle, double s) const {
-  const contact::Obstacle& tool = body_.sweep.near()[static_cast<std::size_t>(obstacle)];
+  const contact::Obstacle& tool = body_.tool_path.near()[static_cast<std::size_t>(obstacle)];
   const Pose X_WG = contact::interpolate(tool.X_WG_begin, tool.X_WG_end, s);
   const Vec3 half = halfLength(*tool.geometry) * Vec3::UnitZ();
   return {X_WG * Vec3(-half), X_WG * half};
@@ -101,7 +101,7 @@ SegmentContact::Segment SegmentContact::placed(int obstacle, double s) const {
 double SegmentContact::nextStage(const Points&, double s, double end) {
   const int tool = findTool();
   if (tool < 0) return end;
-  const contact::Obstacle& o = body_.sweep.near()[static_cast<std::size_t>(tool)];
+  const contact::Obstacle& o = body_.tool_path.near()[static_cast<std::size_t>(tool)];
   const double way = contact::sweepLength(*o.geometry, o.X_WG_begin, o.X_WG_end);
   const double most = way > 0.0 ? kStage * mean_edge_ / way : 1.0;
   return std::min(end, s + std::max(most, 1.0 / kMaxSweepStages));
@@ -146,7 +146,7 @@ bool SegmentContact::holdWhatPenetrates(const Points& x) {
 
 // What a tool that touches anew holds: its tip, if one end is inside, of two the less deep one.
 std::optional<SegmentContact::Hold> SegmentContact::choose(const Points& x) {
-  const int number = body_.sweep.near()[static_cast<std::size_t>(tool_)].number;
+  const int number = body_.tool_path.near()[static_cast<std::size_t>(tool_)].number;
   const contact::SegmentHit &first = hits_.front(), &last = hits_.back();
   const bool begin_inside = !first.inward, end_inside = last.inward;
   if (begin_inside && (!end_inside || first.part < 1.0 - last.part)) {
@@ -199,7 +199,7 @@ double SegmentContact::unbalanced(const Points& gradient) const {
 
 void SegmentContact::report(const Points& x, const Points& gradient, TissueStep* out) const {
   if (!hold_) return;
-  out->contacts.push_back({body_.sweep.owner(tool_), 0.0, position(x), -tie_.force(gradient)});
+  out->contacts.push_back({body_.tool_path.owner(tool_), 0.0, position(x), -tie_.force(gradient)});
 }
 
 }  // namespace palpate::tissue

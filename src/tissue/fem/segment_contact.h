@@ -10,20 +10,18 @@
 
 namespace palpate::tissue {
 
-/// Contact with a tool that is a segment [Castillo Leon 2011, sec. 7.4, 7.5], the axis of the first
-/// capsule or cylinder of an instrument that is near, with its caps: where the segment meets the
-/// surface, the surface is put on the tool, and its reaction is the tool's force.
+/// Contact with a segment as tool [Castillo Leon 2011, sec. 7.4, 7.5]: the axis of the first near
+/// capsule or cylinder of an instrument, with its caps. The surface point at the intersection is
+/// held on the segment, and its reaction is the tool's force.
 ///
-/// The end that is inside is the tip. The surface point on the segment goes to the tip: along the
-/// segment, as the source has it for a tool that is pushed along itself, and held in all
-/// components. With the tool the point moves on over the surface: the next one is where the line
-/// through the segment meets the surface then, found by walking from the last one's triangle, by
-/// the tree where the walk is lost. A segment that goes through and through, both ends outside,
-/// takes the surface along where it goes in, as long as it pushes.
+/// The end inside the body is the tip; the surface point on the segment moves to the tip and is
+/// held in all components, as in the source. The point follows the intersection of the segment's
+/// line with the surface by a walk over triangles, or by the tree where the walk fails. A segment
+/// through the whole body, with both ends outside, moves its entry point while in compression.
 ///
-/// Of its own: a point is held as the shape functions say (TiedPoint), not by its nodes one by one;
-/// what the tool pulls at is let go, and what the line does not meet within a mean edge ahead of
-/// the tip; and a point that the supports hold, in any component, is not touched.
+/// In contrast to the source, shape functions constrain the point (TiedPoint), not each node. It is
+/// released in tension, or without an intersection within a mean edge ahead of the tip. Points with
+/// a held component are not touched.
 class SegmentContact final : public PrescribedDisplacements {
  public:
   explicit SegmentContact(FemBody* body);
@@ -78,8 +76,8 @@ class SegmentContact final : public PrescribedDisplacements {
   std::optional<Hold> hold_, kept_;
   contact::SegmentTracker::Counts counted_;  // at keep()
   TiedPoint tie_;
-  int tool_ = -1;           // of those near
-  Segment was_{}, now_{};   // where the stage begins and ends
+  int tool_ = -1;           // index among near obstacles
+  Segment was_{}, now_{};   // at begin and end of the stage
   bool released_ = false;   // in this stage
   mutable Points rest_of_;  // scratch
   std::vector<contact::SegmentHit> hits_;

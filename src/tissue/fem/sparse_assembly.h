@@ -7,9 +7,9 @@
 
 namespace palpate::tissue {
 
-/// K as one sparse matrix of the 3 n components, node after node, with the volumes of pressure
-/// nodes multiplied out.
-/// @throws std::invalid_argument where their metric is not diagonal (element p1p1).
+/// Assembles K as a sparse matrix, 3 n x 3 n, node by node, with the volume terms of pressure
+/// nodes.
+/// @throws std::invalid_argument where the pressure metric is not diagonal (element p1p1).
 Eigen::SparseMatrix<double> assembleSparse(const fem::Stiffness& K);
 
 }  // namespace palpate::tissue

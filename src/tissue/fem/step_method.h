@@ -13,60 +13,60 @@ namespace palpate::tissue {
 
 class BodyMotion;
 
-/// How a body gets from one cycle's end to the next one's. A method keeps a reference to its body
-/// and scratch memory of its own.
+/// Time stepping of a body over a cycle. A method holds a reference to its body, and buffers.
 class StepMethod {
  public:
   virtual ~StepMethod() = default;
 
-  /// Goes on by `dt` [s] while the tools go their way (body.sweep, which has begun and searched).
-  /// Writes body.x, body.v and what it did into `out`: status, iterations, residual, tolerance.
-  /// False: it failed, and x and v are where they were.
+  /// Steps the body over `dt` [s] while the tools move along body.tool_path. Writes body.x, body.v,
+  /// and status, iterations, residual and tolerance to `out`. Returns false on failure; x and v are
+  /// then unchanged.
+  /// @pre ToolContact::begin().
   virtual bool advance(double dt, TissueStep* out) = 0;
-  /// After advance(): the contacts at its end and the forces of support and inertia, into `out`.
+  /// Writes contacts, support and inertia forces at the cycle's end to `out`.
+  /// @pre advance().
   virtual void reportForces(TissueStep* out) = 0;
-  /// Norm of the forces that would begin to move the body if it were stopped here [N].
+  /// Norm of the static forces at the present positions with zero velocity [N].
   virtual double unbalancedForce() = 0;
-  /// Whether the least push would not have it leave where it came to rest; asked then, of methods
-  /// that look for a root of forces.
+  /// Whether the equilibrium is stable; meaningful for methods that solve for zero forces.
   virtual bool restsInMinimum() { return true; }
-  /// Kinetic energy is computed with these, n [kg].
+  /// Nodal masses for the kinetic energy, n [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
-  /// At body.x [J], of a method with another elasticity than the body's own.
+  /// Elastic energy at body.x [J], of a method with its own elasticity.
   virtual std::optional<double> elasticEnergy() const { return std::nullopt; }
-  /// Moves `x`, the body's equilibrium under gravity, to that of such a method, 3 x n [m].
-  virtual void settle(Points* /*x*/) {}
-  /// Does what the first cycle, of `dt` [s], would have to do before it can begin, as a first
-  /// factorisation, from where the body is.
+  /// Moves `x`, the body's equilibrium, 3 x n [m], to that of a method with its own elasticity.
+  virtual void moveToEquilibrium(Points* /*x*/) {}
+  /// Prepares the solver for cycles of `dt` [s] at the present positions, such as a factorisation.
   virtual void prepare(double /*dt*/) {}
 
-  /// The body's motion, by which it can also be stepped together with other bodies. Null: of a
-  /// method that has none.
+  /// Motion of the body, for steps in groups; null: not supported.
   virtual BodyMotion* motion() { return nullptr; }
-  /// Forgets what it learnt about solving: the body's motion is in other hands for a while.
+  /// Drops cached solver state: a BodyGroup integrates this body from now on.
   virtual void forget() {}
 
-  /// body.x and body.v were set from outside.
+  /// Resets after body.x and body.v were set.
   virtual void restart() = 0;
-  /// The body goes on from where that of `old` is, on another mesh, and so does the method, which
-  /// is of the same name; body.x and body.v are there already. What it prepared, it keeps. By
-  /// default it restarts.
+  /// Takes over the state of `old`, the same method before the mesh adaptation `change`, but keeps
+  /// prepare(). Default: restart().
+  /// @pre body.x and body.v are transferred.
   virtual void goOnFrom(const StepMethod& /*old*/, const mesh::MeshChange& /*change*/) {
     restart();
   }
-  /// body.v was set to zero, and x is at rest.
+  /// Resets velocities: body.v was set to zero at rest.
   virtual void stop() = 0;
 
-  /// All memory beside the body's own.
+  /// Writes the state in addition to the body's.
   virtual void save(StateWriter* out) const = 0;
-  /// The body's own is that of the same moment.
-  /// @throws std::invalid_argument for the memory of another method or of another body.
+  /// Reads the state.
+  /// @pre The body's state is of the same cycle.
+  /// @throws std::invalid_argument for the state of another method or body.
   virtual void restore(StateReader* in) = 0;
 };
 
-/// `name`: one of methodNames(); body.method becomes it, or what `auto` took.
-/// @throws std::invalid_argument for another one, for a body or settings that the method does not
-/// take (methodFacts()), and for what its constructor refuses.
+/// Makes the method `name`, one of methodNames(), and sets body.method to it, or to the choice of
+/// `auto`.
+/// @throws std::invalid_argument for an unknown name, or a body or settings that the method does
+/// not support.
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body);
 
 }  // namespace palpate::tissue

@@ -13,30 +13,28 @@ namespace palpate::tissue {
 
 constexpr int kMaxComplianceNodes = 2000;
 
-/// Linear elastostatics of a body about its rest with its supports, condensed onto its surface
-/// [Bro-Nielsen, Cotin 1996]: the columns of K^-1 that belong to nodes which can be touched, of
-/// which the rows of these nodes are kept [Green's functions: James, Pai 1999].
+/// Linear elastostatics about the rest configuration, condensed onto the surface [Bro-Nielsen,
+/// Cotin 1996]: rows and columns of K^-1 of surface nodes [Green's functions: James, Pai 1999].
 class SurfaceCompliance {
  public:
-  /// `X`: rest, 3 x n [m]; `triangles`: the surface; `surroundings`: of the body, whose springs
-  /// hold it, too; null: there are none.
+  /// `X`: rest positions, 3 x n [m]; `triangles`: surface; `surroundings`: boundary conditions with
+  /// springs; null: none.
   /// @throws std::invalid_argument if the supports do not hold the body or the surface has more
   /// than kMaxComplianceNodes nodes that can move.
   SurfaceCompliance(fem::Elasticity* elasticity, const fem::FreeMask& free, const Points& X,
                     const Eigen::Matrix3Xi& triangles,
                     const BodySurroundings* surroundings = nullptr);
 
-  /// The displacements u of all nodes under the forces f, 3 x n, [m] and [N].
+  /// Solves for displacements u [m] under nodal forces f [N], both 3 x n.
   void solve(const Points& f, Points* u) const;
-  /// The forces of the displacements u, 3 x n; at held components too, where they are the
-  /// support's.
+  /// Computes forces f [N] of displacements u [m], 3 x n; at held components support forces.
   void multiply(const Points& u, Points* f) const { stiffness_.multiply(u, f); }
 
-  /// Of the nodes that can be touched and move.
+  /// Compliance of the free surface nodes.
   NodeCompliance ofNodes() const { return {position_, matrix_}; }
-  /// Position of a node among those that can be touched and move, or -1.
+  /// Index of a node among the free surface nodes, or -1.
   int find(int node) const { return position_[node]; }
-  /// [bytes]
+  /// Size of the compliance matrix [bytes].
   std::size_t memory() const { return sizeof(double) * static_cast<std::size_t>(matrix_.size()); }
 
  private:

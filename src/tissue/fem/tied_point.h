@@ -10,27 +10,24 @@
 
 namespace palpate::tissue {
 
-/// A point of a triangle that is held, p = sum w_i x_i with the shape functions w_i of its nodes,
-/// and nothing else of them: of three nodes three components are known, as of a node that is held.
-/// Each component is a condition w . u = d on its own. Its force l is the multiplier, and acts on
-/// node i as w_i l.
+/// A held point of a triangle, p = sum w_i x_i with shape functions w_i of its nodes. Each
+/// component is a constraint w . u = d; its force l is the multiplier, and acts on node i as w_i l.
 ///
-/// The known component takes the place of the pivot's, the node of largest weight: u = Z v + m with
-/// w . m = d, and Z' K Z v = -Z' (g + K m) is the system of the unknown ones [Castillo Leon 2011,
-/// (7.2), (7.3)]. Components that supports hold are left out of a condition.
+/// The constraint eliminates the pivot, the node of largest weight: u = Z v + m with w . m = d, and
+/// Z' K Z v = -Z' (g + K m) [Castillo Leon 2011, (7.2), (7.3)]. Held components are left out.
 class TiedPoint {
  public:
   TiedPoint() = default;  ///< Holds nothing.
-  /// `free`: what the supports leave, 3 x n.
+  /// `free`: components free of supports, 3 x n.
   TiedPoint(const Eigen::Vector3i& nodes, const Vec3& weights, const fem::FreeMask& free);
 
-  /// Whether all three components can be moved.
+  /// Whether all three components of the point can move.
   bool free() const { return *std::min_element(pivots_.begin(), pivots_.end()) >= 0; }
-  /// Adds to the nodes' moves the least ones by which the point goes by `way` [m].
+  /// Adds the least nodal displacements that move the point by `way` [m] to `move`, 3 x n [m].
   void addMove(const Vec3& way, Points* move) const;
-  /// The internal forces at the nodes, summed where they are free [N]: (7.5).
+  /// Sum of the internal forces at the free nodes [N]: (7.5).
   Vec3 force(const Points& gradient) const;
-  /// What the point's force leaves of the gradient: in balance it is zero at its nodes.
+  /// Subtracts the constraint force from `gradient`, 3 x n [N]; zero at the nodes in equilibrium.
   void balance(Points* gradient) const;
   /// Norm of the forces on the nodes [N].
   double nodalNorm(const Points& gradient) const;

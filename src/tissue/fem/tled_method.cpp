@@ -8,16 +8,15 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr int kMaxCaution = 2;
-// In a cycle: more would cost more than implicit steps do.
+constexpr int kMaxRefinement = 2;
+// Most sub-steps of a cycle; more cost more than implicit steps.
 constexpr double kMaxSubSteps = 2000.0;
-// Contact labours where its updates take more iterations than this in a cycle, and so many in each
-// of its sub-steps.
-constexpr int kFewTouchIterations = 200, kTouchIterations = 10;
-// Times the sub-steps that stability asks for at rest.
-constexpr double kMostSqueezed = 20.0;
-// Times the energy that is known to have come in: beyond it, the scheme made it.
-constexpr double kEnergyGain = 4.0;
+// Contact is slow above this number of Newton iterations in a cycle, plus the number per sub-step.
+constexpr int kMinContactIterations = 200, kContactIterationsPerSubStep = 10;
+// Largest ratio of sub-steps to those at rest [-].
+constexpr double kMaxSubStepRatio = 20.0;
+// Largest ratio of energy gained to energy supplied [-]; above it energy is spurious.
+constexpr double kMaxEnergyRatio = 4.0;
 
 }  // namespace
 
@@ -27,16 +26,16 @@ TledMethod::TledMethod(FemBody* body)
       inverse_masses_(body->free * masses_.cwiseInverse().asDiagonal()),
       critical_(body->elasticity.get(), body->free,
                 body->surroundings.largestSquare(body->mesh.points, masses_)),
-      touch_(body) {
+      contact_(body) {
   critical_.begin(body->mesh.points);
   u_ = contact_g_ = inertia_ = held_velocity_ = held_before_ = Points::Zero(3, masses_.size());
 }
 
 void TledMethod::restart() {
-  caution_ = 1;
+  refinement_ = 1;
   overran_ = !(body_.elasticity->minJacobian(body_.x) > 0.0);
-  account_ = Account();
-  touch_.clear();
+  budget_ = EnergyBudget();
+  contact_.clear();
   contact_g_.setZero();
   inertia_.setZero();
   held_velocity_.setZero();
@@ -44,7 +43,7 @@ void TledMethod::restart() {
 }
 
 void TledMethod::stop() {
-  account_ = Account();
+  budget_ = EnergyBudget();
   held_velocity_.setZero();
   contact_g_.setZero();
   inertia_.setZero();
@@ -53,10 +52,10 @@ void TledMethod::stop() {
 void TledMethod::save(StateWriter* out) const {
   for (const Points* p : {&g_, &contact_g_, &inertia_}) out->put(*p);
   out->put(potential_);
-  out->put(caution_);
+  out->put(refinement_);
   out->put(overran_);
-  for (double d : {account_.kinetic, account_.potential, account_.least_potential, account_.work,
-                   account_.cycles}) {
+  for (double d : {budget_.kinetic, budget_.potential, budget_.least_potential, budget_.work,
+                   budget_.cycles}) {
     out->put(d);
   }
   critical_.save(out);
@@ -64,20 +63,20 @@ void TledMethod::save(StateWriter* out) const {
 }
 
 void TledMethod::restore(StateReader* in) {
-  touch_.clear();
+  contact_.clear();
   for (Points* p : {&g_, &contact_g_, &inertia_}) in->getSame(p);
   in->get(&potential_);
-  in->get(&caution_);
+  in->get(&refinement_);
   in->get(&overran_);
-  for (double* d : {&account_.kinetic, &account_.potential, &account_.least_potential,
-                    &account_.work, &account_.cycles}) {
+  for (double* d : {&budget_.kinetic, &budget_.potential, &budget_.least_potential, &budget_.work,
+                    &budget_.cycles}) {
     in->get(d);
   }
   critical_.restore(in);
   if (body_.heldMoves()) in->getSame(&held_velocity_);
 }
 
-// Gradient and energy of all but contact, at body_.x.
+// Gradient [N] and energy [J] of all forces except contact, at body_.x.
 void TledMethod::forces(double h) {
   if (body_.elasticity->viscous()) body_.elasticity->beginStep(h);
   potential_ = body_.elasticity->gradient(body_.x, &g_);
@@ -92,8 +91,8 @@ int TledMethod::subSteps(double dt, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   critical_.follow(body_.x);
   const double stable = std::ceil(dt / (CriticalStep::kSafety * critical_.seconds()));
-  const double steps = std::max({1.0, stable, touch_.steps()});
-  if (critical_.squeezed() > kMostSqueezed) return 0;
+  const double steps = std::max({1.0, stable, contact_.steps()});
+  if (critical_.squeezed() > kMaxSubStepRatio) return 0;
   return steps <= kMaxSubSteps ? static_cast<int>(steps) : 0;
 }
 
@@ -114,8 +113,9 @@ bool TledMethod::advance(double dt, TissueStep* out) {
   const std::unique_ptr<fem::ViscousState> viscous = body_.elasticity->saveViscousState();
   StateWriter touched;
   body_.contact.save(&touched);
-  for (caution_ = std::max(1, caution_ / 2); caution_ <= kMaxCaution; caution_ *= 2) {
-    if (run(dt, caution_ * steps, out)) return true;
+  for (refinement_ = std::max(1, refinement_ / 2); refinement_ <= kMaxRefinement;
+       refinement_ *= 2) {
+    if (run(dt, refinement_ * steps, out)) return true;
     const bool late = solver::isInterrupted(body_.interrupt);
     body_.x = x_begin_;
     body_.v = v_begin_;
@@ -125,85 +125,86 @@ bool TledMethod::advance(double dt, TissueStep* out) {
     body_.elasticity->restoreViscousState(viscous.get());
     StateReader before(touched.bytes());
     body_.contact.restore(&before);
-    if (late || labours_ || overran_) return false;
-    if (gained_ && account_.isOpen()) return false;  // over more cycles than are taken back
+    if (late || contact_slow_ || overran_) return false;
+    if (energy_grew_ && budget_.isOpen()) return false;  // a rollback covers one cycle only
   }
-  caution_ = kMaxCaution;
+  refinement_ = kMaxRefinement;
   return false;
 }
 
-// All sub-steps of a cycle, and its account of energy.
+// Runs all sub-steps of a cycle and checks its energy budget.
 bool TledMethod::run(double dt, int steps, TissueStep* out) {
-  Course course{dt / steps, steps};
-  Account account = account_;
-  if (!account.isOpen()) account = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
-  work_ = account.work;
-  out->time_steps = caution_;
+  SubSteps sub_steps{dt / steps, steps};
+  EnergyBudget budget = budget_;
+  if (!budget.isOpen()) budget = {kineticEnergy(), potential_, potential_, 0.0, 0.0};
+  work_ = budget.work;
+  out->time_steps = refinement_;
   out->sweep_stages = steps;
-  if (!go(&course, out) || !end(&course, out)) return false;
-  account.least_potential = std::min(account.least_potential, potential_);
-  gained_ = !plausible(account);
-  if (gained_) return false;
-  if (course.touched) body_.min_jacobian = course.least_jacobian;
-  account_ = account;
-  account_.work = work_;
-  account_.cycles = course.late ? account.cycles + course.taken / static_cast<double>(steps) : 1.0;
-  const double h = course.h;
+  if (!runSubSteps(&sub_steps, out) || !finishCycle(&sub_steps, out)) return false;
+  budget.least_potential = std::min(budget.least_potential, potential_);
+  energy_grew_ = !plausible(budget);
+  if (energy_grew_) return false;
+  if (sub_steps.touched) body_.min_jacobian = sub_steps.least_jacobian;
+  budget_ = budget;
+  budget_.work = work_;
+  budget_.cycles =
+      sub_steps.late ? budget.cycles + sub_steps.taken / static_cast<double>(steps) : 1.0;
+  const double h = sub_steps.h;
   inertia_ =
       -((2.0 / h) * (body_.v - u_) + body_.settings.mass_damping * u_) * masses_.asDiagonal();
   addHeldInertia(h);
-  out->residual = touch_.residual();
+  out->residual = contact_.residual();
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.status(out->tolerance, course.late);
+  out->status = contact_.status(out->tolerance, sub_steps.late);
   return true;
 }
 
-// Sub-steps, up to where the cycle is cut, or false where they fail.
-bool TledMethod::go(Course* course, TissueStep* out) {
-  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
+// Runs sub-steps up to a deadline. Returns false on failure.
+bool TledMethod::runSubSteps(SubSteps* sub_steps, TissueStep* out) {
+  const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
   coefficients_ = (1.0 + damping) / (h * h) * masses_;
-  jumped_ = labours_ = gained_ = overran_ = false;
-  int touch_iterations = 0;
-  touch_.begin();
-  // What the half-step before it would have ended with, braked.
+  tunnelled_ = contact_slow_ = energy_grew_ = overran_ = false;
+  int contact_iterations = 0;
+  contact_.begin();
+  // Velocity of the half step before, damped.
   u_ = body_.v.cwiseProduct(body_.free) + 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
-  for (int k = 1; k <= course->steps && !course->late; ++k) {
+  for (int k = 1; k <= sub_steps->steps && !sub_steps->late; ++k) {
     if (k > 1) u_ *= 1.0 - damping;
-    subStep(h, k / static_cast<double>(course->steps), out);
-    if (jumped_ || !std::isfinite(potential_)) break;
-    course->taken = k;
-    course->touched = course->touched || !touch_.nodes().empty();
-    touch_iterations += touch_.iterations();
-    labours_ = touch_iterations > kFewTouchIterations + kTouchIterations * k;
-    if (labours_) {
+    subStep(h, k / static_cast<double>(sub_steps->steps), out);
+    if (tunnelled_ || !std::isfinite(potential_)) break;
+    sub_steps->taken = k;
+    sub_steps->touched = sub_steps->touched || !contact_.nodes().empty();
+    contact_iterations += contact_.iterations();
+    contact_slow_ = contact_iterations > kMinContactIterations + kContactIterationsPerSubStep * k;
+    if (contact_slow_) {
       out->status = solver::SolveStatus::kIterationLimit;
       return false;
     }
-    course->late = k < course->steps && solver::isInterrupted(body_.interrupt);
+    sub_steps->late = k < sub_steps->steps && solver::isInterrupted(body_.interrupt);
   }
-  // Where the tools are now the tissue has not followed them.
-  if (course->late) body_.touch.sides.doubt();
-  out->status = jumped_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
-  return !jumped_ && std::isfinite(potential_) && body_.x.allFinite();
+  // The tissue has not followed the tools.
+  if (sub_steps->late) body_.tool_contact.inside_tools.invalidate();
+  out->status =
+      tunnelled_ ? solver::SolveStatus::kLineSearchFailed : solver::SolveStatus::kNonFinite;
+  return !tunnelled_ && std::isfinite(potential_) && body_.x.allFinite();
 }
 
-// Velocities at the end of a cycle. False where it leaves a tool deep in tissue, or tissue
-// inverted, and was not cut: then the next one begins with implicit steps.
-bool TledMethod::end(Course* course, TissueStep* out) {
-  if (course->touched) course->least_jacobian = body_.elasticity->minJacobian(body_.x);
-  overran_ = (course->touched && touch_.limited()) || !(course->least_jacobian > 0.0);
-  if (overran_ && !course->late) {
+// Sets velocities at the cycle's end. Returns false where an uncut cycle leaves tissue overrun; the
+// next cycle then begins with implicit steps.
+bool TledMethod::finishCycle(SubSteps* sub_steps, TissueStep* out) {
+  if (sub_steps->touched) sub_steps->least_jacobian = body_.elasticity->minJacobian(body_.x);
+  overran_ = (sub_steps->touched && contact_.limited()) || !(sub_steps->least_jacobian > 0.0);
+  if (overran_ && !sub_steps->late) {
     out->status = solver::SolveStatus::kLineSearchFailed;
     return false;
   }
-  const double h = course->h, damping = 0.5 * body_.settings.mass_damping * h;
-  contact_g_ = touch_.gradient();
+  const double h = sub_steps->h, damping = 0.5 * body_.settings.mass_damping * h;
+  contact_g_ = contact_.gradient();
   body_.v = (1.0 - damping) * u_ - 0.5 * h * inverse_masses_.cwiseProduct(g_ + contact_g_);
   return body_.v.allFinite();
 }
 
-// From x to the next x, with the braked velocities in u, where the tools are at part `s` of their
-// way.
+// Computes one sub-step with the tools at fraction `s` of their path; u_ are damped velocities.
 void TledMethod::subStep(double h, double s, TissueStep* out) {
   const double damping = 0.5 * body_.settings.mass_damping * h;
   u_ = (u_ - h * inverse_masses_.cwiseProduct(g_)) / (1.0 + damping);
@@ -211,7 +212,7 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   moveHeld(h, s);
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
-    if (!touch(h, s)) return;
+    if (!applyContact(h, s)) return;
   }
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.x.swap(next_);
@@ -220,9 +221,9 @@ void TledMethod::subStep(double h, double s, TissueStep* out) {
   body_.contact.endStep(body_.x);
 }
 
-// Anchors and held nodes that move go as they are told.
+// Moves spring anchors and prescribed nodes.
 void TledMethod::moveHeld(double h, double s) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   if (!body_.heldMoves()) return;
   body_.heldWay(s, &held_way_);
   held_before_ = held_velocity_;
@@ -234,7 +235,7 @@ void TledMethod::moveHeld(double h, double s) {
   next_ = next_.cwiseProduct(body_.free) + held_way_;
 }
 
-// The force that accelerates held nodes that move, which their supports exert.
+// Adds the inertia force of prescribed nodes, which supports exert.
 void TledMethod::addHeldInertia(double h) {
   if (!body_.heldMoves()) return;
   const Points held = 1.0 - body_.free.array();
@@ -244,30 +245,29 @@ void TledMethod::addHeldInertia(double h) {
                  masses_.asDiagonal();
 }
 
-// From the way `next` to the next positions, with what the tools change of it.
-bool TledMethod::touch(double h, double s) {
-  jumped_ = !touch_.go(s, coefficients_, &next_);
-  if (jumped_) return false;
-  for (int i : touch_.nodes()) {
+// Turns the displacement next_ into next positions, with contact.
+bool TledMethod::applyContact(double h, double s) {
+  tunnelled_ = !contact_.step(s, coefficients_, &next_);
+  if (tunnelled_) return false;
+  for (int i : contact_.nodes()) {
     const Vec3 way = next_.col(i) - body_.x.col(i);
     u_.col(i) = way / h;
-    work_ += std::abs(way.dot(touch_.gradient().col(i)));
+    work_ += std::abs(way.dot(contact_.gradient().col(i)));
   }
   return true;
 }
 
-// Motion has come from motion, from what potential energy was let go, or from the tools. In a cut
-// cycle potential energy that came from nowhere has no time to become motion; over several of them
-// it counts as well.
-bool TledMethod::plausible(const Account& since) const {
+// Whether kinetic energy comes from kinetic energy, released potential energy, or the tools. Over
+// several cut cycles the potential energy must have a source as well.
+bool TledMethod::plausible(const EnergyBudget& since) const {
   const double released = std::max(0.0, since.potential - potential_);
-  const double noise = 1e-3 * body_.force_floor * touch_.elementSize();
+  const double noise = 1e-3 * body_.force_floor * contact_.elementSize();
   const double kinetic = kineticEnergy();
-  if (kinetic > kEnergyGain * (since.kinetic + released + work_ + noise)) return false;
+  if (kinetic > kMaxEnergyRatio * (since.kinetic + released + work_ + noise)) return false;
   if (since.cycles == 0.0) return true;
   const double given = since.kinetic + (since.potential - since.least_potential) + work_ + noise;
   const double gained = kinetic + potential_ - since.kinetic - since.potential;
-  return gained <= kEnergyGain * given;
+  return gained <= kMaxEnergyRatio * given;
 }
 
 double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(body_.free).norm(); }
@@ -275,7 +275,7 @@ double TledMethod::unbalancedForce() { return (g_ + contact_g_).cwiseProduct(bod
 void TledMethod::reportForces(TissueStep* out) {
   out->inertia_force = inertia_.rowwise().sum();
   next_ = g_ + contact_g_;
-  if (body_.heldMoves()) next_ -= inertia_;  // read on held components only
+  if (body_.heldMoves()) next_ -= inertia_;  // held components only
   body_.reportSupport(next_, out);
   body_.reportContacts(out);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "critical_step.h"
-#include "explicit_touch.h"
+#include "explicit_contact.h"
 #include "step_method.h"
 
 namespace palpate::tissue {
@@ -13,26 +13,23 @@ namespace palpate::tissue {
 ///   (1 + a h/2) u_{n+1/2} = (1 - a h/2) u_{n-1/2} + h/m (f(x_n) + c(x_{n+1})),
 ///   x_{n+1} = x_n + h u_{n+1/2},
 ///
-/// f the elastic forces and gravity, c the contact's, taken implicitly (ContactUpdate), so that the
-/// penalty does not bound h. The tools go on by a part of their way in each sub-step. In a viscous
-/// body each sub-step is one of its memory.
+/// f the elastic forces and gravity, c the contact forces, implicit by ContactUpdate, so that the
+/// penalty does not bound h. The tools move by a fraction of their path in each sub-step. Viscous
+/// memory is updated in each sub-step.
 ///
-/// TissueStep: sweep_stages is the number of sub-steps, time_steps by how much more they are than
-/// stability asks for; `residual` what the last ContactUpdate left
-/// unbalanced, everything else obeys its equation to rounding; inertia_force is that of the change
-/// of velocities. A cycle that gains energy from nowhere or carries tissue through a tool is
-/// repeated with twice the sub-steps, then fails; so does, at once, one in which elements are
-/// squeezed so that it would take 20 times the sub-steps of rest, or that takes more than 2000, one
-/// in which contact takes many iterations in most of them, and one in which a tool overran tissue:
-/// it ends deep in it, or with touched elements inverted, which would stay on the tool or be
-/// thrown. What is placed with elements inverted is overrun as well: it would be thrown by all
-/// their energy.
+/// TissueStep: sweep_stages: number of sub-steps; time_steps: refinement over the stable number;
+/// `residual`: of the last ContactUpdate; inertia_force: from the change of velocities. A cycle
+/// with spurious energy, or with tissue passing through a tool, is repeated with twice the
+/// sub-steps, then fails. It fails at once with more than 2000 sub-steps, with 20 times those at
+/// rest due to compressed elements, with slow contact in most of them, or overrun: a tool ends deep
+/// in tissue, or touched elements are inverted. Positions set with inverted elements count as
+/// overrun.
 class TledMethod final : public StepMethod {
  public:
   explicit TledMethod(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;
-  /// Whether tissue is overrun where the last cycle ended, which was cut, or where it was placed.
+  /// Whether tissue is overrun at the end of the last cycle, which was cut, or by set positions.
   bool overran() const { return overran_; }
   void reportForces(TissueStep* out) override;
   double unbalancedForce() override;
@@ -43,57 +40,56 @@ class TledMethod final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
-  // Of energy [J], since a cycle began; of cycles that are cut, over as many as make up a whole
-  // one.
-  struct Account {
-    double kinetic = 0.0, potential = 0.0;  // as it began
-    double least_potential = 0.0;           // at the ends of its cycles
-    double work = 0.0;                      // sum of the moduli of the contact's
-    double cycles = 1.0;                    // that it is of
+  // Energies since a cycle's begin [J]; over several cut cycles until they make up a whole one.
+  struct EnergyBudget {
+    double kinetic = 0.0, potential = 0.0;  // at the begin
+    double least_potential = 0.0;           // least at a cycle's end
+    double work = 0.0;                      // sum of absolute contact work
+    double cycles = 1.0;                    // number of cycles, < 1 while open
     bool isOpen() const { return cycles < 1.0; }
   };
-  // The sub-steps of a cycle.
-  struct Course {
+  // Sub-steps of a cycle.
+  struct SubSteps {
     double h;  // [s]
     int steps;
     int taken = 0;
-    bool touched = false, late = false;  // late: cut after those that are taken
-    double least_jacobian = 1.0;         // where touched
+    bool touched = false, late = false;  // late: cut at a deadline after `taken`
+    double least_jacobian = 1.0;         // where touched, least det F
   };
 
   int subSteps(double dt, TissueStep* out);
   bool run(double dt, int steps, TissueStep* out);
-  bool go(Course* course, TissueStep* out);
-  bool end(Course* course, TissueStep* out);
+  bool runSubSteps(SubSteps* sub_steps, TissueStep* out);
+  bool finishCycle(SubSteps* sub_steps, TissueStep* out);
   void subStep(double h, double s, TissueStep* out);
   void moveHeld(double h, double s);
   void addHeldInertia(double h);
-  bool touch(double h, double s);
+  bool applyContact(double h, double s);
   void forces(double h);
-  bool plausible(const Account& since) const;
+  bool plausible(const EnergyBudget& since) const;
   double kineticEnergy() const;
 
   FemBody& body_;
   Eigen::VectorXd masses_;
   Points inverse_masses_;  // 1/m where free, else 0; 3 x n
   CriticalStep critical_;
-  ExplicitTouch touch_;
+  ExplicitContact contact_;
 
   Points g_;          // gradient of elasticity and gravity at x, 3 x n [N]
-  double potential_;  // their energy [J]
-  Points u_, next_;   // velocities amid steps; positions of the next one
+  double potential_;  // energy of both [J]
+  Points u_, next_;   // velocities at half steps; next positions
   Points contact_g_;  // of the contact, at the last cycle's end
   Points inertia_;    // inertial and damping forces at the cycle's end
-  Points held_way_, held_velocity_, held_before_;  // of a sub-step and the one before
+  Points held_way_, held_velocity_, held_before_;  // of this sub-step and the one before
   Points x_begin_, v_begin_, g_begin_;
   Eigen::VectorXd coefficients_;
-  Account account_;       // to which the next cycle is added while it is open
-  double work_ = 0.0;     // of the account, up to now [J]
-  bool gained_ = false;   // energy that nothing brought
-  bool jumped_ = false;   // tissue would have gone through a tool
-  bool labours_ = false;  // contact takes many iterations in most sub-steps
-  bool overran_ = false;  // a tool left tissue deep in it, or inverted
-  int caution_ = 1;       // times as many sub-steps as the critical one needs
+  EnergyBudget budget_;        // extended by the next cycle while it is open
+  double work_ = 0.0;          // present sum of EnergyBudget::work [J]
+  bool energy_grew_ = false;   // spurious energy
+  bool tunnelled_ = false;     // tissue would pass through a tool
+  bool contact_slow_ = false;  // contact takes many iterations in most sub-steps
+  bool overran_ = false;       // deep in a tool, or inverted
+  int refinement_ = 1;         // factor on the stable number of sub-steps
 };
 
 }  // namespace palpate::tissue

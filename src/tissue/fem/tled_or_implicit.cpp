@@ -10,51 +10,51 @@ TledOrImplicit::TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer>
 
 bool TledOrImplicit::advance(double dt, TissueStep* out) {
   failed_ = false;
-  if (!given_up_ && explicit_.overran()) giveUp();
-  if (!given_up_) {
+  if (!implicit_active_ && explicit_.overran()) switchToImplicit();
+  if (!implicit_active_) {
     if (explicit_.advance(dt, out)) return true;
     if (!body_.v.allFinite()) return false;
     if (solver::isInterrupted(body_.interrupt)) {
       out->status = solver::SolveStatus::kDeadline;  // implicit steps were not tried
       return false;
     }
-    giveUp();
+    switchToImplicit();
   }
   out->recover(Recovery::kShorterSteps);
   failed_ = !implicit_.advance(dt, out);
   return !failed_;
 }
 
-void TledOrImplicit::giveUp() {
-  given_up_ = true;
+void TledOrImplicit::switchToImplicit() {
+  implicit_active_ = true;
   implicit_.restart();
 }
 
 void TledOrImplicit::restart() {
-  given_up_ = failed_ = false;
+  implicit_active_ = failed_ = false;
   explicit_.restart();
 }
 
 // At rest, sub-steps are as good as they were; after a failure they would only fail before it.
 void TledOrImplicit::stop() {
-  if (!given_up_) return explicit_.stop();
+  if (!implicit_active_) return explicit_.stop();
   if (failed_) return implicit_.stop();
   body_.guard.setActive(false);
   restart();
 }
 
 void TledOrImplicit::save(StateWriter* out) const {
-  out->put(given_up_);
+  out->put(implicit_active_);
   out->put(failed_);
   explicit_.save(out);
-  if (given_up_) implicit_.save(out);
+  if (implicit_active_) implicit_.save(out);
 }
 
 void TledOrImplicit::restore(StateReader* in) {
-  in->get(&given_up_);
+  in->get(&implicit_active_);
   in->get(&failed_);
   explicit_.restore(in);
-  if (given_up_) implicit_.restore(in);
+  if (implicit_active_) implicit_.restore(in);
 }
 
 }  // namespace palpate::tissue

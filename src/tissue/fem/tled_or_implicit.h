@@ -7,11 +7,9 @@
 
 namespace palpate::tissue {
 
-/// Method `tled` of a scene: TledMethod, and implicit steps by `implicit_pcg`, which go on in the
-/// same cycle where it fails: it made energy, left what is finite, lost a tool, labours in contact,
-/// or would need many times the sub-steps that it needs at rest, or thousands; where a tool overran
-/// tissue, in the next one if this was cut; or from where it was placed inverted. They go on until
-/// the body has come to rest or was placed anew.
+/// Method `tled` of a scene: TledMethod, with a switch to `implicit_pcg` in a cycle where it fails
+/// (TledMethod), in the next cycle where a cut one was overrun, or after positions were set with
+/// inverted elements. Implicit steps last until the body rests or positions are set.
 class TledOrImplicit final : public StepMethod {
  public:
   TledOrImplicit(FemBody* body, std::unique_ptr<solver::Minimizer> minimizer);
@@ -27,16 +25,17 @@ class TledOrImplicit final : public StepMethod {
   void restore(StateReader* in) override;
 
  private:
-  void giveUp();
+  void switchToImplicit();
   StepMethod& now() {
-    return given_up_ ? static_cast<StepMethod&>(implicit_) : static_cast<StepMethod&>(explicit_);
+    return implicit_active_ ? static_cast<StepMethod&>(implicit_)
+                            : static_cast<StepMethod&>(explicit_);
   }
 
   FemBody& body_;
   TledMethod explicit_;
   ImplicitMethod implicit_;
-  bool given_up_ = false;  // implicit steps go on
-  bool failed_ = false;    // in the last cycle, implicit steps too
+  bool implicit_active_ = false;  // implicit steps are in use
+  bool failed_ = false;           // both failed in the last cycle
 };
 
 }  // namespace palpate::tissue

@@ -9,38 +9,39 @@
 
 namespace palpate::tissue {
 
-/// How far points are from the tools where these will be if they go on as in the last cycle, and
-/// whether they have moved since it last mattered.
+/// Distances of points from predicted tool poses, by the motion of the last cycle, and whether
+/// tools have moved since suited().
 class ToolDistance {
  public:
-  /// `motion` [m]: a tool of which no point has gone farther has not moved; of one that rests less
-  /// counts, so that it ends up with the same wherever it came from. `most_ahead` [m]: so
-  /// far a tool is taken to go on at most.
+  /// `motion`: least displacement that counts [m], less for a resting tool, so that its final mesh
+  /// does not depend on its path; `most_ahead`: largest predicted displacement [m].
   ToolDistance(double motion, double most_ahead) : motion_(motion), most_ahead_(most_ahead) {}
 
-  /// Ends a cycle: tools go on for `cycles` more. False: since suited() none has moved, or, if
-  /// `far` > 0, none is nearer than `far` [m] to the box around x, 3 x n [m].
+  /// Ends a cycle, and predicts poses `cycles` ahead. Returns false where no tool has moved since
+  /// suited(), or, with `far` > 0, none is nearer than `far` [m] to the bounding box of x, 3 x n
+  /// [m].
   bool look(const std::vector<contact::Obstacle>& obstacles, double cycles, const Points& x,
             double far);
-  /// The least signed distance of p from a tool [m]; infinity without any.
+  /// Least signed distance of p from a tool, world [m]; infinity without any.
   double distance(const Vec3& p) const;
 
-  /// What depends on the tools is right where they are now.
+  /// Marks the present tool poses as handled.
   void suited();
   void forget() { suited_.clear(); }
 
-  /// Where the tools were when it last mattered, and back to it.
+  /// Writes and reads the poses of suited().
   void save(StateWriter* out) const;
   void restore(StateReader* in);
-  /// Where the tools are, and back to it; takeShapes() next, before distance() is asked.
+  /// Writes and reads the present poses.
+  /// @pre takeShapes() before distance().
   void saveTools(StateWriter* out) const;
   void restoreTools(StateReader* in);
   void takeShapes(const std::vector<contact::Obstacle>& obstacles);
 
  private:
   struct Tool {
-    const instrument::Geometry* of;                        // the obstacle's,
-    std::shared_ptr<const instrument::Geometry> geometry;  // and a copy, for work beside the cycle
+    const instrument::Geometry* of;                        // of the obstacle
+    std::shared_ptr<const instrument::Geometry> geometry;  // copy for background tasks
     Pose X_WG, X_GW;
   };
   std::vector<Pose> poses() const;
@@ -49,7 +50,7 @@ class ToolDistance {
 
   double motion_, most_ahead_;
   std::vector<Tool> tools_;
-  std::vector<Pose> suited_;  // of all tools; empty: nothing is known
+  std::vector<Pose> suited_;  // of all tools; empty: none
 };
 
 }  // namespace palpate::tissue

@@ -14,7 +14,7 @@ namespace {
 constexpr int kWavesOnTheWay = 10;   // of a stage that is not the last of a cycle
 constexpr int kStagesInsideOut = 6;  // in a row, after which a cycle is given up
 constexpr int kMaxLatticeSearches = 3;
-constexpr int kSettlingWaves = 100;  // under gravity, times those of a cycle
+constexpr int kEquilibriumWaves = 100;  // under gravity, times those of a cycle
 
 Points weightsOf(const HoneycombParts& parts, const Vec3& gravity) {
   Points weights(3, parts.lattice.numCells());
@@ -57,20 +57,20 @@ HoneycombOrgan::HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& se
       weight_(weightsOf(parts_, scene.gravity)),
       balance_(parts_.lattice, fabric_, held_, weight_, settings.volume == "exact"),
       map_(parts_.lattice, held_, parts_.free, parts_.X_WO),
-      touch_(map_.rest(), parts_.lattice.triangles, scene),
+      tool_contact_(map_.rest(), parts_.lattice.triangles, scene),
       rest_(Rest::kMotion * sizeOf(map_.rest()), scene.skip.sleeping),
       tolerance_(settings.threshold * softest(fabric_)),
-      solver_(balance_, map_, touch_.contact, settings, tolerance_) {
-  setBearing(parts_, &touch_.contact);
-  settle();
+      solver_(balance_, map_, tool_contact_.contact, settings, tolerance_) {
+  setBearing(parts_, &tool_contact_.contact);
+  findEquilibrium();
   HoneycombOrgan::reset();
 }
 
-void HoneycombOrgan::settle() {
-  settled_ = balance_.rest();
+void HoneycombOrgan::findEquilibrium() {
+  equilibrium_ = balance_.rest();
   const CellSolve solve =
-      solver_.solve(kSettlingWaves * settings_.max_sweeps, nullptr, &settled_, true);
-  if (solve.status != solver::SolveStatus::kConverged || balance_.leastRatio(settled_) <= 0.0) {
+      solver_.solve(kEquilibriumWaves * settings_.max_sweeps, nullptr, &equilibrium_, true);
+  if (solve.status != solver::SolveStatus::kConverged || balance_.leastRatio(equilibrium_) <= 0.0) {
     throw std::runtime_error(
         "no equilibrium of the honeycomb under gravity: it is too soft, too "
         "heavy, or held too little");
@@ -99,8 +99,8 @@ std::vector<std::string> HoneycombOrgan::notes() const {
 
 const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
-  touch_.begin(obstacles, x_, v_, dt, &out_);
-  if (rest_.sleeps(touch_)) {
+  tool_contact_.begin(obstacles, x_, v_, dt, &out_);
+  if (rest_.sleeps(tool_contact_)) {
     rest_.report(&out_);
     return out_;
   }
@@ -118,17 +118,17 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
     solver_.waves().remember(begin_memory_);
     x_ = x_begin_;
     v_.setZero();
-    touch_.contact.forget();
-    touch_.sides.doubt();
+    tool_contact_.contact.forget();
+    tool_contact_.inside_tools.invalidate();
     out_.status = std::max(out_.status, solver::SolveStatus::kLineSearchFailed);
     return out_;
   }
   v_ = (x_ - x_begin_) / dt;
   reportForces();  // contact has not yet remembered this step
-  touch_.endStep(x_);
-  if (out_.ok()) touch_.contact.learn(x_, dt);
-  touch_.report(x_, &out_);
-  touch_.countInactive(&out_);
+  tool_contact_.endStep(x_);
+  if (out_.ok()) tool_contact_.contact.learn(x_, dt);
+  tool_contact_.report(x_, &out_);
+  tool_contact_.countInactive(&out_);
   rest_.remember(out_);
   return out_;
 }
@@ -136,7 +136,7 @@ const TissueStep& HoneycombOrgan::step(const std::vector<contact::Obstacle>& obs
 // Whether a tool is deeper in the surface than one may get. Held sides bear any force, so that the
 // solve sees nothing wrong in it.
 bool HoneycombOrgan::isPierced() {
-  touch_.contact.collect(x_, &contacts_);
+  tool_contact_.contact.collect(x_, &contacts_);
   return std::any_of(contacts_.begin(), contacts_.end(), [](const contact::Contact& c) {
     return c.touch.penetration() > c.touch.room;
   });
@@ -153,32 +153,33 @@ void HoneycombOrgan::add(const CellSolve& solve) {
 // The tools go on as far as the tissue can follow, it is solved, and so on to the end. Cells that
 // they keep turned inside out do not come back: such a cycle will be rolled back.
 void HoneycombOrgan::solveStages() {
-  touch_.place(0.0);
-  touch_.sweep.beginStep(x_);
+  tool_contact_.moveTo(0.0);
+  tool_contact_.tool_path.beginStep(x_);
   out_.sweep_stages = 0;
   const auto solve = [this](int waves) {
     const PhaseTimer timer(&out_.phases, Phase::kLinearSolve);
     for (int search = 0; search < kMaxLatticeSearches; ++search) {
       add(solver_.solve(waves, interrupt_, &state_));
-      if (touch_.sweep.candidatesHold(x_)) break;
-      touch_.sweep.search(x_);
+      if (tool_contact_.tool_path.candidatesHold(x_)) break;
+      tool_contact_.tool_path.search(x_);
     }
   };
   int inside_out = 0;
   for (double s = 0.0; s < 1.0;) {
     const bool late = s > 0.0 && solver::isInterrupted(interrupt_);
-    s = late ? 1.0 : touch_.sweep.next(x_, s, 1.0);
-    if (late) touch_.sides.doubt();
-    touch_.place(s);
+    s = late ? 1.0 : tool_contact_.tool_path.next(x_, s, 1.0);
+    if (late) tool_contact_.inside_tools.invalidate();
+    tool_contact_.moveTo(s);
     ++out_.sweep_stages;
     solve(s < 1.0 ? std::min(kWavesOnTheWay, settings_.max_sweeps) : settings_.max_sweeps);
     if (!solver::usable(out_.status)) return;
     inside_out = balance_.leastRatio(state_) > 0.0 ? 0 : inside_out + 1;
     if (inside_out == kStagesInsideOut) return;
   }
-  const int most = touch_.contact.hasFriction() ? kMaxSettlingsOfFriction : kMaxSettlings;
-  for (int k = 0; k < most && out_.ok() && !touch_.contact.settled(x_); ++k) {
-    touch_.contact.settle(x_);
+  const int most =
+      tool_contact_.contact.hasFriction() ? kMaxFrictionAugmentations : kMaxAugmentations;
+  for (int k = 0; k < most && out_.ok() && !tool_contact_.contact.augmentationConverged(x_); ++k) {
+    tool_contact_.contact.augment(x_);
     solve(settings_.max_sweeps);
   }
   out_.satisfied = out_.newton_iterations == 0 && out_.ok();
@@ -188,7 +189,7 @@ void HoneycombOrgan::reportForces() {
   out_.elastic_energy = balance_.elasticEnergy(state_);
   double volume_error = 0.0;
   const double unbalanced = solver_.unbalanced(state_, true, &volume_error);
-  if (rest_.isStill(x_, touch_, out_) && unbalanced <= tolerance_) {
+  if (rest_.isStill(x_, tool_contact_, out_) && unbalanced <= tolerance_) {
     rest_.fallAsleep();
     v_.setZero();
   }
@@ -205,21 +206,21 @@ void HoneycombOrgan::reportForces() {
 }
 
 void HoneycombOrgan::reset() {
-  state_ = settled_;
+  state_ = equilibrium_;
   solver_.waves().forget();
   map_.place(state_, &x_);
   v_.setZero(3, x_.cols());
-  touch_.forget();
+  tool_contact_.forget();
   rest_.wake();
 }
 
-void HoneycombOrgan::place(int, const Points& positions, const Points& velocities) {
+void HoneycombOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   map_.fit(positions, &state_);
-  state_.pressures = settled_.pressures;
+  state_.pressures = equilibrium_.pressures;
   solver_.waves().forget();
   map_.place(state_, &x_);
   v_ = velocities;
-  touch_.forget();
+  tool_contact_.forget();
   rest_.wake();
 }
 
@@ -234,7 +235,7 @@ State HoneycombOrgan::state() const {
   out.put(state_.turns);
   out.put(v_);
   out.put(solver_.waves().memory());
-  touch_.save(&out);
+  tool_contact_.save(&out);
   rest_.save(&out);
   return {kind(), out.bytes()};
 }
@@ -250,7 +251,7 @@ void HoneycombOrgan::restore(const State& state) {
   in.get(&pending);
   if (pending.size() != parts_.lattice.cells.size()) StateReader::fail();
   solver_.waves().remember(pending);
-  touch_.restore(&in);
+  tool_contact_.restore(&in);
   rest_.restore(&in);
   in.finish();
   map_.place(state_, &x_);

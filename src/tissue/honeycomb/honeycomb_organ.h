@@ -8,7 +8,7 @@
 #include "palpate/tissue/model_settings.h"
 #include "palpate/tissue/tissue_model.h"
 #include "tissue/touch/rest.h"
-#include "tissue/touch/touch.h"
+#include "tissue/touch/tool_contact.h"
 
 namespace palpate::tissue {
 
@@ -32,13 +32,13 @@ class HoneycombOrgan final : public TissueModel {
   HoneycombOrgan(HoneycombParts parts, const HoneycombSettings& settings,
                  const ModelSettings& scene);
 
-  Shape shape(int) const override { return {x_, v_, parts_.lattice.triangles, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, parts_.lattice.triangles, 0}; }
   mesh::CellMesh cells(int organ) const override;
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> notes() const override;
   void setInterrupt(const solver::Interrupt* interrupt) override { interrupt_ = interrupt; }
   void reset() override;
-  void place(int organ, const Points& positions, const Points& velocities) override;
+  void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 
@@ -47,7 +47,7 @@ class HoneycombOrgan final : public TissueModel {
 
  private:
   std::string kind() const;
-  void settle();
+  void findEquilibrium();
   void solveStages();
   bool isPierced();
   void add(const CellSolve& solve);
@@ -60,12 +60,12 @@ class HoneycombOrgan final : public TissueModel {
   Points weight_;  // of each cell in O [N]
   CellBalance balance_;
   CornerMap map_;
-  Touch touch_;
+  ToolContact tool_contact_;
   Rest rest_;
   double tolerance_;  // [N]
   CellSolver solver_;
   const solver::Interrupt* interrupt_ = nullptr;
-  CellState settled_, state_, begin_state_;
+  CellState equilibrium_, state_, begin_state_;
   std::vector<double> begin_memory_;  // of the waves
   Points x_, v_, x_begin_, f_;
   std::vector<contact::Contact> contacts_;  // scratch

@@ -42,7 +42,7 @@ HybridSteps::HybridSteps(FemBody* body, HybridElasticity* elasticity, bool loop)
   for (const int i : elasticity->rest()->surface()) body->free.col(i).setZero();
 }
 
-void HybridSteps::settle(Points* x) {
+void HybridSteps::moveToEquilibrium(Points* x) {
   elasticity_.recoverUntouched(x);
   if (loop_) elasticity_.beginLoop(*x);
 }

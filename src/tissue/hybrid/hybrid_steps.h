@@ -21,7 +21,7 @@ class HybridSteps final : public StepMethod {
   void reportForces(TissueStep* out) override;
   double unbalancedForce() override { return steps_->unbalancedForce(); }
   const Eigen::VectorXd& masses() const override { return steps_->masses(); }
-  void settle(Points* x) override;
+  void moveToEquilibrium(Points* x) override;
   void restart() override;
   void stop() override { steps_->stop(); }
   void save(StateWriter* out) const override { steps_->save(out); }

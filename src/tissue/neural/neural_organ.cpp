@@ -24,7 +24,7 @@ NeuralOrgan::NeuralOrgan(NeuralParts parts, const NeuralSettings& neural,
       surrogate_(std::move(parts.surrogate)),
       X_O_(parts.body.points),
       X_(elements_->positions()),
-      triangles_(elements_->shape(0).triangles),
+      triangles_(elements_->surfaceState(0).triangles),
       R_WO_(parts.X_WO.linear()),
       switch_time_(neural.switch_time),
       size_((X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm()),
@@ -64,7 +64,7 @@ const TissueStep& NeuralOrgan::step(const std::vector<contact::Obstacle>& obstac
   // Nothing was told yet that would have to go over to them.
   const bool at_once = begins && untouched;
   if (begins) {
-    elements_->place(0, X_, still_);  // as reset(), without its memory
+    elements_->setPositions(0, X_, still_);  // as reset(), without its memory
     if (!at_once) drawOut(obstacles);
     solving_ = true;
     begun_ = at_once ? 0 : kUntold;
@@ -196,8 +196,8 @@ void NeuralOrgan::reset() {
 }
 
 // The elements go on from there.
-void NeuralOrgan::place(int, const Points& positions, const Points& velocities) {
-  elements_->place(0, positions, velocities);
+void NeuralOrgan::setPositions(int, const Points& positions, const Points& velocities) {
+  elements_->setPositions(0, positions, velocities);
   part_ = 1.0;
   solving_ = true;
   begun_ = 0;

@@ -47,7 +47,7 @@ class NeuralOrgan final : public TissueModel {
   /// @throws std::invalid_argument as SurrogateShape.
   NeuralOrgan(NeuralParts parts, const NeuralSettings& neural, const ModelSettings& settings);
 
-  Shape shape(int) const override { return {x_, v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, v_, triangles_, 0}; }
   mesh::CellMesh cells(int organ) const override { return elements_->cells(organ); }
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
   std::vector<std::string> methods(int organ) const override { return elements_->methods(organ); }
@@ -56,7 +56,7 @@ class NeuralOrgan final : public TissueModel {
     elements_->setInterrupt(interrupt);
   }
   void reset() override;
-  void place(int organ, const Points& positions, const Points& velocities) override;
+  void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
 

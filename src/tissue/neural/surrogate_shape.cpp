@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 
 namespace palpate::tissue {
 namespace {
@@ -52,7 +52,7 @@ SurrogateShape::SurrogateShape(const enrichment::Surrogate& surrogate, const mes
                                const Mat3& R_WO)
     : modes_(body.points.size(), surrogate.numModes()) {
   const Points& X = body.points;
-  const std::vector<mesh::FacePlace> places = mesh::nearestPlaces(surrogate.surface, X);
+  const std::vector<mesh::SurfacePoint> places = mesh::nearestSurfacePoints(surrogate.surface, X);
   Points there;
   mesh::interpolate(places, surrogate.surface.points, &there);
   std::vector<bool> given(static_cast<std::size_t>(X.cols()), false);

@@ -11,7 +11,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMostAdaptations = 12;
-constexpr int kMostSettlingSteps = 200000;
+constexpr int kMaxEquilibriumSteps = 200000;
 constexpr double kSameRest = 0.01;  // of its size: so far the parting of particles may move a rest
 
 }  // namespace
@@ -28,7 +28,7 @@ void SampledTissue::refuseTooManySubSteps(double dt) const {
       "softer or heavier");
 }
 
-void SampledTissue::settle() {
+void SampledTissue::findEquilibrium() {
   for (int k = 0; k < kMostAdaptations; ++k) {
     if (!comeToRest()) {
       throw std::runtime_error("no equilibrium under gravity: it is too soft or too heavy");
@@ -36,7 +36,7 @@ void SampledTissue::settle() {
     if (!body_.adapt()) break;
   }
   body_.v.setZero();
-  body_.save(&settled_);
+  body_.save(&equilibrium_);
 }
 
 // All motion is stopped whenever it begins to lose energy.
@@ -45,7 +45,7 @@ bool SampledTissue::comeToRest() {
   Vec3 anchors;
   const double h = kSafety * body_.longestSteps().minCoeff();
   double kinetic = 0.0;
-  for (int k = 0; k < kMostSettlingSteps; ++k) {
+  for (int k = 0; k < kMaxEquilibriumSteps; ++k) {
     body_.umbrella().forces(body_.d, &forces_, &anchors);
     forces_ += gravity_ * body_.masses.transpose();
     if (forces_.norm() <= 0.01 * tolerance_) return true;
@@ -64,8 +64,8 @@ void SampledTissue::endAtRest() {
   const Points x = x_;
   StateWriter parted;
   body_.save(&parted);
-  StateReader settled(settled_.bytes());
-  body_.restore(&settled);
+  StateReader equilibrium(equilibrium_.bytes());
+  body_.restore(&equilibrium);
   body_.v.setZero();
   follow();
   if ((x_ - x).cwiseAbs().maxCoeff() <= kSameRest * size_) return;

@@ -45,13 +45,13 @@ bool SampledTissue::adapt(double dt) {
 
 // Whether contact did not throw anything.
 bool SampledTissue::subStep(double h, double s) {
-  touch_.sweep.beginStep(x_);
-  touch_.sweep.place(s);
-  if (!touch_.sweep.candidatesHold(x_)) touch_.sweep.search(x_);
+  tool_contact_.tool_path.beginStep(x_);
+  tool_contact_.tool_path.moveTo(s);
+  if (!tool_contact_.tool_path.candidatesHold(x_)) tool_contact_.tool_path.search(x_);
   forces_ = gravity_ * body_.masses.transpose();
-  if (touch_.contact.hasCandidates()) {
+  if (tool_contact_.contact.hasCandidates()) {
     on_surface_.setZero();
-    touch_.contact.addGradient(x_, &on_surface_);
+    tool_contact_.contact.addGradient(x_, &on_surface_);
     on_surface_ *= -1.0;
     contact_.setZero(3, forces_.cols());
     body_.surface().addForces(on_surface_, &contact_);
@@ -73,21 +73,21 @@ bool SampledTissue::subStep(double h, double s) {
   }
   body_.surface().interpolate(body_.d, &x_);
   x_ += X_;
-  touch_.contact.endStep(x_);
+  tool_contact_.contact.endStep(x_);
   return true;
 }
 
 const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_.clear();
-  touch_.begin(obstacles, x_, surface_v_, dt, &out_);
-  if (rest_.sleeps(touch_)) {
+  tool_contact_.begin(obstacles, x_, surface_v_, dt, &out_);
+  if (rest_.sleeps(tool_contact_)) {
     rest_.report(&out_);
     return out_;
   }
   rest_.begin(x_);
   before_.clear();
   body_.save(&before_);
-  touch_.sweep.place(0.0);
+  tool_contact_.tool_path.moveTo(0.0);
   out_.tolerance = tolerance_;
   bool coarse = false;
   const int steps = planSteps(dt, &coarse);
@@ -102,8 +102,8 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     StateReader back(before_.bytes());
     body_.restore(&back);
     body_.v.setZero();
-    touch_.sides.doubt();
-    touch_.contact.forget();
+    tool_contact_.inside_tools.invalidate();
+    tool_contact_.contact.forget();
     follow();
     out_.recover(Recovery::kRolledBack);
     out_.status = steps == 0     ? solver::SolveStatus::kIterationLimit
@@ -113,14 +113,14 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
   }
   body_.surface().interpolate(body_.v, &surface_v_);
   if (late) {  // where the tools are now the tissue has not followed them
-    touch_.sides.doubt();
+    tool_contact_.inside_tools.invalidate();
     out_.status = solver::SolveStatus::kDeadline;
   } else {
-    touch_.contact.learn(x_, dt);
+    tool_contact_.contact.learn(x_, dt);
     if (coarse) out_.status = solver::SolveStatus::kIterationLimit;
   }
   report();
-  if (rest_.sleeps(touch_)) {
+  if (rest_.sleeps(tool_contact_)) {
     endAtRest();
   } else if (adapt(dt)) {
     follow();
@@ -134,21 +134,21 @@ void SampledTissue::report() {
   forces_ += gravity_ * body_.masses.transpose();
   out_.elastic_energy = body_.umbrella().energy(body_.d);
   out_.kinetic_energy = 0.5 * body_.v.colwise().squaredNorm().dot(body_.masses.transpose());
-  if (rest_.isStill(x_, touch_, out_) && forces_.norm() <= tolerance_) {
+  if (rest_.isStill(x_, tool_contact_, out_) && forces_.norm() <= tolerance_) {
     rest_.fallAsleep();
     body_.v.setZero();
     surface_v_.setZero();
   }
   out_.support_force = -support;
   out_.gravity_force = gravity_ * body_.masses.sum();
-  touch_.report(x_, &out_);
+  tool_contact_.report(x_, &out_);
   out_.inertia_force = -forces_.rowwise().sum();
   for (const TissueContact& c : out_.contacts) out_.inertia_force += c.force_W;
-  touch_.countInactive(&out_);
+  tool_contact_.countInactive(&out_);
   rest_.remember(out_);
 }
 
-void SampledTissue::place(int, const Points& positions, const Points& velocities) {
+void SampledTissue::setPositions(int, const Points& positions, const Points& velocities) {
   body_.reset();
   const auto& particles = body_.tree().particles();
   for (std::size_t k = 0; k < body_.leaves().size(); ++k) {

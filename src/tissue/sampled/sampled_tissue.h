@@ -31,15 +31,15 @@ class SampledTissue final : public TissueModel {
         finest_(finestOf(organ.sampling)),
         most_change_(organ.sampling.max_velocity_change),
         step_(settings.step),
-        touch_(X_, triangles_, settings),
+        tool_contact_(X_, triangles_, settings),
         size_((X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm()),
         rest_(Rest::kMotion * size_, settings.skip.sleeping),
         tolerance_(settings.tolerance * (settings.gravity.norm() * body_.masses.sum() +
                                          0.01 * material::moduli(solid.law).mu * size_ * size_) +
                    1e-9) {
     Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(X_.cols());
-    for (int s = 0; s < touch_.contact.numForInstruments(); ++s) {
-      const contact::SurfaceSample& sample = touch_.contact.samples()[s];
+    for (int s = 0; s < tool_contact_.contact.numForInstruments(); ++s) {
+      const contact::SurfaceSample& sample = tool_contact_.contact.samples()[s];
       for (int k = 0; k < 3; ++k) {
         stiffness[sample.nodes[k]] += sample.weights[k] * sample.area * settings.contact.stiffness;
       }
@@ -47,12 +47,12 @@ class SampledTissue final : public TissueModel {
     body_.setContactStiffness(stiffness);
     x_ = X_;
     surface_v_ = on_surface_ = Points::Zero(3, X_.cols());
-    settle();
+    findEquilibrium();
     SampledTissue::reset();
     refuseTooManySubSteps(settings.step);
   }
 
-  Shape shape(int) const override { return {x_, surface_v_, triangles_, 0}; }
+  SurfaceState surfaceState(int) const override { return {x_, surface_v_, triangles_, 0}; }
   mesh::CellMesh cells(int) const override {
     mesh::CellMesh cells;
     cells.points = X_;
@@ -72,18 +72,18 @@ class SampledTissue final : public TissueModel {
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override;
 
   void reset() override {
-    StateReader in(settled_.bytes());
+    StateReader in(equilibrium_.bytes());
     body_.restore(&in);
     body_.v.setZero();
     forget();
   }
   /// The particles take what the surface says: where it is, all others as the nearest ones.
-  void place(int, const Points& positions, const Points& velocities) override;
+  void setPositions(int, const Points& positions, const Points& velocities) override;
 
   State state() const override {
     StateWriter out;
     body_.save(&out);
-    touch_.save(&out);
+    tool_contact_.save(&out);
     rest_.save(&out);
     return {kind(), out.bytes()};
   }
@@ -91,7 +91,7 @@ class SampledTissue final : public TissueModel {
     checkKind(state, kind());
     StateReader in(state.bytes);
     body_.restore(&in);
-    touch_.restore(&in);
+    tool_contact_.restore(&in);
     rest_.restore(&in);
     in.finish();
     follow();
@@ -136,7 +136,7 @@ class SampledTissue final : public TissueModel {
     return "sampled_elasticity, " + std::to_string(X_.cols()) + " points";
   }
   void forget() {
-    touch_.forget();
+    tool_contact_.forget();
     rest_.wake();
     out_.clear();
     follow();
@@ -154,7 +154,7 @@ class SampledTissue final : public TissueModel {
     return kSafety * (std::sqrt(d * d + 4.0 * w * w) - d) / (w * w);
   }
   void refuseTooManySubSteps(double dt) const;
-  void settle();
+  void findEquilibrium();
   bool comeToRest();
   void endAtRest();
   int planSteps(double dt, bool* coarse);
@@ -171,11 +171,11 @@ class SampledTissue final : public TissueModel {
   double finest_;   // distance of particles [m]
   double most_change_;
   double step_;  // a cycle [s]
-  Touch touch_;
+  ToolContact tool_contact_;
   double size_;
   Rest rest_;
   double tolerance_;
-  StateWriter settled_, before_;  // the cycle
+  StateWriter equilibrium_, before_;  // the cycle
   Points x_, surface_v_, on_surface_, forces_, contact_;
   const solver::Interrupt* interrupt_ = nullptr;
   TissueStep out_;

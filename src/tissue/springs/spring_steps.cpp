@@ -74,7 +74,7 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
       loads_vary_(!body->surroundings.empty() || !body->drive.loads.empty()),
       square_(springs->largestSquare() + settings.load_square +
               body->surroundings.largestSquare(body->mesh.points, masses_)),
-      touch_(body),
+      contact_(body),
       region_(body->mesh.points, settings.radius, ends(springs->springs(), true),
               ends(springs->springs(), false)),
       all_springs_(stretched(springs->springs())),
@@ -116,7 +116,7 @@ double SpringSteps::longestStep(double square) const {
 }
 
 void SpringSteps::restart() {
-  touch_.clear();
+  contact_.clear();
   contact_g_.setZero();
   account_ = Account();
   region_.setAll();
@@ -131,7 +131,7 @@ void SpringSteps::save(StateWriter* out) const {
 }
 
 void SpringSteps::restore(StateReader* in) {
-  touch_.clear();
+  contact_.clear();
   in->getSame(&contact_g_);
   for (double* d : {&account_.all, &account_.own, &account_.work}) in->get(d);
   in->get(&account_.open);
@@ -163,7 +163,7 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
   out->status = solver::SolveStatus::kNonFinite;
   if (!body_.v.allFinite()) return false;
   out->tolerance = body_.tolerance();
-  const double steps = std::max({1.0, std::ceil(dt / longest_), touch_.steps()});
+  const double steps = std::max({1.0, std::ceil(dt / longest_), contact_.steps()});
   if (!(steps <= kMaxSubSteps)) {
     out->status = solver::SolveStatus::kIterationLimit;
     return false;
@@ -193,7 +193,7 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   const double h = dt / steps;
   coefficients_ = masses_ / (h * h);
   out->sweep_stages = steps;
-  touch_.begin();
+  contact_.begin();
   work_ = 0.0;
   touched_now_ = gained_ = false;
   bool late = false;
@@ -202,24 +202,24 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
       out->status = solver::SolveStatus::kLineSearchFailed;
       return false;
     }
-    region_.addAround(touch_.nodes());
+    region_.addAround(contact_.nodes());
     late = k < steps && solver::isInterrupted(body_.interrupt);
   }
   // Where the tools are now the springs have not followed them.
-  if (late) body_.touch.sides.doubt();
+  if (late) body_.tool_contact.inside_tools.invalidate();
   if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
   gained_ = !plausible();
   if (gained_) {
     out->status = solver::SolveStatus::kLineSearchFailed;
     return false;
   }
-  contact_g_ = touch_.gradient();
+  contact_g_ = contact_.gradient();
   addForces(&g_);
-  out->residual = touch_.residual();
+  out->residual = contact_.residual();
   out->still_points = static_cast<int>(masses_.size()) - static_cast<int>(region_.points().size());
   body_.contact.learn(body_.x, dt);
-  out->status = touch_.status(out->tolerance, late);
-  if (out->status != solver::SolveStatus::kDeadline) settleRegion(*out);
+  out->status = contact_.status(out->tolerance, late);
+  if (out->status != solver::SolveStatus::kDeadline) clearRegionAtRest(*out);
   return true;
 }
 
@@ -249,7 +249,7 @@ bool SpringSteps::plausible() {
 
 // One integrator's step of `h`, in which the tools go on to part `s` of their way.
 bool SpringSteps::subStep(double h, double s, TissueStep* out) {
-  body_.surroundings.place(s);
+  body_.surroundings.moveTo(s);
   {
     const PhaseTimer timer(&out->phases, Phase::kForces);
     addForces(&g_);
@@ -271,11 +271,11 @@ bool SpringSteps::subStep(double h, double s, TissueStep* out) {
   }
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
-    if (!touch_.go(s, coefficients_, &next_)) return false;
+    if (!contact_.step(s, coefficients_, &next_)) return false;
   }
   way_ += body_.x;
-  for (const int i : touch_.nodes()) {
-    work_ += std::min(touch_.gradient().col(i).norm(), strong_[i]) * touch_.toolWay();
+  for (const int i : contact_.nodes()) {
+    work_ += std::min(contact_.gradient().col(i).norm(), strong_[i]) * contact_.toolWay();
     touched_now_ = true;
     way_.col(i) = next_.col(i);
     body_.v.col(i) = (next_.col(i) - body_.x.col(i)) / h;
@@ -286,8 +286,8 @@ bool SpringSteps::subStep(double h, double s, TissueStep* out) {
 }
 
 // Once nothing is touched and all has come to rest, nothing moves.
-void SpringSteps::settleRegion(const TissueStep& out) {
-  if (!touch_.nodes().empty()) return;
+void SpringSteps::clearRegionAtRest(const TissueStep& out) {
+  if (!contact_.nodes().empty()) return;
   const double kinetic = 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
   if (kinetic > 1e-9 * out.tolerance * body_.size || unbalancedForce() > out.tolerance) return;
   for (const int i : region_.points()) body_.v.col(i).setZero();

@@ -6,7 +6,7 @@
 #include "moving_region.h"
 #include "spring_forces.h"
 #include "spring_integrators.h"
-#include "tissue/fem/explicit_touch.h"
+#include "tissue/fem/explicit_contact.h"
 #include "tissue/fem/step_method.h"
 
 namespace palpate::tissue {
@@ -51,7 +51,7 @@ class SpringSteps final : public StepMethod {
   bool run(double dt, int steps, TissueStep* out);
   bool subStep(double h, double s, TissueStep* out);
   void accelerate();
-  void settleRegion(const TissueStep& out);
+  void clearRegionAtRest(const TissueStep& out);
   void addForces(Points* g) const;
   double energy(const Points& x, const Points& v, double* own);
   bool plausible();
@@ -65,7 +65,7 @@ class SpringSteps final : public StepMethod {
   bool loads_vary_;       // beside gravity
   double square_;         // bound of all frequencies' [1/s^2]
   double longest_ = 0.0;  // sub-step [s]
-  ExplicitTouch touch_;
+  ExplicitContact contact_;
   MovingRegion region_;
   Points g_;  // minus all forces but contact, 3 x n [N]; where nothing moves, of no use
   Points way_, next_, held_way_;  // of a sub-step

@@ -37,7 +37,7 @@ void CompliantContact::gatherNodes(const Points& u0, Points* f, Points* x) {
     step_.col(node).setZero();
   }
   contact_.candidateNodes(&nodes_);
-  const auto held = [this](int node) { return compliance_.place[node] < 0; };
+  const auto held = [this](int node) { return compliance_.index[node] < 0; };
   nodes_.erase(std::remove_if(nodes_.begin(), nodes_.end(), held), nodes_.end());
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   size_ = 3 * count;

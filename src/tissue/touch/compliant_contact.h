@@ -10,28 +10,27 @@
 
 namespace palpate::tissue {
 
-/// Displacements by unit forces: of nodes a and b that can be touched and move, those at place[a]
-/// of the matrix by those at place[b], 3 x 3 [m/N]. Symmetric. Of other nodes the place is -1.
+/// Compliance of surface nodes: displacement of node a by a unit force at node b is the 3 x 3 block
+/// (index[a], index[b]) of `matrix` [m/N], symmetric. The index is -1 for other nodes.
 struct NodeCompliance {
-  const std::vector<int>& place;
+  const std::vector<int>& index;
   const Eigen::MatrixXd& matrix;
 };
 
-/// Contact with a body that is a compliance C: the nodal forces f with
+/// Contact with a body of compliance C [m/N]. Solves for the nodal forces f [N]:
 ///
 ///   f = contact forces at X + u0 + C f,
 ///
-/// the minimum of 1/2 f . C f + the contact's energy. Newton's method on the candidates' nodes;
-/// its systems (1 + C H) d = -C r are dense and only as large as the nodes that are touched.
-/// Allocates nothing but where it is larger than ever before.
+/// the minimum of 1/2 f . C f + the contact's energy. Newton's method on the candidates' nodes with
+/// dense systems (1 + C H) d = -C r over the touched nodes. Allocates only to grow its buffers.
 class CompliantContact {
  public:
-  /// `X`: rest, 3 x n [m]. All outlive this.
+  /// `X`: rest positions, 3 x n [m]. @pre All arguments outlive this.
   CompliantContact(contact::ContactPotential* contact, const Points& X, const fem::FreeMask& free,
                    const NodeCompliance& compliance);
 
-  /// Improves the forces `f` (3 x n [N], zero but where contact is) and the candidates' nodes of x,
-  /// 3 x n [m]. `u0`: displacements without contact, 3 x n [m]. `interrupt` may be null.
+  /// Solves for the forces `f`, 3 x n [N], and the candidates' nodes of x, 3 x n [m], from their
+  /// present values. `u0`: displacements without contact, 3 x n [m]. `interrupt` may be null.
   solver::NewtonReport solve(const Points& u0, double tolerance, int max_iterations, Points* f,
                              Points* x, const solver::Interrupt* interrupt = nullptr);
 
@@ -43,10 +42,10 @@ class CompliantContact {
   using Square = Eigen::Map<Eigen::MatrixXd>;
   static Square square(Eigen::Index size, std::vector<double>* memory);
 
-  // Of two of nodes_, by their place there [m/N].
+  // Block of nodes_[a] and nodes_[b] [m/N].
   auto compliance(std::size_t a, std::size_t b) const {
-    return compliance_.matrix.block<3, 3>(3 * compliance_.place[nodes_[a]],
-                                          3 * compliance_.place[nodes_[b]]);
+    return compliance_.matrix.block<3, 3>(3 * compliance_.index[nodes_[a]],
+                                          3 * compliance_.index[nodes_[b]]);
   }
 
   void gatherNodes(const Points& u0, Points* f, Points* x);

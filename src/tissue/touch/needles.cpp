@@ -40,7 +40,7 @@ NeedleChannel Needles::channelOf(const contact::NeedleSettings& settings, double
 
 void Needles::put(double s, Inserted* needle) {
   const Pose X_WG = contact::interpolate(needle->now.X_WG_begin, needle->now.X_WG_end, s);
-  needle->channel.place(X_WG.translation(), needle->end * X_WG.linear().col(2));
+  needle->channel.setPose(X_WG.translation(), needle->end * X_WG.linear().col(2));
 }
 
 void Needles::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x) {
@@ -54,7 +54,7 @@ void Needles::begin(const std::vector<contact::Obstacle>& obstacles, const Point
     needle.now = *same;
     needle.there = true;
     put(0.0, &needle);
-    NeedleChannel::Place place;
+    NeedleChannel::MaterialPoint place;
     if (needle.channel.wantsTip(x) && find(x, needle.channel.tip(), &place)) {
       const Points at_rest = X_(Eigen::all, place.nodes);
       needle.channel.addTip(place, at_rest * place.weights, needle.channel.tipForce(x));
@@ -68,7 +68,7 @@ void Needles::begin(const std::vector<contact::Obstacle>& obstacles, const Point
   std::sort(inside_.begin(), inside_.end());
 }
 
-void Needles::place(double s) {
+void Needles::moveTo(double s) {
   for (Inserted& needle : needles_) put(s, &needle);
 }
 
@@ -99,7 +99,7 @@ void Needles::puncture(const std::vector<contact::Obstacle>& obstacles,
                         obstacle, true});
     Inserted& needle = needles_.back();
     put(1.0, &needle);
-    NeedleChannel::Place place;
+    NeedleChannel::MaterialPoint place;
     place.nodes << touch.nodes, touch.nodes[0];
     place.weights << touch.weights, 0.0;
     needle.channel.addTip(place, X_(Eigen::all, place.nodes) * place.weights, std::abs(push));
@@ -124,7 +124,7 @@ void Needles::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* 
 }
 
 // The tetrahedron around p.
-bool Needles::find(const Points& x, const Vec3& p, NeedleChannel::Place* place) const {
+bool Needles::find(const Points& x, const Vec3& p, NeedleChannel::MaterialPoint* place) const {
   for (Eigen::Index e = 0; e < tets_.cols(); ++e) {
     const Vec3 a = x.col(tets_(0, e));
     Mat3 edges;
@@ -150,8 +150,8 @@ void Needles::goOnFrom(const Needles& old) {
   needles_ = old.needles_;
   inside_ = old.inside_;
   for (Inserted& needle : needles_) {
-    needle.channel.moveTo(
-        [&](const Vec3& X, NeedleChannel::Place* place) { return find(X_, X, place); });
+    needle.channel.relocate(
+        [&](const Vec3& X, NeedleChannel::MaterialPoint* place) { return find(X_, X, place); });
   }
 }
 

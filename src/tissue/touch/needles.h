@@ -9,26 +9,26 @@
 
 namespace palpate::tissue {
 
-/// The needles in a body: which have punctured it, and what it does to them from then on.
+/// Inserted needles of a body, and the energy of the tissue along their shafts.
 class Needles final : public fem::EnergyTerm {
  public:
-  /// `X`: at rest, 3 x n [m]; `tets`: corners, 4 x m; `stiffness`: of contact [Pa/m].
+  /// `X`: rest positions, 3 x n [m]; `tets`: corners, 4 x m; `stiffness`: contact stiffness [Pa/m].
   Needles(const Points& X, const Eigen::Matrix4Xi& tets, double stiffness)
       : X_(X), tets_(tets), stiffness_(stiffness) {}
 
-  /// A cycle begins with the tissue at x, 3 x n [m], and these obstacles on their ways.
+  /// A cycle begins with the tissue at x, 3 x n [m], and these obstacles.
   void begin(const std::vector<contact::Obstacle>& obstacles, const Points& x);
-  /// Obstacle::number of those that are inside, ascending: their surface is not touched.
+  /// Obstacle::number of inserted needles, ascending; these have no surface contact.
   const std::vector<int>& inside() const { return inside_; }
-  /// Brings them to part s of their ways.
-  void place(double s);
+  /// Moves the needles to fraction s of the tool path.
+  void moveTo(double s);
   void endStep(const Points& x);
-  /// Where a cycle has ended: needles that press harder than the surface can bear are inside from
-  /// now on. `obstacles`: as contacts number them.
+  /// At a cycle's end: inserts needles whose axial force exceeds the puncture force. `obstacles`:
+  /// in the order of Touch::obstacle.
   void puncture(const std::vector<contact::Obstacle>& obstacles,
                 const std::vector<contact::Contact>& contacts, const Points& x);
 
-  /// visit(owner, pull) of all points where the last step ended.
+  /// Calls visit(owner, pull) for all points on needles at the end of the last step.
   template <class Visit>
   void forPulls(const Visit& visit) const {
     for (const Inserted& needle : needles_) {
@@ -43,7 +43,7 @@ class Needles final : public fem::EnergyTerm {
   void addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) const override;
 
   void forget();
-  /// Takes over those of `old`, of the same body on another mesh.
+  /// Takes over the needles of `old`, of the same body before a mesh adaptation.
   void goOnFrom(const Needles& old);
   void save(StateWriter* to) const;
   void restore(StateReader* from);
@@ -51,17 +51,17 @@ class Needles final : public fem::EnergyTerm {
  private:
   struct Inserted {
     int number;
-    double end;  // of the shape's z axis is the tip: 1 or -1
+    double end;  // sign of the shape's z axis towards the tip: 1 or -1
     contact::NeedleSettings settings;
     double length, radius;
     contact::NeedleChannel channel;
-    contact::Obstacle now;  // in this cycle
-    bool there;             // in this cycle, too
+    contact::Obstacle now;  // of this cycle
+    bool there;             // whether present in this cycle
   };
   static contact::NeedleChannel channelOf(const contact::NeedleSettings& settings, double length,
                                           double radius, double stiffness);
   static void put(double s, Inserted* needle);
-  bool find(const Points& x, const Vec3& p, contact::NeedleChannel::Place* place) const;
+  bool find(const Points& x, const Vec3& p, contact::NeedleChannel::MaterialPoint* place) const;
 
   Points X_;
   Eigen::Matrix4Xi tets_;

@@ -38,7 +38,7 @@ class OrganContact final : public Interaction {
   OrganContact(const contact::Penalty& law, bool self) : law_(law), self_(self) {}
 
   bool possible(const InteractingBody& a, const InteractingBody& b) const override {
-    return &a == &b ? self_ : mayMeet(a, b, 0.0);
+    return &a == &b ? self_ : boxesOverlap(a, b, 0.0);
   }
   std::unique_ptr<InteractionTerm> make(const InteractingBody& a,
                                         const InteractingBody& b) const override {

@@ -7,8 +7,8 @@
 
 namespace palpate::tissue {
 
-/// Organs touch each other, and themselves where the scene asks for it: contact::SurfaceContact
-/// with stiffness and smoothing of contact with tools.
+/// Makes the interaction of organs in contact, and of organs in self-contact where the scene has
+/// it: contact::SurfaceContact with stiffness and smoothing of tool contact.
 std::shared_ptr<const Interaction> makeOrganContact(const ModelSettings& settings);
 
 }  // namespace palpate::tissue

@@ -3,46 +3,48 @@
 
 #include "palpate/base/state_bytes.h"
 #include "palpate/tissue/tissue_model.h"
-#include "touch.h"
+#include "tool_contact.h"
 
 namespace palpate::tissue {
 
-/// When an organ has come to rest, and what is reported of it while it sleeps. A cycle goes
+/// Sleep of an organ at rest, and its report meanwhile. Protocol of a cycle:
 ///
-///   touch.begin(...); if (rest.sleeps(touch)) return rest.report(&out);
+///   tool_contact.begin(...); if (rest.sleeps(tool_contact)) return rest.report(&out);
 ///   rest.begin(x); ... solve ...
 ///   if (rest.isStill(x, touch, out) && what is unbalanced is within tolerance) rest.fallAsleep();
 ///   ... report forces ...; rest.remember(out);
 class Rest {
  public:
-  /// Less than this part of its size in a cycle is no motion; a body that creeps may go far in many
-  /// cycles.
+  /// Displacement per cycle that counts as rest, relative to the size [-]; less for viscous bodies,
+  /// which creep over many cycles.
   static constexpr double kMotion = 1e-6, kMotionCreeping = 1e-9;
 
-  /// `motion` [m]: what counts as none. `allowed`: false, it never sleeps.
+  /// `motion`: displacement per cycle that counts as rest [m]; `allowed`: false disables sleep.
   Rest(double motion, bool allowed) : motion_(motion), allowed_(allowed) {}
 
-  /// Whether the cycle that touch has begun changes nothing.
-  bool sleeps(const Touch& touch) const { return asleep_ && !touch.possibleByTools(); }
-  /// The whole cycle: as the last one that was solved, without its work.
+  /// Whether the organ sleeps in the cycle that `tool_contact` has begun.
+  bool sleeps(const ToolContact& tool_contact) const {
+    return asleep_ && !tool_contact.possibleByTools();
+  }
+  /// Reports the whole cycle as the last solved one, without its work.
   void report(TissueStep* out) const;
 
-  /// A cycle that is solved, from x, 3 x n [m].
+  /// Begins a solved cycle at x, 3 x n [m].
   void begin(const Points& x) {
     x_begin_ = x;
     asleep_ = false;
   }
-  /// The longest way of a component since the cycle began, of points that are at x now, beside that
-  /// of all of them [m].
+  /// Largest displacement of a component since begin(), relative to the rigid displacement `of_all`
+  /// [m].
   double way(const Points& x, const Vec3& of_all = Vec3::Zero()) const {
     return ((x - x_begin_).colwise() - of_all).cwiseAbs().maxCoeff();
   }
-  /// Whether the points, now at x, hardly moved, no tool touches them, no iteration was needed or
-  /// they led back, and the cycle was not cut; the anatomy, on which they may lie, does not move.
-  bool isStill(const Points& x, const Touch& touch, const TissueStep& out) const;
-  /// It is still, and would be if it were stopped here.
+  /// Whether the cycle left the points at x in place, or moved them less than the limit without an
+  /// iteration. False where a tool may touch or the cycle was cut; the anatomy does not count.
+  bool isStill(const Points& x, const ToolContact& tool_contact, const TissueStep& out) const;
+  /// Lets the organ sleep from the next cycle on.
   void fallAsleep() { asleep_ = true; }
-  /// What report() will say, if it came to rest.
+  /// Stores the result of the cycle for report().
   void remember(const TissueStep& out) { last_ = out; }
   void wake() { asleep_ = false; }
 

@@ -7,8 +7,8 @@ namespace palpate::tissue {
 constexpr double kStageTolerance = 100.0;
 /// Most searches for contact candidates in a stage.
 constexpr int kMaxSearches = 4;
-/// Most solutions that contact asks for after the first of a step, without and with friction.
-constexpr int kMaxSettlings = 3;
-constexpr int kMaxSettlingsOfFriction = 6;
+/// Most augmentations in a step, without and with friction.
+constexpr int kMaxAugmentations = 3;
+constexpr int kMaxFrictionAugmentations = 6;
 
 }  // namespace palpate::tissue

@@ -6,7 +6,7 @@
 
 namespace palpate::tissue {
 
-/// What a cycle did, without what depends on how fast it was: times, and waits for a factor.
+/// Writes a cycle's result, without figures that depend on machine speed: times, factor waits.
 void putStep(const TissueStep& step, StateWriter* out);
 /// @throws std::invalid_argument for bytes that are cut off.
 void getStep(StateReader* in, TissueStep* step);

@@ -7,15 +7,14 @@
 
 namespace palpate::tissue {
 
-/// Whether the obstacle, anywhere on its way, may come within `margin` [m] of the box low .. high.
-/// Never a false no.
+/// Whether the obstacle may come nearer than `margin` [m] to the box [low, high] on its path.
+/// Conservative: may be true without a collision, is never false with one.
 bool sweepReaches(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& high,
                   double margin);
 
-/// How far along the rest of the sweep, from `s` in [0, 1), the obstacles may go before the tissue
-/// is solved again, so that the tissue in front always sees the side that it came from. `allowed`:
-/// how far each of them may move [m]. At least 1 / kMaxSweepStages: a tool that leaps farther was
-/// not moved by a hand.
+/// End of the next stage, as a fraction of the tool path after `s` in [0, 1): no obstacle moves
+/// farther than `allowed` [m], so that tissue stays on its side. Stages have at least
+/// 1 / kMaxSweepStages of the path, since no hand moves faster.
 double nextSweepStage(const std::vector<contact::Obstacle>& obstacles,
                       const std::vector<double>& allowed, double s);
 

@@ -8,12 +8,12 @@
 
 namespace palpate::tissue {
 
-/// What acts on a body beside gravity and contact, and how its held nodes move.
+/// Loads on a body other than gravity and contact, and prescribed motion of held nodes.
 struct Drive {
-  std::vector<const fem::EnergyTerm*> loads;  ///< Outlive the body.
-  double load_norm = 0.0;  ///< Of their nodal forces: what a residual is compared with [N].
-  /// Where the held components are at part s in [0, 1] of the cycle under way, 3 x n [m]; free ones
-  /// are not read. Empty: they stay where they are.
+  std::vector<const fem::EnergyTerm*> loads;  ///< @pre Outlive the body.
+  double load_norm = 0.0;  ///< Norm of the loads' nodal forces, for tolerances [N].
+  /// Positions of held components at fraction s in [0, 1] of the cycle, 3 x n [m]; free components
+  /// are ignored. Empty: held components do not move.
   std::function<Points(double s)> held;
 };
 

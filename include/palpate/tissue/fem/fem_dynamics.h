@@ -12,14 +12,15 @@
 
 namespace palpate::tissue {
 
-/// A body of finite elements that no tool touches, driven by loads and by held nodes that move, and
-/// stepped as an organ of a scene is, by any of methodNames(). Begins at rest in its mesh.
+/// Dynamics of a finite element body without tools, under loads and prescribed motion. Steps as an
+/// organ of a scene, by any of methodNames(), from the rest configuration with zero velocity.
 class FemDynamics {
  public:
-  /// `elasticity` is that of `settings.element` on `mesh` made of `composition`; others may look at
-  /// it between steps. `free`: 3 x n. `pool` may be null and must outlive this.
+  /// `elasticity`: of `settings.element`, `mesh` and `composition`; `free`: 3 x n; `pool`: may be
+  /// null.
+  /// @pre `pool` outlives this.
   /// @throws std::invalid_argument for an unknown method or integrator, or a body that the method
-  /// cannot treat.
+  /// does not support.
   FemDynamics(const mesh::TetMesh& mesh, const fem::Composition& composition,
               const fem::FreeMask& free, const FemSettings& settings,
               std::shared_ptr<fem::Elasticity> elasticity, Drive drive, ThreadPool* pool = nullptr);
@@ -27,14 +28,15 @@ class FemDynamics {
   FemDynamics(const FemDynamics&) = delete;
   FemDynamics& operator=(const FemDynamics&) = delete;
 
-  /// Goes on by `dt` [s]. False: it failed, and the body is where it was.
+  /// Simulates `dt` [s]. Returns false on failure; the body is then unchanged.
   bool advance(double dt);
-  /// What the last advance() did.
+  /// Result of the last advance().
   const TissueStep& report() const;
   const Points& positions() const;      ///< 3 x n [m].
-  const Points& supportForces() const;  ///< What the supports exert on the nodes, 3 x n [N].
-  double elasticEnergy() const;         ///< Of a viscous body the potential of the last step [J].
-  /// What was decided when the method was chosen.
+  const Points& supportForces() const;  ///< Support forces on the nodes, 3 x n [N].
+  /// Elastic energy [J]; of a viscous body the potential of the last step.
+  double elasticEnergy() const;
+  /// Decisions at the choice of the method, a line each.
   std::vector<std::string> notes() const;
 
  private:

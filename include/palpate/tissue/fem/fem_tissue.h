@@ -23,26 +23,24 @@ struct FemSettings : ModelSettings {
   std::string element = fem::elementNames().front();
   double mass_damping = 0.0;       ///< [1/s]
   double stiffness_damping = 0.0;  ///< [s]
-  int max_time_steps = 8;          ///< That a cycle is cut into where longer ones fail: 1, 2, 4 ...
-  bool only_converged = false;     ///< A step that ran out of iterations counts as failed.
-  bool lasting = true;             ///< False: it soon has another mesh.
-  double thickness = 0.0;          ///< Of a sheet [m]; 0: the surface encloses a body. See Touch.
+  int max_time_steps = 8;       ///< Most time steps of a cycle after failed attempts: 1, 2, 4 ...
+  bool only_converged = false;  ///< Whether a step at its iteration limit has failed.
+  bool lasting = true;          ///< False: mesh adaptation will soon replace the body.
+  double thickness = 0.0;  ///< Of a sheet [m]; 0: the surface encloses a body. See ToolContact.
 };
 
-/// What the state of such a body says it is: method, integrator, element,
-/// response to touches, and how many points.
+/// State::kind of such a body: method, integrator, element, contact response, number of points.
 std::string stateKind(const FemSettings& settings, Eigen::Index num_points);
 
-/// Nonlinear finite elements, stepped by one of several methods. When tools move far within a
-/// cycle, the motion is swept in stages short against the thinnest tool, each solved before the
-/// next, so that no tool passes through (sweep.h).
+/// Makes a model of nonlinear finite elements, stepped by one of methodNames(). Long tool paths are
+/// cut into stages short against the thinnest tool, each solved before the next, so that no tool
+/// passes through the tissue (sweep.h).
 ///
-/// `mesh` is in world and as the element needs it (fem::meshFor()), `surroundings` what holds
-/// it; a mask alone will do. `pool` may be null and must outlive the model. Starts from the
-/// equilibrium under gravity.
-/// @throws std::invalid_argument for an unknown element, method or response, a bad mesh, or a body
-/// that gravity would drag away because the supports do not hold it; std::runtime_error if there is
-/// no equilibrium.
+/// `mesh`: world, for the element (fem::meshFor()); `surroundings`: boundary conditions; `pool`:
+/// may be null. The initial state is the equilibrium under gravity.
+/// @pre `pool` outlives the model.
+/// @throws std::invalid_argument for an unknown element, method or response, an invalid mesh, or
+/// supports that do not hold the body under gravity; std::runtime_error if there is no equilibrium.
 std::unique_ptr<TissueModel> makeFemTissue(const mesh::TetMesh& mesh,
                                            const fem::Composition& composition,
                                            const Surroundings& surroundings,

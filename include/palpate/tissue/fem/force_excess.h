@@ -6,13 +6,13 @@
 
 namespace palpate::tissue {
 
-/// By which part the force on a ball is too large because edges are long: `ratio` is the mean edge
-/// that the ball presses on by its radius. A power law, fitted to a ball pressed into a block
-/// by 1.6 of its radius (docs/meshes.md); what a tool presses less deep or with an edge feels
-/// differs by half of it. Nothing for elements that were not measured.
+/// Relative excess of the force on a ball due to the mesh size [-]; `ratio`: mean edge over the
+/// ball's radius [-]. A power law, fitted to a ball pressed into a block by 1.6 of its radius
+/// (docs/meshes.md); for shallow presses or edges it is off by half. None for elements without
+/// measurement.
 std::optional<double> forceExcess(const std::string& element, double ratio);
 
-/// The ratio at which the force is too large by that part. `excess` > 0.
+/// Inverse of forceExcess(): the ratio for a relative excess. `excess` > 0.
 std::optional<double> edgeRatioFor(const std::string& element, double excess);
 
 }  // namespace palpate::tissue

@@ -5,11 +5,11 @@
 
 namespace palpate::tissue {
 
-/// As makeFemTissue(), but where no node connects the parts of `mesh`, each of them is solved, and
-/// sleeps, on its own; in reports, positions() and so on they are one body. Residual and tolerance
-/// are root sums of squares, so that they bound the same norm as those of one piece. With
-/// `settings.skip.islands` off, or where there is one part, it is makeFemTissue().
-/// @throws as makeFemTissue(); the message says which part.
+/// As makeFemTissue(), but each island of `mesh` is solved and sleeps separately; reports and
+/// positions() are those of the whole. Residual and tolerance are root sums of squares, so they
+/// bound the norm of the whole. Equal to makeFemTissue() for one island or without
+/// `settings.skip.islands`.
+/// @throws as makeFemTissue(); the message names the island.
 std::unique_ptr<TissueModel> makeIslands(const mesh::TetMesh& mesh,
                                          const fem::Composition& composition,
                                          const Surroundings& surroundings,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sticking_newton.h"
+#include "prescribed_newton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,42 +26,42 @@ constexpr double kOnSurface = 1e-9;
 
 }  // namespace
 
-StickingNewton::StickingNewton(FemBody* body)
+PrescribedNewton::PrescribedNewton(FemBody* body)
     : body_(*body),
       contact_(makePrescribedDisplacements(body)),
       stiffness_(body->elasticity->makeMatrix()) {
   assembleSparse(stiffness_);  // throws for what cannot be assembled
 }
 
-void StickingNewton::restart() {
+void PrescribedNewton::restart() {
   contact_->clear();
   residual_ = gradient();
 }
 
-void StickingNewton::save(StateWriter* out) const {
+void PrescribedNewton::save(StateWriter* out) const {
   contact_->save(out);
   out->put(residual_);
 }
 
-void StickingNewton::restore(StateReader* in) {
+void PrescribedNewton::restore(StateReader* in) {
   contact_->restore(in);
   in->get(&residual_);
 }
 
 // g at x; its norm where nothing is held.
-double StickingNewton::gradient() {
+double PrescribedNewton::gradient() {
   value_ = body_.elasticity->gradient(body_.x, &g_);
   value_ += body_.addLoads(body_.x, &g_);
   const double norm = contact_->unbalanced(g_);
   return std::isfinite(value_) ? norm : value_;
 }
 
-double StickingNewton::energy(const Points& x) {
+double PrescribedNewton::energy(const Points& x) {
   unused_.setZero(3, x.cols());
   return body_.elasticity->energy(x) + body_.addLoads(x, &unused_);
 }
 
-bool StickingNewton::advance(double dt, TissueStep* out) {
+bool PrescribedNewton::advance(double dt, TissueStep* out) {
   x_begin_ = body_.x;
   const bool held = contact_->holds();
   out->tolerance = body_.tolerance();
@@ -93,7 +93,7 @@ bool StickingNewton::advance(double dt, TissueStep* out) {
 
 // Untouched, Newton's steps may lead up to another root of the forces, and with tools to forces
 // that are none, or, cut on their way, farther and farther inside out.
-bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
+bool PrescribedNewton::isPlausible(bool held, const TissueStep& out) {
   if (!(contact_->nodalNorm(g_) <= FemBody::kMostForce)) return false;
   const bool holds = held || contact_->holds();
   if (holds && out.status == solver::SolveStatus::kDeadline) {
@@ -105,7 +105,7 @@ bool StickingNewton::isPlausible(bool held, const TissueStep& out) {
   return value_ - *value_begin_ <= unbalanced + kOfEnergy * std::abs(*value_begin_);
 }
 
-bool StickingNewton::restsInMinimum() {
+bool PrescribedNewton::restsInMinimum() {
   TissueStep unused;
   contact_->moves(body_.x, &move_);
   assemble(&unused);
@@ -122,18 +122,18 @@ bool StickingNewton::restsInMinimum() {
 }
 
 // The tools' way in at least `parts` parts.
-bool StickingNewton::sweep(int parts, TissueStep* out) {
+bool PrescribedNewton::sweep(int parts, TissueStep* out) {
   value_begin_.reset();
   out->sweep_stages = 0;
-  body_.sweep.place(0.0);
+  body_.tool_path.moveTo(0.0);
   for (double s = 0.0; s < 1.0;) {
     const double begin = s;
     s = contact_->nextStage(body_.x, begin, std::min(1.0, begin + 1.0 / parts));
     if (s > 1.0 - 1e-9) s = 1.0;
     ++out->sweep_stages;
-    body_.sweep.place(s);
+    body_.tool_path.moveTo(s);
     part_ = s;
-    body_.surroundings.place(s);
+    body_.surroundings.moveTo(s);
     solveStage(begin, out);
     if (!solver::usable(out->status) || !body_.x.allFinite()) return false;
     if (out->status == solver::SolveStatus::kDeadline) return true;
@@ -142,7 +142,7 @@ bool StickingNewton::sweep(int parts, TissueStep* out) {
 }
 
 // Newton's iteration with the points held that are, until these are the right ones.
-void StickingNewton::solveStage(double begin, TissueStep* out) {
+void PrescribedNewton::solveStage(double begin, TissueStep* out) {
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
     contact_->beginStage(body_.x, begin, part_);
@@ -157,7 +157,7 @@ void StickingNewton::solveStage(double begin, TissueStep* out) {
       if (gave_up && contact_->release(body_.x, g_)) residual_ = gradient();
       return;
     }
-    if (!body_.sweep.candidatesHold(body_.x)) body_.sweep.search(body_.x);
+    if (!body_.tool_path.candidatesHold(body_.x)) body_.tool_path.search(body_.x);
     const bool released = contact_->release(body_.x, g_);
     const bool held = !released && contact_->holdWhatPenetrates(body_.x);
     if (!released && !held) return;
@@ -169,7 +169,7 @@ void StickingNewton::solveStage(double begin, TissueStep* out) {
   }
 }
 
-void StickingNewton::newton(TissueStep* out) {
+void PrescribedNewton::newton(TissueStep* out) {
   bool to_rest = false;  // the last step moved nothing that is held
   for (int k = 0;; ++k) {
     const double before = value_;
@@ -204,7 +204,7 @@ void StickingNewton::newton(TissueStep* out) {
 // Nothing globalises Newton's steps but those that follow. One to where forces are not finite, and
 // the last one, are shortened until they leave less energy than `most` [J], and taken back if none
 // does (false).
-bool StickingNewton::shorten(double most) {
+bool PrescribedNewton::shorten(double most) {
   const auto good = [&] { return std::isfinite(residual_) && value_ < most; };
   for (int k = 0; k < kMaxStepHalvings && !good(); ++k) {
     step_ *= 0.5;
@@ -219,7 +219,7 @@ bool StickingNewton::shorten(double most) {
 
 // Where Newton's step leads up, and no time is left for what may come after that, in cycle after
 // cycle: down, as the forces and the tangent's diagonal say.
-void StickingNewton::descend(double most) {
+void PrescribedNewton::descend(double most) {
   const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
   const Eigen::VectorXd way = b.cwiseQuotient(diagonal_);
   if (!way.allFinite()) return;
@@ -233,7 +233,7 @@ void StickingNewton::descend(double most) {
 
 // x += move - K^-1 (g + K move), the second part where nothing is held, and as much of it as the
 // tangent may be trusted for.
-bool StickingNewton::iterate(TissueStep* out) {
+bool PrescribedNewton::iterate(TissueStep* out) {
   const Eigen::SparseMatrix<double> A = assemble(out);
   if (!solve(A, out)) {
     out->status = solver::SolveStatus::kNotPositiveDefinite;
@@ -254,7 +254,7 @@ bool StickingNewton::iterate(TissueStep* out) {
 }
 
 // K and the right side at x, without what is held.
-Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
+Eigen::SparseMatrix<double> PrescribedNewton::assemble(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kAssembly);
   body_.elasticity->hessian(body_.x, fem::Tangent::kExact, &stiffness_);
   stiffness_.forgetAdded();
@@ -272,7 +272,7 @@ Eigen::SparseMatrix<double> StickingNewton::assemble(TissueStep* out) {
 
 // The step, moves included; false if it is not finite. Interrupted, it is as far as the solver
 // came.
-bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
+bool PrescribedNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
   Eigen::BiCGSTAB<InterruptibleMatrix, InterruptibleMatrix::Diagonal> solver;
   solver.setTolerance(body_.settings.linear_tolerance);
@@ -301,7 +301,7 @@ bool StickingNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out
   return step_.allFinite();
 }
 
-void StickingNewton::reportForces(TissueStep* out) {
+void PrescribedNewton::reportForces(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kForces);
   body_.reportSupport(g_, out);
   contact_->report(body_.x, g_, out);

@@ -12,7 +12,7 @@
 #include "tissue/fem/prescribed_contact.h"
 #include "tissue/fem/sparse_assembly.h"
 
-namespace palpate::tissue::sticking_newton_test {
+namespace palpate::tissue::prescribed_newton_test {
 namespace {
 
 using test::LiverPress;
@@ -117,7 +117,7 @@ TEST(NewtonBicgstab, SurvivesLeapsRestoreAndReset) {
   const Points x = tissue->positions(), v = tissue->velocities();
   tissue->reset();
   EXPECT_EQ(tissue->positions(), slab.mesh.points);
-  tissue->place(0, x, v);
+  tissue->setPositions(0, x, v);
   const Vec3 again = test::onTool(tissue->step({ball.move(0.008, 0.0081)}, kStep));
   EXPECT_NEAR(again.z(), force.z(), 0.1 * force.z());
 }
@@ -153,7 +153,7 @@ TEST(NewtonBicgstab, NeitherClimbsNorRestsOnASaddle) {
     Points x = rest;
     for (double& c : x.reshaped()) c += way(random);
     x = rest + (x - rest).cwiseProduct(slab.free);
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     double energy = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 120; ++k) {
       const Points before = tissue->positions();
@@ -252,9 +252,9 @@ TEST(PrescribedContact, GoesOnFromWhatWasSaved) {
   const fem::Composition liver{{material::Solid{slab.law, slab.density, {}}}, {}, {}};
   const LargeBall ball;
   const auto begin = [&](FemBody* body) {
-    body->sweep.begin({ball.move(0.0, 0.003)}, body->x, 0.0);
-    body->sweep.place(1.0);
-    body->sweep.search(body->x);
+    body->tool_path.begin({ball.move(0.0, 0.003)}, body->x, 0.0);
+    body->tool_path.moveTo(1.0);
+    body->tool_path.search(body->x);
   };
   FemBody one(slab.mesh, liver, slab.free, slab.settings, nullptr),
       two(slab.mesh, liver, slab.free, slab.settings, nullptr);
@@ -290,7 +290,7 @@ TEST(NewtonBicgstab, ComesBackInCyclesThatAreAlwaysCut) {
     Points x = slab.mesh.points;
     x.row(2) *= height;
     x.row(0) += 0.5 * x.row(2);
-    tissue->place(0, x, Points::Zero(3, x.cols()));
+    tissue->setPositions(0, x, Points::Zero(3, x.cols()));
     const double first = tissue->step({}, kStep).elastic_energy;
     for (int k = 0; k < 100; ++k) tissue->step({}, kStep);
     EXPECT_LT(tissue->step({}, kStep).elastic_energy, 1e-6 * first) << height;
@@ -317,4 +317,4 @@ TEST(NewtonBicgstab, IsNotTurnedInsideOutByToolsInCyclesThatAreAlwaysCut) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue::sticking_newton_test
+}  // namespace palpate::tissue::prescribed_newton_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pressure_places.h"
+#include "pressure_layout.h"
 
 #include <algorithm>
 
@@ -14,8 +14,8 @@ bool reachesAll(const fem::BlockMatrix& K, int i, const int* begin, const int* e
 
 // Of the nodes that are free and reach far enough, the one with the shortest row: in a body of one
 // solid, rows of B are as long as that of their node, and all find one.
-void PressurePlaces::settle(const fem::BlockMatrix& K,
-                            const fem::VolumeStiffness::Pattern& pattern) {
+void PressureLayout::assignPositions(const fem::BlockMatrix& K,
+                                     const fem::VolumeStiffness::Pattern& pattern) {
   const auto length = [&](int i) { return K.rowEnd(i) - K.rowBegin(i); };
   for (int p = 0; p < count(); ++p) {
     const int* begin = pattern.node.data() + pattern.start[p];
@@ -35,13 +35,13 @@ void PressurePlaces::settle(const fem::BlockMatrix& K,
   }
 }
 
-PressurePlaces::PressurePlaces(const fem::BlockMatrix& K,
+PressureLayout::PressureLayout(const fem::BlockMatrix& K,
                                const fem::VolumeStiffness::Pattern& pattern,
                                const SliceOrder& nodes)
     : node_slices_(nodes.numSlices()),
       position_(pattern.start.size() - 1),
       at_home_(static_cast<std::size_t>(nodes.count()), -1) {
-  settle(K, pattern);
+  assignPositions(K, pattern);
   for (int i = 0; i < nodes.count(); ++i) {
     if (at_home_[i] >= 0) position_[at_home_[i]] = nodes.position(i);
   }

@@ -6,29 +6,29 @@
 
 namespace palpate::tissue {
 
-/// An organ that failed in cycle after cycle is left where it is, rather than have each cycle of
-/// the scene take as long as all its attempts do. It is tried again when the tools have left it,
-/// when it was placed anew, and now and then. One that fails then, with no tool near, would do so
-/// for good.
-class Freeze {
+/// Backoff after repeated failures: an organ that failed in kFailures consecutive cycles is
+/// skipped, which bounds the scene's time per cycle. It is retried when the tools have left it,
+/// after a reset, and every kRetryCycles. A retry that fails without a near tool is permanent.
+class FailureBackoff {
  public:
-  static constexpr int kFailures = 10;  ///< One after the other.
-  static constexpr int kTryAgain = 50;  ///< Cycles.
+  static constexpr int kFailures = 10;     ///< Consecutive failures before cycles are skipped.
+  static constexpr int kRetryCycles = 50;  ///< Skipped cycles before a retry.
 
-  /// Whether the cycle that begins is left out; `touched`: a tool may touch the organ.
+  /// Whether the cycle is skipped; `touched`: a tool may touch the organ. Called once a cycle.
   bool holds(bool touched) {
     const bool left = touched_ && !touched;
     touched_ = touched;
-    if (failures_ < kFailures || left || waited_ >= kTryAgain) {
+    if (failures_ < kFailures || left || waited_ >= kRetryCycles) {
       waited_ = 0;
       return false;
     }
     ++waited_;
     return true;
   }
-  /// Whether it failed so often that only a trial is not left out.
+  /// Whether all cycles except retries are skipped.
   bool fails() const { return failures_ >= kFailures; }
-  /// Asked in a trial that failed, before failed(): whether no other one would do better.
+  /// Whether a failed retry is permanent.
+  /// @pre Called before failed().
   bool isForGood() const { return fails() && !touched_; }
   void solved() { failures_ = waited_ = 0; }
   void failed(solver::SolveStatus status) {
@@ -36,7 +36,7 @@ class Freeze {
     waited_ = 0;
     status_ = status;
   }
-  /// Of the last failure.
+  /// Status of the last failure.
   solver::SolveStatus status() const { return status_; }
 
   void save(StateWriter* out) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "moving_bodies.h"
+#include "step_group.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr double kFlat = 1.5;
 
 }  // namespace
 
-MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
+StepGroup::StepGroup(const std::vector<BodyMotion*>& members)
     : members_(members), parts_(members.size()) {
   std::vector<const solver::Potential*> potentials;
   potentials.reserve(members.size());
@@ -22,22 +22,24 @@ MovingBodies::MovingBodies(const std::vector<BodyMotion*>& members)
   x_.resize(3, joint_->numNodes());
 }
 
-void MovingBodies::setInteractions(const std::vector<MemberInteraction>& interactions) {
+void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactions) {
   const bool same = std::equal(
       interactions.begin(), interactions.end(), interactions_.begin(), interactions_.end(),
-      [](const MemberInteraction& a, const std::unique_ptr<Placed>& b) { return a == b->what; });
+      [](const MemberInteraction& a, const std::unique_ptr<MappedInteraction>& b) {
+        return a == b->what;
+      });
   if (!same) {
     interactions_.clear();
     std::vector<const fem::EnergyTerm*> further;
     for (const MemberInteraction& what : interactions) {
       Eigen::Index nodes = members_[what.a]->body().x.cols();
       if (what.a != what.b) nodes += members_[what.b]->body().x.cols();
-      interactions_.push_back(
-          std::make_unique<Placed>(Placed{what, {what.term}, nullptr, {}, Points(3, nodes)}));
-      Placed& placed = *interactions_.back();
-      placed.of_all = std::make_unique<solver::PlacedTerms>(
-          placed.terms, joint_->placeOf(what.a, what.b), static_cast<int>(nodes));
-      further.push_back(placed.of_all.get());
+      interactions_.push_back(std::make_unique<MappedInteraction>(
+          MappedInteraction{what, {what.term}, nullptr, {}, Points(3, nodes)}));
+      MappedInteraction& mapped = *interactions_.back();
+      mapped.of_all = std::make_unique<solver::MappedTerms>(
+          mapped.terms, joint_->nodeMapOf(what.a, what.b), static_cast<int>(nodes));
+      further.push_back(mapped.of_all.get());
     }
     joint_->setFurther(further);
   }
@@ -46,30 +48,30 @@ void MovingBodies::setInteractions(const std::vector<MemberInteraction>& interac
 
 // visit(interaction, the points of its pair).
 template <class Visit>
-void MovingBodies::forInteractions(const Visit& visit) const {
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->of_all->gather(x_, &placed->x);
-    visit(*placed, placed->x);
+void StepGroup::forInteractions(const Visit& visit) const {
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->of_all->gather(x_, &mapped->x);
+    visit(*mapped, mapped->x);
   }
 }
 
-fem::Stiffness MovingBodies::makeMatrix() const {
+fem::Stiffness StepGroup::makeMatrix() const {
   return joint_ ? joint_->makeMatrix() : potential().elasticity->makeMatrix();
 }
 
-const Points& MovingBodies::part(std::size_t member, const Points& all) const {
+const Points& StepGroup::part(std::size_t member, const Points& all) const {
   if (!joint_) return all;
   parts_[member] = all.middleCols(joint_->firstNode(member), members_[member]->body().x.cols());
   return parts_[member];
 }
 
-double MovingBodies::tolerance() const {
+double StepGroup::tolerance() const {
   double least = std::numeric_limits<double>::infinity();
   for (const BodyMotion* member : members_) least = std::min(least, member->body().tolerance());
   return least;
 }
 
-double MovingBodies::leastTolerance() const {
+double StepGroup::leastTolerance() const {
   double least = std::numeric_limits<double>::infinity();
   for (const BodyMotion* member : members_) {
     least = std::min(least, member->body().leastTolerance());
@@ -77,7 +79,7 @@ double MovingBodies::leastTolerance() const {
   return least;
 }
 
-double MovingBodies::toleranceHere(const Points& gradient) {
+double StepGroup::toleranceHere(const Points& gradient) {
   sumInteractionForces();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -89,21 +91,21 @@ double MovingBodies::toleranceHere(const Points& gradient) {
   return least;
 }
 
-void MovingBodies::beginCycle() {
+void StepGroup::beginCycle() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->beginCycle();
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->before = {};
-    placed->what.term->save(&placed->before);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->before = {};
+    mapped->what.term->save(&mapped->before);
   }
   searchInteractions();
   endGuarding();
 }
 
-bool MovingBodies::startGuarding() {
+bool StepGroup::startGuarding() {
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
@@ -117,7 +119,7 @@ bool MovingBodies::startGuarding() {
   return true;
 }
 
-void MovingBodies::endGuarding() {
+void StepGroup::endGuarding() {
   for (BodyMotion* member : members_) {
     FemBody& body = member->body();
     if (!body.guard.active()) continue;
@@ -125,7 +127,7 @@ void MovingBodies::endGuarding() {
   }
 }
 
-bool MovingBodies::inverted() const {
+bool StepGroup::inverted() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();
     if (!body.guard.active()) continue;
@@ -134,37 +136,37 @@ bool MovingBodies::inverted() const {
   return false;
 }
 
-void MovingBodies::goBack() {
+void StepGroup::goBack() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     members_[k]->goBack();
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    StateReader before(placed->before.bytes());
-    placed->what.term->restore(&before);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    StateReader before(mapped->before.bytes());
+    mapped->what.term->restore(&before);
   }
 }
 
-void MovingBodies::endCycle() {
+void StepGroup::endCycle() {
   for (BodyMotion* member : members_) member->endCycle();
 }
 
-bool MovingBodies::beginStep(double begin, double h) {
+bool StepGroup::beginStep(double begin, double h) {
   for (BodyMotion* member : members_) member->beginStep(begin, h);
   return joint_ && joint_->takeScales(&scales_);
 }
 
-void MovingBodies::endStep(double unbalanced) {
+void StepGroup::endStep(double unbalanced) {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (joint_) members_[k]->body().x = part(k, x_);
     members_[k]->endStep(unbalanced);
   }
   sumInteractionForces();
-  forInteractions([](Placed& placed, const Points& x) { placed.what.term->endStep(x); });
+  forInteractions([](MappedInteraction& mapped, const Points& x) { mapped.what.term->endStep(x); });
 }
 
-void MovingBodies::extrapolate(double h, Points* way) const {
+void StepGroup::extrapolate(double h, Points* way) const {
   if (!joint_) return members_.front()->extrapolate(h, way);
   way->resize(3, x_.cols());
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -173,17 +175,17 @@ void MovingBodies::extrapolate(double h, Points* way) const {
   }
 }
 
-bool MovingBodies::carries() const {
+bool StepGroup::carries() const {
   return std::any_of(members_.begin(), members_.end(), [](const BodyMotion* member) {
     return member->body().surroundings.carries();
   });
 }
 
-void MovingBodies::placeSurroundings(double s) {
-  for (BodyMotion* member : members_) member->body().surroundings.place(s);
+void StepGroup::moveSurroundings(double s) {
+  for (BodyMotion* member : members_) member->body().surroundings.moveTo(s);
 }
 
-void MovingBodies::carryTo(double s, Points* all) const {
+void StepGroup::carryTo(double s, Points* all) const {
   if (!joint_) return members_.front()->body().surroundings.carryTo(s, all);
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const BodySurroundings& surroundings = members_[k]->body().surroundings;
@@ -194,7 +196,7 @@ void MovingBodies::carryTo(double s, Points* all) const {
   }
 }
 
-void MovingBodies::carryHere(double s) {
+void StepGroup::carryHere(double s) {
   if (joint_) carryTo(s, &x_);
   for (BodyMotion* member : members_) {
     FemBody& body = member->body();
@@ -204,14 +206,15 @@ void MovingBodies::carryHere(double s) {
   }
 }
 
-double MovingBodies::valueHere() {
+double StepGroup::valueHere() {
   double sum = 0.0;
   for (BodyMotion* member : members_) sum += member->valueHere();
-  for (const std::unique_ptr<Placed>& placed : interactions_) sum += placed->of_all->value(x_);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_)
+    sum += mapped->of_all->value(x_);
   return sum;
 }
 
-bool MovingBodies::heldWay(double s, Points* way) const {
+bool StepGroup::heldWay(double s, Points* way) const {
   if (!joint_) return members_.front()->body().heldWay(s, way);
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
@@ -226,7 +229,7 @@ bool MovingBodies::heldWay(double s, Points* way) const {
   return any;
 }
 
-double MovingBodies::unbalancedForce(const Points& gradient) {
+double StepGroup::unbalancedForce(const Points& gradient) {
   double sum = 0.0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     sum += members_[k]->squaredUnbalancedForce(part(k, gradient));
@@ -234,101 +237,104 @@ double MovingBodies::unbalancedForce(const Points& gradient) {
   return std::sqrt(sum);
 }
 
-void MovingBodies::placeTools(double s) {
-  for (BodyMotion* member : members_) member->body().touch.place(s);
+void StepGroup::moveTools(double s) {
+  for (BodyMotion* member : members_) member->body().tool_contact.moveTo(s);
 }
 
-void MovingBodies::beginTouches() {
+void StepGroup::beginTouches() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->body().sweep.beginStep(part(k, x()));
+    members_[k]->body().tool_path.beginStep(part(k, x()));
   }
-  forInteractions([](Placed& placed, const Points& x) { placed.what.term->beginStep(x); });
+  forInteractions(
+      [](MappedInteraction& mapped, const Points& x) { mapped.what.term->beginStep(x); });
 }
 
-double MovingBodies::nextStage(double s, double end) const {
+double StepGroup::nextStage(double s, double end) const {
   double next = end;
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    next = std::min(next, body.sweep.next(joint_ ? part(k, x_) : body.x, s, end));
+    next = std::min(next, body.tool_path.next(joint_ ? part(k, x_) : body.x, s, end));
   }
   return next;
 }
 
-bool MovingBodies::pushTo(double s, const Points& all, Points* push) const {
-  if (!joint_) return members_.front()->body().sweep.pushTo(s, all, push);
+bool StepGroup::pushTo(double s, const Points& all, Points* push) const {
+  if (!joint_) return members_.front()->body().tool_path.pushTo(s, all, push);
   push->setZero(3, all.cols());
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    if (!members_[k]->body().sweep.pushTo(s, part(k, all), &part_way_)) continue;
+    if (!members_[k]->body().tool_path.pushTo(s, part(k, all), &part_way_)) continue;
     push->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
     any = true;
   }
   return any;
 }
 
-void MovingBodies::doubtSides() {
-  for (BodyMotion* member : members_) member->body().touch.sides.doubt();
+void StepGroup::invalidateInsideTools() {
+  for (BodyMotion* member : members_) member->body().tool_contact.inside_tools.invalidate();
 }
 
-bool MovingBodies::hasFriction() const {
+bool StepGroup::hasFriction() const {
   return std::any_of(members_.begin(), members_.end(),
                      [](const BodyMotion* member) { return member->body().contact.hasFriction(); });
 }
 
-bool MovingBodies::settled() {
+bool StepGroup::augmentationConverged() {
   bool all = true;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
-    all &= body.contact.settled(joint_ ? part(m, x_) : body.x);
+    all &= body.contact.augmentationConverged(joint_ ? part(m, x_) : body.x);
   }
   return all;
 }
 
-void MovingBodies::settle() {
+void StepGroup::augment() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
-    body.contact.settle(joint_ ? part(m, x_) : body.x);
+    body.contact.augment(joint_ ? part(m, x_) : body.x);
   }
 }
 
-void MovingBodies::learn(double h) {
+void StepGroup::learn(double h) {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     FemBody& body = members_[m]->body();
     body.contact.learn(joint_ ? part(m, x_) : body.x, h);
   }
 }
 
-bool MovingBodies::candidatesHold() const {
+bool StepGroup::candidatesHold() const {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const FemBody& body = members_[k]->body();
-    if (!body.sweep.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
+    if (!body.tool_path.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
   }
   bool hold = true;
-  forInteractions(
-      [&](const Placed& placed, const Points& x) { hold = hold && placed.what.term->holds(x); });
+  forInteractions([&](const MappedInteraction& mapped, const Points& x) {
+    hold = hold && mapped.what.term->holds(x);
+  });
   return hold;
 }
 
-void MovingBodies::search() {
+void StepGroup::search() {
   for (std::size_t k = 0; k < members_.size(); ++k) {
     FemBody& body = members_[k]->body();
-    body.sweep.search(joint_ ? part(k, x_) : body.x);
+    body.tool_path.search(joint_ ? part(k, x_) : body.x);
   }
   searchInteractions();
 }
 
-void MovingBodies::searchInteractions() {
-  forInteractions(
-      [](Placed& placed, const Points& x) { placed.what.term->search(x, placed.what.way); });
+void StepGroup::searchInteractions() {
+  forInteractions([](MappedInteraction& mapped, const Points& x) {
+    mapped.what.term->search(x, mapped.what.way);
+  });
 }
 
 // Before that becomes memory.
-void MovingBodies::sumInteractionForces() {
+void StepGroup::sumInteractionForces() {
   interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;
   gradient_.setZero(3, x_.cols());
-  for (const std::unique_ptr<Placed>& placed : interactions_) {
-    placed->of_all->addGradient(x_, &gradient_);
+  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
+    mapped->of_all->addGradient(x_, &gradient_);
   }
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const Points& nodal = part(k, gradient_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "palpate/mesh/surface_places.h"
+#include "palpate/mesh/surface_points.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -31,7 +31,7 @@ Vec3 weightsOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
 
 }  // namespace
 
-std::vector<FacePlace> nearestPlaces(const SurfaceMesh& surface, const Points& points) {
+std::vector<SurfacePoint> nearestSurfacePoints(const SurfaceMesh& surface, const Points& points) {
   Triangles triangles;
   triangles.reserve(static_cast<std::size_t>(surface.triangles.cols()));
   for (const auto& t : surface.triangles.colwise()) {
@@ -40,7 +40,7 @@ std::vector<FacePlace> nearestPlaces(const SurfaceMesh& surface, const Points& p
                            trianglePoint(surface.points.col(t[2])));
   }
   Tree tree(triangles.begin(), triangles.end());
-  std::vector<FacePlace> places;
+  std::vector<SurfacePoint> places;
   places.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& point : points.colwise()) {
     const auto [nearest, triangle] = tree.closest_point_and_primitive(trianglePoint(point));
@@ -53,10 +53,10 @@ std::vector<FacePlace> nearestPlaces(const SurfaceMesh& surface, const Points& p
   return places;
 }
 
-void interpolate(const std::vector<FacePlace>& places, const Points& values, Points* there) {
+void interpolate(const std::vector<SurfacePoint>& places, const Points& values, Points* there) {
   there->resize(3, static_cast<Eigen::Index>(places.size()));
   Eigen::Index i = 0;
-  for (const FacePlace& place : places) {
+  for (const SurfacePoint& place : places) {
     there->col(i++) = place.weights[0] * values.col(place.nodes[0]) +
                       place.weights[1] * values.col(place.nodes[1]) +
                       place.weights[2] * values.col(place.nodes[2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a tool's balls are from the triangles that they may touch.
+// Distances of tool balls from candidate triangles.
 #include <algorithm>
 #include <cmath>
 
@@ -8,34 +8,34 @@
 namespace palpate::contact {
 namespace {
 
-// Nearer than that to an edge or a corner a ball's centre has no direction from there [m].
+// Distance from an edge or corner below which the direction is undefined [m].
 constexpr double kCoincident = 1e-12;
 
 }  // namespace
 
-// What was measured elsewhere is no more known.
+// Clears the cache where x has changed.
 void FacePoints::measureAt(const Points& x) const {
   if (groups_.empty()) return;
   if (measured_anywhere_ && measured_at_.cols() == x.cols() && measured_at_ == x) return;
   measured_anywhere_ = true;
   measured_at_ = x;
   placeTriangles(x);
-  meetings_.clear();
+  pairs_.clear();
   measured_.assign(groups_.size(), {-1.0, 0, 0, 0});
 }
 
 const FacePoints::Measured& FacePoints::measured(const Points& x,
-                                                 const std::vector<PlacedObstacle>& placed,
+                                                 const std::vector<PosedObstacle>& posed,
                                                  std::size_t group, double within) const {
   Measured& known = measured_[group];
-  if (known.within < within) known = measure(x, placed, &groups_[group], within);
+  if (known.within < within) known = measure(x, posed, &groups_[group], within);
   return known;
 }
 
-// A ball and a triangle: as if it were in front; `across`: how far it is in front of its plane.
-FacePoints::Meeting FacePoints::meet(const Vec3& center, const Mat3& corners, int candidate,
-                                     double* across) const {
-  Meeting m{};
+// Measures a ball and a triangle as if in front; `across`: signed distance from the plane [m].
+FacePoints::BallTrianglePair FacePoints::measurePair(const Vec3& center, const Mat3& corners,
+                                                     int candidate, double* across) const {
+  BallTrianglePair m{};
   m.triangle = candidates_[candidate].triangle;
   m.edge = candidates_[candidate].edge;
   m.near = nearestOnTriangle(center, corners.col(0), corners.col(1), corners.col(2));
@@ -50,50 +50,49 @@ FacePoints::Meeting FacePoints::meet(const Vec3& center, const Mat3& corners, in
   return m;
 }
 
-// Adds the triangles that may be the nearest or are nearer than `within` to meetings_. Of those
-// that are equally near, as those around an edge or a corner are, the one that the centre is most
-// in front of, or behind, knows the side.
-FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PlacedObstacle>& placed,
+// Adds the nearest triangle and all nearer than `within` [m] to pairs_. Of equally near ones,
+// around an edge or corner, the one with the largest plane distance decides the side.
+FacePoints::Measured FacePoints::measure(const Points& x, const std::vector<PosedObstacle>& posed,
                                          Group* of, double within) const {
   const Group& group = *of;
-  const Vec3 center = centerOf(placed, group);
+  const Vec3 center = centerOf(posed, group);
   findNear(x, center, group, within);
-  const std::size_t begin = meetings_.size();
+  const std::size_t begin = pairs_.size();
   std::size_t nearest = begin;
   double most_across = 0.0;
   for (const std::pair<int, double>& close : close_) {
     const int c = close.first;
     double across = 0.0;
-    Meeting m = meet(center, corners(x, candidates_[c].triangle), c, &across);
+    BallTrianglePair m = measurePair(center, corners(x, candidates_[c].triangle), c, &across);
     m.first = group.first;
-    meetings_.push_back(m);
-    const double least = meetings_[nearest].distance;
+    pairs_.push_back(m);
+    const double least = pairs_[nearest].distance;
     const bool as_near = m.distance <= least * (1.0 + 1e-9) + kCoincident;
-    if (meetings_.size() == begin + 1 || m.distance < least * (1.0 - 1e-9) - kCoincident ||
+    if (pairs_.size() == begin + 1 || m.distance < least * (1.0 - 1e-9) - kCoincident ||
         (as_near && std::abs(across) > std::abs(most_across))) {
-      nearest = meetings_.size() - 1;
+      nearest = pairs_.size() - 1;
       most_across = across;
     }
   }
-  Meeting& m = meetings_[nearest];
+  BallTrianglePair& m = pairs_[nearest];
   of->nearest = m.triangle;
-  // Where the surface crosses itself, the nearest triangle may be another one at once. A ball that
-  // was in front gets behind by kFollow at a time, not by an edge, or its diameter.
+  // In self-intersections the nearest triangle may jump. A ball in front passes a triangle by at
+  // most kFollow per step, not by an edge or its diameter.
   const bool crossed = !group.behind && m.distance > std::max(group.edge, 2.0 * ball(group).radius);
   const bool behind = most_across < 0.0 && !crossed;
-  for (std::size_t k = begin; k < meetings_.size(); ++k) meetings_[k].touched = !behind;
+  for (std::size_t k = begin; k < pairs_.size(); ++k) pairs_[k].touched = !behind;
   m.touched = true;
   if (behind) {
     m.distance = -m.distance;
     m.direction = -m.direction;
   }
-  return {within, begin, meetings_.size(), nearest};
+  return {within, begin, pairs_.size(), nearest};
 }
 
-// Most steps are short beside what is between a ball and most triangles, and most triangles go less
-// far than the one that goes farthest: only of the others it matters where they go.
+// Most steps are short against the distances of balls and triangles: a bound by the longest
+// displacement skips those pairs.
 double FacePoints::maxStep(const Points& x, const Points& d,
-                           const std::vector<PlacedObstacle>& placed, double largest) const {
+                           const std::vector<PosedObstacle>& posed, double largest) const {
   measureAt(x);
   double longest = 0.0;
   for (const int t : used_) {
@@ -102,9 +101,9 @@ double FacePoints::maxStep(const Points& x, const Points& d,
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
-    if (staysAway(placed, group, longest * largest)) continue;
-    const Meeting& nearest = meetings_[measured(x, placed, g, 0.0).nearest];
-    const Vec3 center = centerOf(placed, group);
+    if (staysAway(posed, group, longest * largest)) continue;
+    const BallTrianglePair& nearest = pairs_[measured(x, posed, g, 0.0).nearest];
+    const Vec3 center = centerOf(posed, group);
     for (int c = group.begin; c < group.end; ++c) {
       const auto [triangle, edge, apart] = candidates_[c];
       const double way = ways_[triangle] * largest, follow = kFollow * edge;
@@ -114,7 +113,8 @@ double FacePoints::maxStep(const Points& x, const Points& d,
       const bool may_be_far = skip_far_ && !is_nearest;
       if (may_be_far && leastDistance(center, triangle, reach) >= reach) continue;
       double across = 0.0;
-      const Meeting m = is_nearest ? nearest : meet(center, corners(x, triangle), c, &across);
+      const BallTrianglePair m =
+          is_nearest ? nearest : measurePair(center, corners(x, triangle), c, &across);
       const double allowed = std::max(m.distance, 0.0) + follow;
       if (way <= allowed) continue;
       const double approach = m.direction.dot(corners(d, triangle) * m.near.weights);

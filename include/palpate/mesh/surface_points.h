@@ -9,15 +9,15 @@
 namespace palpate::mesh {
 
 /// A place in a triangle: the sum of `weights`, which are in [0, 1] and sum to 1, times `nodes`.
-struct FacePlace {
+struct SurfacePoint {
   Eigen::Vector3i nodes;
   Vec3 weights;
 };
 
 /// Where the triangles are nearest to `points` (3 x n), one place each.
-std::vector<FacePlace> nearestPlaces(const SurfaceMesh& surface, const Points& points);
+std::vector<SurfacePoint> nearestSurfacePoints(const SurfaceMesh& surface, const Points& points);
 
 /// Values at the nodes (3 x m) interpolated there: 3 x n.
-void interpolate(const std::vector<FacePlace>& places, const Points& values, Points* there);
+void interpolate(const std::vector<SurfacePoint>& places, const Points& values, Points* there);
 
 }  // namespace palpate::mesh

@@ -10,23 +10,20 @@
 
 namespace palpate::tissue {
 
-/// The method of the system that palpate carries on from [Castillo Leon 2011, ch. 7], as a baseline
-/// to compare with, not to use: quasi-static Newton-Raphson without a line search (a step is halved
-/// only where the energy is not finite or grows far beyond what the tangent says), each system
-/// assembled into an Eigen::SparseMatrix and solved by Eigen::BiCGSTAB with the diagonal as
-/// preconditioner; contact is prescribed displacement, the tool's force the internal force at the
-/// held nodes. What is held is on the tool: in contrast to the other methods contact is not
-/// frictionless, and no penetration is left. The contact stiffness of the settings has no effect;
-/// their model says whether the tool is a segment, as the source has it (SegmentContact), or
-/// surface points inside any shape are put on it (PrescribedContact).
+/// The method of [Castillo Leon 2011, ch. 7] as a baseline for comparison: quasi-static
+/// Newton-Raphson on Eigen::SparseMatrix with Eigen::BiCGSTAB and Jacobi preconditioner. There is
+/// no line search; a step is halved only where the energy is not finite or far above the tangent's
+/// prediction. Contact is prescribed displacement, and the tool's force the internal force at held
+/// nodes, so contact sticks and leaves no penetration. contact.stiffness has no effect;
+/// contact.model selects SegmentContact, as in the source, or PrescribedContact.
 ///
-/// A cycle that fails is tried again with the tools' way cut into 2, 4 and 8 parts. One in which
-/// nothing is held, and the energy grows, fails; so does one that is cut at a deadline and turns
-/// held tissue inside out. The last step of a cut cycle leads down in energy, where no tool moves.
-class StickingNewton final : public StepMethod {
+/// A failed cycle is repeated with the tool path cut into 2, 4 and 8 parts. A cycle fails where the
+/// energy grows without holds, or where a deadline leaves held tissue inverted. The last step of a
+/// cut cycle lowers the energy at fixed tools.
+class PrescribedNewton final : public StepMethod {
  public:
   /// @throws std::invalid_argument for element p1p1.
-  explicit StickingNewton(FemBody* body);
+  explicit PrescribedNewton(FemBody* body);
 
   bool advance(double dt, TissueStep* out) override;
   void reportForces(TissueStep* out) override;
@@ -56,11 +53,11 @@ class StickingNewton final : public StepMethod {
   fem::Stiffness stiffness_;
   Points g_, move_, stiff_move_, right_, step_, trial_, x_begin_;
   Points held_way_, unused_;
-  Eigen::VectorXd diagonal_;  // of the last matrix, without signs
-  double part_ = 0.0;         // of the cycle, where the tools are
+  Eigen::VectorXd diagonal_;  // absolute diagonal of the last matrix
+  double part_ = 0.0;         // fraction of the tool path
   double residual_ = 0.0;
   double value_ = 0.0;                 // energy at x [J]
-  std::optional<double> value_begin_;  // where the sweep began
+  std::optional<double> value_begin_;  // at the begin of the tool path [J]
   double curvature_ = 0.0;             // step . K step [J]
 };
 

@@ -4,7 +4,7 @@
 
 #include "slab.h"
 
-namespace palpate::tissue::sides_test {
+namespace palpate::tissue::inside_tools_test {
 namespace {
 
 using test::kStep;
@@ -32,7 +32,7 @@ struct Ball {
 };
 
 // Pressed out at once it would throw the hand with tens of kilonewtons.
-TEST(Sides, HoldALargeToolThatBeginsDeepUntilItIsClear) {
+TEST(InsideTools, HoldALargeToolThatBeginsDeepUntilItIsClear) {
   Ball ball(0.06, 0.025);
   for (int k = 0; k <= 10; ++k) {
     const TissueStep& step = ball.to(0.025 - 0.003 * k);  // up to 5 mm above it
@@ -47,7 +47,7 @@ TEST(Sides, HoldALargeToolThatBeginsDeepUntilItIsClear) {
   EXPECT_GT(onTool(ball.to(0.002)).z(), 0.1);
 }
 
-TEST(Sides, HaveAToolPressThatBeginsALittleIn) {
+TEST(InsideTools, HaveAToolPressThatBeginsALittleIn) {
   Ball ball(0.01, 0.001);
   const TissueStep& step = ball.to(0.001);
   EXPECT_EQ(step.tools_inside, 0);
@@ -55,7 +55,7 @@ TEST(Sides, HaveAToolPressThatBeginsALittleIn) {
 }
 
 // However deep it is pressed, it is not taken for one that has just come.
-TEST(Sides, StayThoseOfAToolThatIsPressedIn) {
+TEST(InsideTools, StayThoseOfAToolThatIsPressedIn) {
   Ball ball(0.01, -0.001);
   for (int k = 0; k < 50; ++k) {
     const TissueStep& step = ball.to(-0.001 + 0.0002 * k);
@@ -65,4 +65,4 @@ TEST(Sides, StayThoseOfAToolThatIsPressedIn) {
 }
 
 }  // namespace
-}  // namespace palpate::tissue::sides_test
+}  // namespace palpate::tissue::inside_tools_test

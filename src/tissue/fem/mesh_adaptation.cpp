@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "next_mesh.h"
+#include "mesh_adaptation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace palpate::tissue {
 
-NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composition,
-                   const Surroundings& surroundings, const FemSettings& settings,
-                   const AdaptSettings& adapt, ThreadPool* pool)
+MeshAdaptation::MeshAdaptation(const mesh::TetMesh& coarse, const fem::Composition& composition,
+                               const Surroundings& surroundings, const FemSettings& settings,
+                               const AdaptSettings& adapt, ThreadPool* pool)
     : composition_(composition),
       surroundings_(surroundings),
       settings_(settings),
@@ -22,7 +22,7 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
       nested_(coarse),
       bisected_(nested_.bisected()),
       tools_(0.0, 0.0),
-      beside_(pool) {
+      task_(pool) {
   settings_.lasting = false;
   for (Eigen::Index t = 0; t < coarse.numTets(); ++t) {
     const double volume = mesh::signedVolume(coarse.points, coarse.tets.col(t));
@@ -30,11 +30,11 @@ NextMesh::NextMesh(const mesh::TetMesh& coarse, const fem::Composition& composit
   }
 }
 
-double NextMesh::reach() const {
-  return kFineWithin * adapt_.finest + std::max(0.0, coarsest_ - adapt_.finest) / adapt_.growth;
+double MeshAdaptation::reach() const {
+  return kFineDistance * adapt_.finest + std::max(0.0, coarsest_ - adapt_.finest) / adapt_.growth;
 }
 
-std::unique_ptr<FemOrgan> NextMesh::make() const {
+std::unique_ptr<FemOrgan> MeshAdaptation::make() const {
   fem::Composition composition{composition_.solids, {}, {}};
   for (int t : nested_.coarseTets()) {
     if (!composition_.solid_of.empty()) composition.solid_of.push_back(composition_.solid_of[t]);
@@ -43,13 +43,13 @@ std::unique_ptr<FemOrgan> NextMesh::make() const {
   auto organ = std::make_unique<FemOrgan>(nested_.mesh(), composition, surroundings(), settings_,
                                           pool_, nested_.surface());
   if (coarse_organ_) {
-    organ->setSettledAt(nested_.changeFromCoarse().interpolate(coarse_organ_->settledAt()));
+    organ->setEquilibrium(nested_.changeFromCoarse().interpolate(coarse_organ_->equilibrium()));
   }
   return organ;
 }
 
 // On the present mesh: a point between two others has what they have in common.
-Surroundings NextMesh::surroundings() const {
+Surroundings MeshAdaptation::surroundings() const {
   const Eigen::Index n = nested_.mesh().numPoints();
   const auto forMiddles = [&](const auto& take) {
     for (const mesh::MeshChange::Middle& m : nested_.middles()) {
@@ -85,8 +85,8 @@ Surroundings NextMesh::surroundings() const {
   return fine;
 }
 
-void NextMesh::restore(const std::string& bisected) {
-  beside_.giveUp();
+void MeshAdaptation::restore(const std::string& bisected) {
+  task_.cancel();
   result_ = {};
   to_resume_ = false;
   if (bisected.empty()) {
@@ -98,28 +98,28 @@ void NextMesh::restore(const std::string& bisected) {
   bisected_ = nested_.bisected();
 }
 
-void NextMesh::begin(const Points& x, const ToolDistance& tools, double dt) {
+void MeshAdaptation::begin(const Points& x, const ToolDistance& tools, double dt) {
   x_ = x;
   dt_ = dt;
   tools_ = tools;
   beginWork();
 }
 
-void NextMesh::beginWork() {
+void MeshAdaptation::beginWork() {
   is_made_ = false;
-  beside_.begin([this] {
+  task_.begin([this] {
     work();
     is_made_ = true;
   });
 }
 
-void NextMesh::work() {
+void MeshAdaptation::work() {
   const auto size = [&](const Vec3& p) {
-    const double way = tools_.distance(p) - kFineWithin * adapt_.finest;
+    const double way = tools_.distance(p) - kFineDistance * adapt_.finest;
     return adapt_.finest + adapt_.growth * std::max(0.0, way);
   };
   mesh::NestedMesh::Limits limits;
-  limits.max_bisections = kMostBisections;
+  limits.max_bisections = kMaxBisections;
   result_.change = nested_.adapt(x_, size, limits);
   result_.complete = nested_.isComplete();
   if (!result_.change) return;
@@ -128,7 +128,7 @@ void NextMesh::work() {
   organ.prepareAt(result_.change->interpolate(x_), dt_);
 }
 
-bool NextMesh::await(const solver::Interrupt& interrupt) const {
+bool MeshAdaptation::await(const solver::Interrupt& interrupt) const {
   if (pool_ == nullptr || pool_->size() == 1) return true;  // nobody else makes it
   while (!is_made_) {
     if (interrupt()) return false;
@@ -137,8 +137,8 @@ bool NextMesh::await(const solver::Interrupt& interrupt) const {
   return true;
 }
 
-NextMesh::Result NextMesh::take() {
-  beside_.wait();
+MeshAdaptation::Result MeshAdaptation::take() {
+  task_.wait();
   if (result_.change) {
     coarse_ = nested_.isCoarse();
     bisected_ = nested_.bisected();
@@ -146,13 +146,13 @@ NextMesh::Result NextMesh::take() {
   return std::exchange(result_, {});
 }
 
-void NextMesh::saveTask(StateWriter* out) const {
+void MeshAdaptation::saveTask(StateWriter* out) const {
   out->put(x_);
   out->put(dt_);
   tools_.saveTools(out);
 }
 
-void NextMesh::restoreTask(StateReader* in) {
+void MeshAdaptation::restoreTask(StateReader* in) {
   in->get(&x_);
   in->get(&dt_);
   tools_.restoreTools(in);
@@ -161,7 +161,7 @@ void NextMesh::restoreTask(StateReader* in) {
   to_resume_ = true;
 }
 
-void NextMesh::resume(const std::vector<contact::Obstacle>& obstacles) {
+void MeshAdaptation::resume(const std::vector<contact::Obstacle>& obstacles) {
   if (!std::exchange(to_resume_, false)) return;
   tools_.takeShapes(obstacles);
   beginWork();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tool_sweep.h"
+#include "tool_path.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,7 +26,7 @@ bool mayReach(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& hi
 
 }  // namespace
 
-int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way) {
+int ToolPath::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way) {
   // The tissue may move on as fast as it does, and farther where it is pushed: candidatesHold()
   // notices when it went beyond.
   margin_ = 0.02 * size_ + 2.0 * way;
@@ -42,14 +42,14 @@ int ToolSweep::begin(const std::vector<contact::Obstacle>& obstacles, const Poin
   return static_cast<int>(obstacles.size() - near_.size());
 }
 
-void ToolSweep::clear() {
+void ToolPath::clear() {
   near_.clear();
   placed_.clear();
   contact_.setObstacles(placed_);
   contact_.findCandidates(Points(), {});
 }
 
-void ToolSweep::leaveOut(const std::vector<int>& numbers) {
+void ToolPath::leaveOut(const std::vector<int>& numbers) {
   if (numbers.empty()) return;
   near_.erase(std::remove_if(near_.begin(), near_.end(),
                              [&](const contact::Obstacle& obstacle) {
@@ -60,7 +60,7 @@ void ToolSweep::leaveOut(const std::vector<int>& numbers) {
   placed_ = near_;
 }
 
-void ToolSweep::search(const Points& x) {
+void ToolPath::search(const Points& x) {
   if (searched_) margin_ *= kWider;
   searched_ = true;
   reach_.clear();
@@ -75,14 +75,14 @@ void ToolSweep::search(const Points& x) {
   searched_at_ = x;
 }
 
-void ToolSweep::place(double s) {
+void ToolPath::moveTo(double s) {
   for (std::size_t k = 0; k < near_.size(); ++k) {
     placed_[k].X_WG_end = contact::interpolate(near_[k].X_WG_begin, near_[k].X_WG_end, s);
   }
   contact_.setObstacles(placed_);
 }
 
-bool ToolSweep::pushTo(double s, const Points& x, Points* push) {
+bool ToolPath::pushTo(double s, const Points& x, Points* push) {
   if (!contact_.hasCandidates()) return false;
   motions_.clear();
   for (std::size_t k = 0; k < near_.size(); ++k) {
@@ -93,25 +93,25 @@ bool ToolSweep::pushTo(double s, const Points& x, Points* push) {
   return contact_.addPush(x, motions_, push);
 }
 
-void ToolSweep::beginStep(const Points& x) {
+void ToolPath::beginStep(const Points& x) {
   for (contact::Obstacle& obstacle : placed_) obstacle.X_WG_begin = obstacle.X_WG_end;
   contact_.beginStep(x);
 }
 
-int ToolSweep::find(int number) const {
+int ToolPath::find(int number) const {
   for (std::size_t k = 0; k < near_.size(); ++k) {
     if (near_[k].number == number) return static_cast<int>(k);
   }
   return -1;
 }
 
-double ToolSweep::next(const Points& x, double s, double end) {
+double ToolPath::next(const Points& x, double s, double end) {
   if (!contact_.hasCandidates()) return end;
   contact_.allowedMotions(x, ways_, &allowed_);
   return std::min(end, nextSweepStage(near_, allowed_, s));
 }
 
-double ToolSweep::leap(double size) const {
+double ToolPath::leap(double size) const {
   double longest = 0.0;
   for (const contact::Obstacle& o : near_) {
     const double way = contact::sweepLength(*o.geometry, o.X_WG_begin, o.X_WG_end);
@@ -120,7 +120,7 @@ double ToolSweep::leap(double size) const {
   return longest;
 }
 
-double ToolSweep::longestWay() const {
+double ToolPath::longestWay() const {
   double longest = 0.0;
   for (const contact::Obstacle& o : near_) {
     longest = std::max(longest, contact::sweepLength(*o.geometry, o.X_WG_begin, o.X_WG_end));
@@ -128,7 +128,7 @@ double ToolSweep::longestWay() const {
   return longest;
 }
 
-double ToolSweep::thinnest() const {
+double ToolPath::thinnest() const {
   double least = std::numeric_limits<double>::infinity();
   for (const contact::Obstacle& obstacle : near_) {
     least = std::min(least, contact::inscribedRadius(*obstacle.geometry));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sides.h"
+#include "inside_tools.h"
 
 #include <algorithm>
 
@@ -10,15 +10,15 @@
 namespace palpate::tissue {
 namespace {
 
-// Of the way to its middle: deeper than that a shape that comes anew is held, not pressed out.
-constexpr double kDeep = 0.25;
-constexpr double kPressedOut = 0.9;  // and one that has been outside
+// Largest depth at which a new shape is pressed out, relative to the way to its middle [-].
+constexpr double kMaxStartDepth = 0.25;
+constexpr double kMaxPressedDepth = 0.9;  // the same for a shape that was outside before [-]
 
 bool holds(const std::vector<int>& numbers, int number) {
   return std::binary_search(numbers.begin(), numbers.end(), number);
 }
 
-// So far in one cycle that the tissue may not have followed.
+// Whether the obstacle moves farther in a cycle than the tissue can follow.
 bool leaps(const contact::Obstacle& obstacle) {
   const double way =
       contact::sweepLength(*obstacle.geometry, obstacle.X_WG_begin, obstacle.X_WG_end);
@@ -27,8 +27,8 @@ bool leaps(const contact::Obstacle& obstacle) {
 
 }  // namespace
 
-void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
-                 const Eigen::Matrix3Xi& triangles) {
+void InsideTools::update(const std::vector<contact::Obstacle>& near, const Points& x,
+                         const Eigen::Matrix3Xi& triangles) {
   next_outside_.clear();
   next_inside_.clear();
   for (const contact::Obstacle& obstacle : near) {
@@ -37,7 +37,7 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
     if (holds(inside_, obstacle.number)) {
       in = contact::overlaps(*obstacle.geometry, obstacle.X_WG_begin, x, triangles);
     } else if (!holds(outside_, obstacle.number)) {
-      const double most = holds(doubted_, obstacle.number) ? kPressedOut : kDeep;
+      const double most = holds(unverified_, obstacle.number) ? kMaxPressedDepth : kMaxStartDepth;
       in = contact::hasSunkIn(*obstacle.geometry, ballsOf(obstacle), obstacle.X_WG_begin, x,
                               triangles, most);
     }
@@ -47,26 +47,26 @@ void Sides::look(const std::vector<contact::Obstacle>& near, const Points& x,
       next_outside_.push_back(obstacle.number);
     }
   }
-  doubted_.clear();
+  unverified_.clear();
   outside_.swap(next_outside_);
   inside_.swap(next_inside_);
 }
 
-const std::vector<contact::TouchBall>& Sides::ballsOf(const contact::Obstacle& obstacle) {
+const std::vector<contact::TouchBall>& InsideTools::ballsOf(const contact::Obstacle& obstacle) {
   std::vector<contact::TouchBall>& balls = balls_[obstacle.geometry];
   if (balls.empty()) balls = contact::sunkBalls(*obstacle.geometry);
   return balls;
 }
 
-void Sides::save(StateWriter* to) const {
+void InsideTools::save(StateWriter* to) const {
   to->put(outside_);
-  to->put(doubted_);
+  to->put(unverified_);
   to->put(inside_);
 }
 
-void Sides::restore(StateReader* from) {
+void InsideTools::restore(StateReader* from) {
   from->get(&outside_);
-  from->get(&doubted_);
+  from->get(&unverified_);
   from->get(&inside_);
 }
 

@@ -10,10 +10,10 @@ namespace palpate::solver {
 /// row of B reaches no further than the node's row of K, so both are worked through together. It
 /// lies where the node lies. The others (nodes between solids have several pressures) lie in slices
 /// of their own behind those of the nodes.
-class PressurePlaces {
+class PressureLayout {
  public:
-  PressurePlaces() = default;
-  PressurePlaces(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern,
+  PressureLayout() = default;
+  PressureLayout(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern,
                  const SliceOrder& nodes);
 
   int count() const { return static_cast<int>(position_.size()); }
@@ -29,7 +29,7 @@ class PressurePlaces {
   int othersBegin() const { return node_slices_; }
 
  private:
-  void settle(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
+  void assignPositions(const fem::BlockMatrix& K, const fem::VolumeStiffness::Pattern& pattern);
 
   int node_slices_ = 0;
   std::vector<int> position_, at_home_, numbers_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "explicit_touch.h"
+#include "explicit_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,45 +11,45 @@ constexpr double kMaxLeapSteps = 256.0;
 // Contact moves no node farther in a step than this part of an element.
 constexpr double kContactWay = 0.5;
 // Answers in a step that friction asks for after the first.
-constexpr int kMaxExplicitSettlings = 6;
+constexpr int kMaxExplicitAugmentations = 6;
 
 }  // namespace
 
-ExplicitTouch::ExplicitTouch(FemBody* body)
+ExplicitContact::ExplicitContact(FemBody* body)
     : body_(*body),
       element_size_(std::cbrt(body->elasticity->volume() / static_cast<double>(body->x.cols()))),
       update_(body) {}
 
-double ExplicitTouch::steps() const {
-  return std::min(std::ceil(body_.sweep.leap(element_size_) / kToolWay), kMaxLeapSteps);
+double ExplicitContact::steps() const {
+  return std::min(std::ceil(body_.tool_path.leap(element_size_) / kToolWay), kMaxLeapSteps);
 }
 
-void ExplicitTouch::begin() {
+void ExplicitContact::begin() {
   update_.clear();
   limited_ = false;
-  settled_ = true;
+  friction_converged_ = true;
   part_ = 0.0;
-  body_.sweep.place(0.0);
+  body_.tool_path.moveTo(0.0);
 }
 
 // Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
 // tool that itself has just gone on.
-bool ExplicitTouch::mayJump(const Points& way) const {
+bool ExplicitContact::mayJump(const Points& way) const {
   if (!body_.contact.hasCandidates()) return false;
-  const double margin = (1.0 - kToolWay) * body_.sweep.thinnest() - update_.deepest();
+  const double margin = (1.0 - kToolWay) * body_.tool_path.thinnest() - update_.deepest();
   return !(2.0 * std::sqrt(way.colwise().squaredNorm().maxCoeff()) < margin);
 }
 
-bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* next) {
-  body_.sweep.beginStep(body_.x);
-  body_.sweep.place(s);
-  tool_way_ = (s - part_) * body_.sweep.longestWay();
+bool ExplicitContact::step(double s, const Eigen::VectorXd& coefficients, Points* next) {
+  body_.tool_path.beginStep(body_.x);
+  body_.tool_path.moveTo(s);
+  tool_way_ = (s - part_) * body_.tool_path.longestWay();
   part_ = s;
   limited_ = false;
-  settled_ = true;
+  friction_converged_ = true;
   if (mayJump(*next) && body_.contact.maxStep(body_.x, *next) < 1.0) return false;
   *next += body_.x;
-  if (!body_.sweep.candidatesHold(*next)) body_.sweep.search(*next);
+  if (!body_.tool_path.candidatesHold(*next)) body_.tool_path.search(*next);
   if (!body_.contact.hasCandidates()) {
     update_.clear();
     iterations_ = 0;
@@ -63,16 +63,18 @@ bool ExplicitTouch::go(double s, const Eigen::VectorXd& coefficients, Points* ne
 // What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for a
 // solution: the law takes that back when the step ends, and a force that has moved tissue would be
 // told by nobody.
-void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
+void ExplicitContact::answer(const Eigen::VectorXd& coefficients, Points* next) {
   const bool rubs = body_.contact.hasFriction();
   const double tolerance = body_.tolerance();
   if (rubs) untouched_ = *next;
   update_.apply(coefficients, tolerance, next);
   iterations_ = update_.iterations();
   for (int k = 0; rubs && update_.residual() <= tolerance; ++k) {
-    settled_ = body_.contact.settled(*next);
-    if (settled_ || k == kMaxExplicitSettlings || solver::isInterrupted(body_.interrupt)) return;
-    body_.contact.settle(*next);
+    friction_converged_ = body_.contact.augmentationConverged(*next);
+    if (friction_converged_ || k == kMaxExplicitAugmentations ||
+        solver::isInterrupted(body_.interrupt))
+      return;
+    body_.contact.augment(*next);
     *next = untouched_;
     update_.apply(coefficients, tolerance, next);
     iterations_ = std::max(iterations_, update_.iterations());
@@ -80,13 +82,13 @@ void ExplicitTouch::answer(const Eigen::VectorXd& coefficients, Points* next) {
 }
 
 // Asked to end amid its last answer, it has all sub-steps behind it.
-solver::SolveStatus ExplicitTouch::status(double tolerance, bool late) const {
-  if (late || (!settled_ && solver::isInterrupted(body_.interrupt))) {
+solver::SolveStatus ExplicitContact::status(double tolerance, bool late) const {
+  if (late || (!friction_converged_ && solver::isInterrupted(body_.interrupt))) {
     return solver::SolveStatus::kDeadline;
   }
   if (limited_) return solver::SolveStatus::kLineSearchFailed;
-  return settled_ && residual() <= tolerance ? solver::SolveStatus::kConverged
-                                             : solver::SolveStatus::kIterationLimit;
+  return friction_converged_ && residual() <= tolerance ? solver::SolveStatus::kConverged
+                                                        : solver::SolveStatus::kIterationLimit;
 }
 
 }  // namespace palpate::tissue
