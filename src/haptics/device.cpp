@@ -9,8 +9,8 @@
 namespace palpate::haptics {
 namespace {
 
-// K (delay + 0.1 tau)^2 / m up to which a spring with the lead below decays, for any K of the hand,
-// is 0.3 to 0.45 (roots of the sampled loop, delays of 1.5 to 21.5 ms): half of the least.
+// Bound of K (delay + 0.1 tau)^2 / m for stability with lead() and any hand stiffness [-]: half of
+// the least of 0.3 to 0.45, from roots of the sampled loop for delays of 1.5 to 21.5 ms.
 constexpr double kPhase = 0.15;
 constexpr double kDamperPhase = 0.5;
 

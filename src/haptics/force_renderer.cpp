@@ -6,7 +6,7 @@
 namespace palpate::haptics {
 namespace {
 
-constexpr double kCatchUp = 0.05;  // [s] a tool that was left behind is given so long
+constexpr double kCatchUp = 0.05;  // time for a tool to catch up after a jump [s]
 
 PassivitySettings within(PassivitySettings settings, const DeviceLimits& limits) {
   settings.max_damping = std::min(settings.max_damping, limits.maxDamping());

@@ -13,7 +13,7 @@ namespace {
                               "; must be finite and " + allowed);
 }
 
-// Where a vector with infinite components points.
+// Direction of a vector with infinite components.
 Vec3 infiniteOnes(const Vec3& v) {
   return v.unaryExpr([](double x) { return std::isinf(x) ? std::copysign(1.0, x) : 0.0; });
 }

@@ -7,10 +7,9 @@
 
 namespace palpate::haptics {
 
-/// `v` shortened to `limit` where it is longer. Finite components may have an infinite square, and
-/// components may be infinite.
+/// Scales `v` to the norm `limit` where it is longer; handles infinite components and squares.
 Vec3 clamped(const Vec3& v, double limit);
-/// From one vector on the way to another, at most `limit` far.
+/// Moves a vector towards another by at most `limit`.
 Vec3 approached(const Vec3& from, const Vec3& to, double limit);
 
 /// @throws std::invalid_argument that names `owner` and the setting, unless the value is finite and

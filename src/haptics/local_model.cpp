@@ -8,18 +8,18 @@ namespace palpate::haptics {
 namespace {
 
 constexpr double kShortestTouch = 1.0e-4;  // [m]
-constexpr double kLeastIn = 0.3;           // of a way: a tool that comes in from aside
+constexpr double kLeastIn = 0.3;           // least normal part of a displacement into contact [-]
 
-// A contact is expected again [m]: as far away as this, along its normal and across; deeper where
-// it did not come, by no less than the first and twice that each time, until the last.
+// Distances at which a contact is expected again [m]: along the normal, across; then the least and
+// the largest shift where it did not come, doubled each time.
 constexpr double kAway = 0.05, kAcross = 0.005, kDoubt = 1.0e-4, kMostDoubt = 2.0e-3;
-// No less than this of the stiffness along the normal is left by one solve: what ends in a solve or
-// two is a contact, not its stiffness.
+// Least factor of the normal stiffness in one update [-]; contacts end faster than stiffnesses
+// change.
 constexpr double kLoosen = 0.5;
-// So deep is the place that stands for it, which must have a force.
+// Depth of the expected contact's reference point [m], where its force is positive.
 constexpr double kSkin = 1.0e-6;
 
-// The nearest symmetric matrix with eigenvalues in [0, most].
+// Nearest symmetric matrix with eigenvalues in [0, most].
 Mat3 limited(const Mat3& K, double most) {
   const Mat3 symmetric = 0.5 * (K + K.transpose());
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(symmetric);
@@ -38,16 +38,16 @@ Wrench ContactModel::at(const Vec3& p) const {
   const double length = way.norm();
   there.force = wrench.force - stiffness_W * (length > reach ? reach / length : 1.0) * way;
   const double along = there.force.dot(wrench.force);
-  if (along <= 0.0) return {};  // it let go
-  // The torque is that of the force at an arm, and a couple about it.
+  if (along <= 0.0) return {};  // no contact
+  // The torque is a lever arm times the force, plus a couple.
   const Vec3 arm = wrench.force.cross(wrench.torque) / f2;
   const double couple = wrench.force.dot(wrench.torque) / f2;
   there.torque = arm.cross(there.force) + couple * (along / f2) * wrench.force;
   return there;
 }
 
-// The smallest symmetric change of K after which it explains as much of `push` = K way as a way so
-// long tells.
+// Least symmetric change of K towards the secant condition K way = `push`, weighted by the length
+// of `way`.
 Mat3 LocalModel::updated(const Mat3& K, const Vec3& way, const Vec3& push) const {
   const double noise = std::min(settings_.noise, settings_.force_noise / (K.norm() + 1.0));
   const double weight = way.squaredNorm() + noise * noise;
@@ -56,7 +56,7 @@ Mat3 LocalModel::updated(const Mat3& K, const Vec3& way, const Vec3& push) const
          missed.dot(way) / (weight * weight) * way * way.transpose();
 }
 
-// The tool touches nothing: what it touched last may come again, at the plane where it ended.
+// Without contact: expects the last one again at the plane where it ended.
 void LocalModel::expect(const Vec3& p_W) {
   const double force = model_.wrench.force.norm();
   if (force == 0.0) return;
@@ -87,7 +87,7 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
     expect(p_W);
   } else {
     if (expected_) {
-      // Where it began is not known to the tenth of a millimetre: its stiffness is that before.
+      // The begin of contact is known to 0.1 mm only, so the stiffness before is kept.
       const Vec3 normal = wrench.force / force;
       model_.stiffness_W = model_.stiffness_W.trace() * normal * normal.transpose();
     } else if (model_.wrench.force != Vec3::Zero()) {
@@ -99,7 +99,7 @@ const ContactModel& LocalModel::observe(const Vec3& p_W, const Wrench& wrench) {
       K += std::max(0.0, lacking) * normal * normal.transpose();
       model_.stiffness_W = limited(K, settings_.max_stiffness);
     } else if (known_) {
-      // It came from nothing on this way, or a part of it.
+      // The contact began on this displacement.
       const Vec3 normal = wrench.force / force;
       const Vec3 way = p_W - p_last_;
       const double in = std::max({-way.dot(normal), kLeastIn * way.norm(), kShortestTouch});

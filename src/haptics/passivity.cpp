@@ -14,7 +14,7 @@ PassivityController::PassivityController(const PassivitySettings& settings, doub
   requireNotNegative("PassivityController", "delay", delay);
 }
 
-// What was sent a delay ago. Ticks are not all of one length, and the ring has an end.
+// Returns what was sent one delay ago, for ticks of variable length in a finite ring.
 const PassivityController::Sent& PassivityController::delayed(const Sent& now) {
   const std::size_t size = under_way_.size();
   const auto forgetOldest = [&] {
@@ -29,8 +29,7 @@ const PassivityController::Sent& PassivityController::delayed(const Sent& now) {
   return under_way_[felt_];
 }
 
-// A device may report less often than forces are sent: what was sent since its last motion counts
-// with its mean.
+// A device may report less often than forces are sent: the mean force since its last motion counts.
 void PassivityController::observe(const Vec3& p, const Sent& sent) {
   impulse_ += sent.dt * sent.force;
   damping_impulse_ += sent.dt * sent.added;
@@ -38,8 +37,8 @@ void PassivityController::observe(const Vec3& p, const Sent& sent) {
   const Vec3 way = p - p_;
   if (way == Vec3::Zero()) return;
   p_ = p;
-  if (time_ == 0.0) return;  // it has not felt anything yet
-  // Of a leap no hand did the work, and none has felt it.
+  if (time_ == 0.0) return;  // no force applied yet
+  // A jump of the position does no work.
   if (!VelocityEstimate::leaps(way, time_)) {
     out_ += impulse_.dot(way) / time_;
     dissipated_ -= damping_impulse_.dot(way) / time_;
@@ -58,7 +57,7 @@ Vec3 PassivityController::update(const Vec3& p, const Vec3& v, const Vec3& sent,
   damping_ = 0.0;
   added_.setZero();
   if (force == Vec3::Zero()) {
-    // It touches nothing: what the tissue kept is no credit for the next touch.
+    // Without contact, dissipated energy is no credit for the next one.
     if (sent == Vec3::Zero()) out_ = 0.0;
     return added_;
   }

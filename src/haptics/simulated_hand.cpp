@@ -24,7 +24,7 @@ SimulatedHand::SimulatedHand(const HandSettings& settings, const Vec3& position)
   requireNotNegative("SimulatedHand", "guide_damping", settings.guide_damping);
 }
 
-// Steps so short that the error of the symplectic Euler method is below that of the encoders.
+// Sub-steps for which the error of symplectic Euler is below the encoders' resolution.
 void SimulatedHand::tick(const Vec3& meant, const Vec3& meant_v, const Vec3& force,
                          const Vec3& push, double dt) {
   const int steps = std::max(1, static_cast<int>(std::ceil(dt / kSubstep - 1e-9)));

@@ -11,14 +11,14 @@
 namespace palpate::haptics {
 namespace {
 
-constexpr double kFastest = 1e6;  // of what was saved [m/s], [rad/s]
+constexpr double kFastest = 1e6;  // bound of restored velocities [m/s], [rad/s]
 
-// Changes `velocity` towards what brings the tool over `way` in `dt`, not faster than from where it
-// can still stop there. Returns whether it may go all the way at once.
+// Changes `velocity` towards way / dt within the acceleration, and so that the tool can stop at the
+// end. Returns whether it reaches the end in this cycle.
 bool accelerate(const Vec3& way, double dt, double max_speed, double max_acceleration,
                 Vec3* velocity) {
   const Vec3 wanted = way / dt;
-  // v^2 / (2 a) + v dt / 2 is the way on which it stops in cycles of dt.
+  // The stopping distance in cycles of dt is v^2 / (2 a) + v dt / 2.
   const double change_in_cycle = max_acceleration * dt;
   const double stops =
       std::sqrt(0.25 * change_in_cycle * change_in_cycle + 2.0 * max_acceleration * way.norm()) -
@@ -74,7 +74,7 @@ void ToolProxy::startAt(const LinkPoses& poses) {
   waiting_ = false;
 }
 
-// The control frame goes as fast as it may, and the other links beside it.
+// Moves the control frame within the limits, then the other links relative to it.
 void ToolProxy::approach(const LinkPoses& commanded, double dt) {
   const Pose X_WP = poses_[control_], &X_WC = commanded[control_];
   const bool reaches = accelerate(X_WC.translation() - X_WP.translation(), dt, settings_.max_speed,

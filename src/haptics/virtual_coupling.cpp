@@ -9,18 +9,18 @@
 namespace palpate::haptics {
 namespace {
 
-// Softer costs the hand force, stiffer gives it energy: both come slowly, and only where what is
-// rendered has left a band around the limit, for stiffness is learnt with some noise.
+// Time constants of a softer coupling, which loses force, and a stiffer one, which adds energy.
+// Changes need a rendered stiffness outside a band around the limit, since estimates are noisy.
 constexpr double kSoften = 0.05, kStiffen = 0.5;  // time constants [s]
-constexpr double kReturn = 0.2;                   // of the tool to the hand
+constexpr double kReturn = 0.2;                   // return of the tool to the hand [s]
 constexpr double kFar = 1.0;                      // [m]
 constexpr double kTooStiff = 1.25, kTooSoft = 0.6;
 
-// Where the spring is much softer than the tissue, a tool that looks for their balance with a
-// stiffness that is too low goes beyond it, more each time: it counts as so much stiffer.
+// Factor on the estimated stiffness [-]: with a much softer coupling, an underestimate lets the
+// tool's target diverge.
 constexpr double kCaution = 1.5;
 
-// A contact as that of a wall: all of its force is along the stiffest direction.
+// Model of a wall: the whole force along the stiffest direction.
 Mat3 wall(const ContactModel& tool, double K) {
   const Vec3 normal = tool.wrench.force.normalized();
   const Mat3 across = Mat3::Identity() - normal * normal.transpose();
@@ -38,13 +38,14 @@ double largest(const Mat3& K) {
 const RenderedContact& VirtualCoupling::observe(const ContactModel& tool, bool expected,
                                                 const Vec3& lag, double dt) {
   const double K = largest(tool.stiffness_W), limit = limits_.maxStiffness();
-  const double wanted = K > limit ? 1.0 / limit - 1.0 / K : 0.0;  // leaves both at the limit
+  const double wanted =
+      K > limit ? 1.0 / limit - 1.0 / K : 0.0;  // spring and tissue in series at the limit
   const bool touches = tool.wrench.force != Vec3::Zero();
   const bool touched = rendered_.model.wrench.force != Vec3::Zero();
   if (!touches) {
     compliance_ = 0.0;
   } else if (!touched) {
-    compliance_ = wanted;  // there is next to no force to change
+    compliance_ = wanted;  // nearly no force to change
   } else {
     const double felt = K / (1.0 + compliance_ * K) / limit;
     const double time = felt > kTooStiff ? kSoften : felt < kTooSoft ? kStiffen : 0.0;
@@ -81,7 +82,7 @@ void VirtualCoupling::forget() {
 Vec3 VirtualCoupling::target(const Vec3& p_hand) {
   if (compliance_ > 0.0) {
     ContactModel model = rendered_.model;
-    model.reach = kFar;  // a hand that is far in must not take its tool along
+    model.reach = kFar;  // a deep hand must not drag its tool
     offset_ = compliance_ * model.at(p_hand).force;
   }
   return p_hand + offset_;

@@ -27,7 +27,7 @@ const Wrench& WrenchFilter::update(const Wrench& target, bool live, double dt) {
   if (live) {
     const Wrench goal{clamped(target.force, settings_.max_force),
                       clamped(target.torque, settings_.max_torque)};
-    // After a full stop the old value says nothing about the new one.
+    // After a full fade the low-pass restarts.
     const bool fresh = fade_.gain() == 0.0 || settings_.smoothing == 0.0;
     const double share = fresh ? 1.0 : 1.0 - std::exp(-dt / settings_.smoothing);
     smooth_.force += share * (goal.force - smooth_.force);
