@@ -6,8 +6,8 @@ namespace palpate::tissue {
 const std::vector<Figure<StepFigures>>& stepFigures() {
   using F = StepFigures;
   using M = Merge;
-  // Over time residual and tolerance are each the largest, so that where every step met its own the
-  // one stays below the other; whether every step did is the status.
+  // Over sub-steps residual and tolerance are each the largest; `status` says whether each step met
+  // its own.
   static const std::vector<Figure<F>> kAll = {
       {"status", "string",
        "converged, inverted, iteration_limit, deadline, line_search_failed, "

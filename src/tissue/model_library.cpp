@@ -9,7 +9,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Of the library that has this function, or of the program.
+// Folder of the library with this function, or of the program.
 std::filesystem::path ownFolder() {
   Dl_info info{};
   const auto here = reinterpret_cast<const void*>(&makerInLibrary);
@@ -23,7 +23,7 @@ std::filesystem::path ownFolder() {
 
 ModelMaker makerInLibrary(const std::string& name) {
   const std::string symbol = "palpate_model_" + name, file = "lib" + symbol + ".so";
-  // A program that links the library has the symbol already.
+  // The symbol exists already in a program that links the library.
   const void* maker = ::dlsym(RTLD_DEFAULT, symbol.c_str());
   if (!maker) {
     constexpr int kFlags = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;

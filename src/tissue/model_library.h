@@ -11,15 +11,14 @@ namespace palpate::tissue {
 
 using ModelMaker = std::unique_ptr<TissueModel> (*)(const ModelDescription&);
 
-/// The maker of model `name` in libpalpate_model_<name>.so, which is loaded from the folder of this
-/// library, or from where the system looks for libraries. A loaded library stays until the program
-/// ends.
-/// @throws std::invalid_argument that names the library if it is not there or has no such model.
+/// Loads libpalpate_model_<name>.so from this library's folder or the system's search path, and
+/// returns the maker of model `name`. Libraries stay loaded.
+/// @throws std::invalid_argument that names the library where it is missing or has no such model.
 ModelMaker makerInLibrary(const std::string& name);
 
 }  // namespace palpate::tissue
 
-/// What a library of model `name` exports for makerInLibrary(): once in a source, outside of
+/// Defines the export of a model's library for makerInLibrary(), once in a source, outside of
 /// namespaces.
 #define PALPATE_TISSUE_MODEL(name, make)                         \
   extern "C" {                                                   \

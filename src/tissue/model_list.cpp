@@ -12,8 +12,8 @@ namespace {
 
 struct Entry {
   const char* name;
-  ModelMaker make;  // null: in the library of that name, model_library.h
-  bool owns_all;    // organs of that name, solved together
+  ModelMaker make;  // null: loaded from a library, model_library.h
+  bool owns_all;    // one model for all its organs
 };
 
 // Every tissue model, the default first. To add one: docs/adding_a_model.md.

@@ -35,7 +35,7 @@ const Form& formNamed(const std::string& name) {
                               joinNames(waveFormNames()));
 }
 
-// From 0 to 1 without a leap of the velocity.
+// Smooth step from 0 to 1 with continuous velocity.
 double grown(double s) { return s < 1.0 ? s * s * (3.0 - 2.0 * s) : 1.0; }
 
 void check(const MotionTable& table) {
@@ -59,7 +59,7 @@ MotionTable fromItsFirstRow(MotionTable table) {
   return table;
 }
 
-// Of the parabola through three rows that are `before` and `after` seconds apart.
+// Slope of the parabola through three rows, `before` and `after` apart [s].
 Vec3 slope(const Vec3& from, const Vec3& at, const Vec3& to, double before, double after) {
   return (after / before * (at - from) + before / after * (to - at)) / (before + after);
 }

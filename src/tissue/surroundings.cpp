@@ -6,7 +6,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Those of `selected` that are among `nodes`, by their place there.
+// Indices in `nodes` of those of `selected` that are among them.
 std::vector<int> placesOf(const std::vector<int>& selected, const std::vector<int>& nodes) {
   std::vector<int> places;
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -34,8 +34,8 @@ Eigen::Matrix3Xd supportRows(const Eigen::MatrixXd& stiffness, const fem::FreeMa
   return rows;
 }
 
-// Around each point: what of the body's mass is behind its part of the surface, and Young's modulus
-// over the edges' mean length.
+// Sets mass and stiffness scale of each point: mass behind its part of the surface, and Young's
+// modulus over the mean edge.
 void setBearing(const BemParts& parts, contact::ContactPotential* contact) {
   const Points& X = parts.surface.points;
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(X.cols()), lengths = areas, edges = areas;
@@ -72,7 +72,8 @@ BemOrgan::BemOrgan(const BemParts& parts, const ModelSettings& settings, ThreadP
       tool_contact_(surface_.points, surface_.triangles, settings),
       rest_(Rest::kMotion * sizeOf(surface_.points), settings.skip.sleeping),
       contact_(&tool_contact_.contact, surface_.points, free_, {places_, compliance_}) {
-  // That moves no point farther than the tolerance, or a part of what strains the body a little.
+  // Least force for tolerances: moves no point farther than position_tolerance, or strains the body
+  // a little.
   least_force_ =
       settings.position_tolerance > 0.0
           ? settings.position_tolerance / compliance_.diagonal().maxCoeff()
@@ -115,7 +116,7 @@ const TissueStep& BemOrgan::step(const std::vector<contact::Obstacle>& obstacles
   force_begin_ = force_;
   out_.tolerance = tolerance();
   solveStages();
-  // Without inertia a body that was left half-way is thrown: late, it stays.
+  // Without inertia a cut cycle is rolled back.
   const bool late = out_.status == solver::SolveStatus::kDeadline;
   if (late || !x_.allFinite() || !solver::usable(out_.status)) {
     fail();
@@ -143,7 +144,7 @@ void BemOrgan::fail() {
   if (solver::usable(out_.status)) out_.status = solver::SolveStatus::kNonFinite;
 }
 
-// The tools go on as far as the tissue can follow, it is solved, and so on to the end.
+// Moves the tools stage by stage, and solves after each.
 void BemOrgan::solveStages() {
   tool_contact_.moveTo(0.0);
   tool_contact_.tool_path.beginStep(x_);
@@ -177,7 +178,7 @@ solver::NewtonReport BemOrgan::solveStage(double tolerance) {
   return solved;
 }
 
-// Where the contact forces bring all points.
+// Computes all positions from the contact forces.
 void BemOrgan::displace() {
   x_ = surface_.points + u_loads_;
   Eigen::Map<Eigen::VectorXd> x(x_.data(), x_.size());
@@ -189,7 +190,7 @@ void BemOrgan::displace() {
 
 void BemOrgan::report() {
   const PhaseTimer timer(&out_.phases, Phase::kForces);
-  // What contact does at the points where they are now, beside what they were solved for.
+  // Residual: contact forces at the present positions minus the solved ones.
   g_.setZero();
   tool_contact_.contact.addGradient(x_, &g_);
   double unbalanced = 0.0;
@@ -224,7 +225,7 @@ void BemOrgan::reset() {
   rest_.wake();
 }
 
-// The contact forces are those that hold it there.
+// Contact forces become those that hold the given positions.
 void BemOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   x_ = positions;
   v_ = velocities;

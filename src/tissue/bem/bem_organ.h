@@ -17,21 +17,19 @@
 
 namespace palpate::tissue {
 
-/// What an organ of model bem is made of.
+/// Parts of an organ of model bem.
 struct BemParts {
-  mesh::SurfaceMesh surface;  ///< Closed, outward, at rest in the world.
-  fem::FreeMask free;         ///< Of its points.
-  material::Moduli moduli;    ///< At rest.
+  mesh::SurfaceMesh surface;  ///< Closed surface, outward, rest configuration, world [m].
+  fem::FreeMask free;         ///< Free components of the points, 3 x n.
+  material::Moduli moduli;    ///< Elastic moduli at rest.
   double density;             ///< [kg/m^3]
 };
 
-/// An organ that is its surface and the compliance of that: linear elastostatics of what is inside.
+/// An organ as a surface with its compliance: linear elastostatics of the interior.
 ///
-/// Quasi-static: no inertia, no damping, velocities are differences over a cycle, and what was
-/// before does not matter but to contact with a memory. Forces grow linearly with the load; a part
-/// that turns is deformed by it. A cycle solves for the contact forces at what is touched, and adds
-/// up what they displace. There are no elements that could turn inside out:
-/// TissueStep::min_jacobian stays 1, however far the surface is displaced.
+/// Quasi-static: no inertia, no damping, velocities are differences over a cycle; only contact has
+/// state. Forces are linear, and large rotations are wrong. A cycle solves for contact forces and
+/// superposes their displacements. Without elements TissueStep::min_jacobian is 1.
 class BemOrgan final : public TissueModel {
  public:
   /// @throws std::invalid_argument as bem::surfaceStiffness() and bem::surfaceCompliance().
@@ -61,14 +59,14 @@ class BemOrgan final : public TissueModel {
   ModelSettings settings_;
   bem::SurfaceStiffness stiffness_;
   Eigen::MatrixXd compliance_;
-  Eigen::Matrix3Xd support_rows_;  // of the stiffness, summed over what is held, 3 x 3 n
+  Eigen::Matrix3Xd support_rows_;  // rows of the stiffness summed over held components, 3 x 3 n
   std::vector<int> places_;
-  Points loads_, u_loads_;  // of gravity [N], under it [m]
+  Points loads_, u_loads_;  // gravity [N], displacements under it [m]
   ToolContact tool_contact_;
   Rest rest_;
   CompliantContact contact_;
   const solver::Interrupt* interrupt_ = nullptr;
-  double least_force_;                                // that counts [N]
+  double least_force_;                                // least force for tolerances [N]
   double contact_scale_ = 0.0, support_scale_ = 0.0;  // norms of nodal forces [N]
   Points force_;                                      // of contact on the nodes [N]
   Points x_, v_, x_begin_, force_begin_, g_;

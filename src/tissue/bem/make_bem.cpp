@@ -30,8 +30,7 @@ void refuse(const OrganDescription& organ, const fem::Composition& composition,
   }
 }
 
-// Pieces of the surface that hang together and enclose something: each is a body, the others are
-// cavities.
+// Counts connected components of the surface that enclose a volume; the others are cavities.
 int countBodies(const mesh::SurfaceMesh& surface) {
   std::vector<int> root(static_cast<std::size_t>(surface.points.cols()));
   std::iota(root.begin(), root.end(), 0);

@@ -10,8 +10,9 @@ namespace palpate::tissue {
 
 /// Model "bem" of one organ: linear elastostatics by boundary elements on its surface, no
 /// tetrahedra (BemOrgan).
-/// @throws std::invalid_argument for what it cannot treat: several solids or bodies, fibres,
-/// viscous memory, adapt, needles, supports that are not glue or leave a motion, too many points.
+/// @throws std::invalid_argument for unsupported descriptions: several solids or bodies, fibres,
+/// viscous terms, adaptation, needles, supports other than glue or with rigid motion, too many
+/// points.
 std::unique_ptr<TissueModel> makeBem(const ModelDescription& description);
 
 }  // namespace palpate::tissue

@@ -7,12 +7,12 @@
 
 namespace palpate::tissue {
 
-/// What models of tetrahedra have in common that are no finite elements: a law of their own between
-/// the corners, and masses lumped by volume.
+/// Base of models on tetrahedra other than finite elements: a law between the corners, and masses
+/// lumped by volume.
 class CellElasticity : public UnchangingElasticity {
  public:
-  /// `mesh`: linear, at rest in the world [m]. @throws std::invalid_argument for a mesh of
-  /// quadratic tetrahedra or with one that is inverted or has no volume.
+  /// `mesh`: linear, rest configuration, world [m].
+  /// @throws std::invalid_argument for quadratic, inverted or degenerate tetrahedra.
   CellElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition);
 
   fem::Stiffness makeMatrix() const override;
@@ -26,7 +26,7 @@ class CellElasticity : public UnchangingElasticity {
  protected:
   const mesh::TetMesh& mesh() const { return mesh_; }
   const fem::Composition& composition() const { return composition_; }
-  /// Of tetrahedra at rest [m^3].
+  /// Volumes of the tetrahedra at rest [m^3].
   const Eigen::VectorXd& volumes() const { return volumes_; }
   /// Deformation gradient of tetrahedron t.
   Mat3 deformation(const Points& x, Eigen::Index t) const;
@@ -34,13 +34,13 @@ class CellElasticity : public UnchangingElasticity {
  private:
   /// Cauchy stress of tetrahedron t, whose deformation gradient is F [Pa].
   virtual Mat3 cauchyStress(const Points& x, int t, const Mat3& F) = 0;
-  /// Its share of the energy [J].
+  /// Energy of tetrahedron t [J].
   virtual double energyOf(const Points& x, int t) = 0;
 
   mesh::TetMesh mesh_;
   fem::Composition composition_;
   Eigen::VectorXd volumes_;
-  std::vector<Mat3> inverse_edges_;  // of edges 01 02 03 at rest
+  std::vector<Mat3> inverse_edges_;  // inverse of edges 01 02 03 at rest
 };
 
 }  // namespace palpate::tissue

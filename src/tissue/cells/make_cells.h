@@ -10,19 +10,19 @@
 
 namespace palpate::tissue {
 
-/// What makes an organ's tetrahedra, in the world, elastic.
+/// Elasticity of an organ's tetrahedra, world, with its step method.
 using PartsOf =
     std::function<OwnParts(const mesh::TetMesh&, const fem::Composition&, const OrganDescription&)>;
 
-/// @throws std::invalid_argument for a mesh that adapts, and for solids with fibres or viscous
-/// terms, which no model of CellElasticity knows.
+/// @throws std::invalid_argument for mesh adaptation, fibres or viscous terms, which CellElasticity
+/// does not support.
 void refuseForCells(const std::string& model, const OrganDescription& organ,
                     const fem::Composition& composition);
 
-/// Organs of a model that treats tetrahedra in its own way, named `model`, but is otherwise moved,
-/// held, touched and solved as finite elements are.
-/// @throws std::invalid_argument, with the organ's name where there are several, as
-/// refuseForCells(), and as `parts` does; else as makeFem().
+/// Makes organs of model `model` with an elasticity of its own; integration, supports, contact and
+/// solvers are those of finite elements.
+/// @throws std::invalid_argument, as refuseForCells() and `parts`, with the organ's name where
+/// there are several; else as makeFem().
 std::unique_ptr<TissueModel> makeCells(const std::string& model,
                                        const ModelDescription& description, const PartsOf& parts);
 

@@ -8,8 +8,7 @@
 
 namespace palpate::tissue {
 
-/// What models have in common that are no finite elements: lumped masses, no viscous memory, and a
-/// mesh that stays.
+/// Base of elasticities other than finite elements: lumped masses, no viscous memory, a fixed mesh.
 class UnchangingElasticity : public fem::Elasticity {
  public:
   int numNodes() const override { return static_cast<int>(masses_.size()); }
@@ -21,7 +20,7 @@ class UnchangingElasticity : public fem::Elasticity {
   void relax(const Points&) override {}
   std::unique_ptr<fem::ViscousState> saveViscousState() const override { return nullptr; }
   void restoreViscousState(const fem::ViscousState*) override {}
-  /// @throws std::invalid_argument always.
+  /// @throws std::invalid_argument always: not supported.
   void goOnFrom(const fem::Elasticity&, const mesh::MeshChange&) override {
     throw std::invalid_argument("its mesh cannot change");
   }

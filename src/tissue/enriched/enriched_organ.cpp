@@ -10,10 +10,10 @@
 namespace palpate::tissue {
 namespace {
 
-// Detail answers what the tissue does one cycle later: a larger part of the way at once would swing
-// where a detail is deeper than what carries it.
+// Largest fraction of a detail's change per cycle [-]: detail lags by a cycle, and would oscillate
+// where it exceeds the body's displacement.
 constexpr double kLargestPart = 0.25;
-// Of the body's size.
+// Change of detail that counts as zero, over the body's size [-].
 constexpr double kStill = 1e-7;
 
 }  // namespace
@@ -56,7 +56,7 @@ const TissueStep& EnrichedOrgan::endCycle(const std::vector<contact::Obstacle>&,
   return report;
 }
 
-// Whether the detail moved.
+// Updates the detail. Returns whether it changed.
 bool EnrichedOrgan::follow(double dt) {
   const double part = std::min(-std::expm1(-dt / time_), kLargestPart);
   target_ -= detail_;

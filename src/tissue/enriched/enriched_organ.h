@@ -11,8 +11,8 @@
 
 namespace palpate::tissue {
 
-/// A body of finite elements whose fine surface is shown and felt. Detail that was learned follows
-/// what the cycle before found, within `time`, so that it moves no tool at once.
+/// A finite element body with a fine surface for display and contact. The learned detail follows
+/// the result of the last cycle with time constant `time`, so that it does not jump.
 class EnrichedOrgan final : public OrganBodies {
  public:
   /// `body` feels contact at the samples of `fine`, in equilibrium. `time` [s].
@@ -28,7 +28,7 @@ class EnrichedOrgan final : public OrganBodies {
   const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double dt) override;
 
   void reset() override;
-  /// The body's nodes first, then the fine points; these say what their detail is.
+  /// Positions and velocities: the body's nodes, then the fine points, which define the detail.
   void setPositions(int, const Points& positions, const Points& velocities) override;
   State state() const override;
   void restore(const State& state) override;
@@ -41,11 +41,11 @@ class EnrichedOrgan final : public OrganBodies {
   std::unique_ptr<FemOrgan> body_;
   FineSurface fine_;
   LearnedDetail learned_;
-  double time_, still_;  // [s]; a change of detail that is none [m]
+  double time_, still_;  // time constant [s]; change of detail that counts as zero [m]
   Points equilibrium_;   // of the body's nodes
   Eigen::Matrix3Xi triangles_;
-  Points detail_, rate_;              // of the fine points [m], [m/s]
-  Points target_, u_, offsets_, on_;  // room to work in
+  Points detail_, rate_;              // detail of the fine points [m] and its rate [m/s]
+  Points target_, u_, offsets_, on_;  // buffers
   Points x_, v_;
 };
 

@@ -9,34 +9,32 @@
 
 namespace palpate::tissue {
 
-/// A surface that is carried by a coarser one: each point moves with the place of the coarse
-/// triangles that is nearest to it at rest, keeps its distance from there, in the world's
-/// directions, and has a detail of its own beside.
+/// A fine surface on a coarse one: each point moves with its nearest coarse surface point at rest,
+/// at a constant offset in world axes, plus a detail.
 class FineSurface {
  public:
-  /// Both at rest in the world [m]; of `coarse` the points may be nodes of a body. `spacing`: of
-  /// samples, see contact::sampleSurface().
+  /// `fine`, `coarse`: rest configurations, world [m]; `spacing`: of contact::sampleSurface() [m].
   FineSurface(const mesh::SurfaceMesh& coarse, mesh::SurfaceMesh fine, double spacing);
 
   Eigen::Index numPoints() const { return fine_.points.cols(); }
   const Eigen::Matrix3Xi& triangles() const { return fine_.triangles; }
   const Points& rest() const { return fine_.points; }
 
-  /// What nodal values x (3 x m) are where the points are carried; without distance and detail.
+  /// Interpolates nodal values x, 3 x m, to the coarse surface points; without offset and detail.
   void carried(const Points& x, Points* there) const { mesh::interpolate(places_, x, there); }
-  /// From there to the points at rest, 3 x n [m].
+  /// Offsets from the coarse surface points at rest, 3 x n [m].
   const Points& distance() const { return distance_; }
 
-  /// Where contact is felt, between coarse nodes, at rest.
+  /// Contact samples on the coarse nodes, at rest.
   const std::vector<contact::SurfaceSample>& samples() const { return samples_; }
-  /// Their offsets where the points have this detail, 3 x n [m].
+  /// Offsets of the samples for a detail of the points, 3 x n [m].
   void offsets(const Points& detail, Points* offsets) const;
 
  private:
   mesh::SurfaceMesh fine_;
   std::vector<mesh::SurfacePoint> places_;
   Points distance_;
-  std::vector<contact::SurfaceSample> on_fine_, samples_;  // between fine points, coarse nodes
+  std::vector<contact::SurfaceSample> on_fine_, samples_;  // on fine points; on coarse nodes
 };
 
 }  // namespace palpate::tissue

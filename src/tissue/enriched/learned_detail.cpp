@@ -4,7 +4,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Of residuals sigma has no unit; of displacements it is in metres. Spreads serve both.
+// Sigma of residuals has no unit, that of displacements is in metres; spreads serve both.
 enrichment::EnrichedShape learn(const EnrichedSettings& settings,
                                 const enrichment::DeformationDatabase& database) {
   enrichment::FeatureSettings feature;
@@ -64,7 +64,7 @@ void LearnedDetail::find(const std::vector<TissueContact>& contacts, const Point
   learned_ = *detail;
   *detail = R_WO_.lazyProduct(learned_);
   if (residual_) return;
-  // Displacements replace what carries the surface, which need not be what interpolates between
+  // Displacements replace those of the coarse surface, which may differ from the interpolation of
   // the samples' coarse points.
   shape_->interpolate(moved_O_, &learned_);
   *detail += R_WO_.lazyProduct(learned_);

@@ -12,18 +12,18 @@
 
 namespace palpate::tissue {
 
-/// What samples say of a fine surface beside what carries it, from where tools touch and how the
-/// coarse points of the samples moved.
+/// Learned detail of a fine surface, as a function of tool contacts and displacements of the
+/// samples' coarse points.
 class LearnedDetail {
  public:
-  /// `database`: in the organ's frame, which is X_WO in the world. `body`: the surface that carries
-  /// `fine`, at rest in the world.
+  /// `database`: in the organ's frame O at X_WO; `body`: coarse surface of `fine`, rest
+  /// configuration, world [m].
   /// @throws std::invalid_argument as enrichment::EnrichedShape.
   LearnedDetail(const EnrichedSettings& settings, const enrichment::DeformationDatabase& database,
                 const Pose& X_WO, const mesh::SurfaceMesh& body);
 
-  /// The detail of the fine points [m], 3 x n, where the body's nodes moved by `u` (3 x m) and
-  /// tools touch as `contacts` say; zero where none does. Allocates nothing when called again.
+  /// Detail of the fine points, 3 x n [m], for displacements `u` of the body's nodes, 3 x m [m],
+  /// and `contacts`; zero without contact. Allocates in the first call only.
   void find(const std::vector<TissueContact>& contacts, const Points& u, const FineSurface& fine,
             Points* detail);
 
@@ -33,13 +33,13 @@ class LearnedDetail {
 
   struct Tool {
     double force = 0.0;
-    Vec3 sum = Vec3::Zero();  // of places by force
+    Vec3 sum = Vec3::Zero();  // of contact positions, weighted by force
   };
 
-  std::optional<enrichment::EnrichedShape> shape_;  // none: there is no detail
+  std::optional<enrichment::EnrichedShape> shape_;  // none: no detail
   bool residual_;
   Mat3 R_WO_;
-  Points coarse_;                                  // at rest in the world
+  Points coarse_;                                  // rest positions, world [m]
   std::vector<mesh::SurfacePoint> coarse_places_;  // on the body
   std::vector<Tool> tools_;                        // by instrument
   Points moved_W_, moved_O_, learned_, carried_;

@@ -8,9 +8,9 @@
 
 namespace palpate::tissue {
 
-/// Model "enriched": finite elements that carry a finer surface, which is shown and felt, with what
-/// presses of finer elements taught of its detail [Bounik, Shamsi, Sedaaghi 2020].
-/// @throws std::invalid_argument for what it cannot treat, and as makeFemTissue().
+/// Model "enriched": finite elements with a fine surface for display and contact, whose detail is
+/// learned from presses of finer elements [Bounik, Shamsi, Sedaaghi 2020].
+/// @throws std::invalid_argument for unsupported descriptions, and as makeFemTissue().
 std::unique_ptr<TissueModel> makeEnriched(const ModelDescription& description);
 
 }  // namespace palpate::tissue

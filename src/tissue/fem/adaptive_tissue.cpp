@@ -25,7 +25,7 @@ class AdaptiveTissue final : public OrganBodies {
     coarse_->findEquilibrium();
     adaptation_.setCoarse(coarse_.get());
     notes_ = coarse_->notes();
-    adaptation_.useMethod(coarse_->methods(0).front());  // what `auto` took is kept
+    adaptation_.useMethod(coarse_->methods(0).front());  // keep the choice of `auto`
     become(coarse_.get());
   }
 
@@ -43,7 +43,7 @@ class AdaptiveTissue final : public OrganBodies {
   }
 
   void beginCycle(const std::vector<contact::Obstacle>& obstacles, double) override {
-    // The mesh follows what moves.
+    // Only moving tools count.
     moving_.clear();
     for (const contact::Obstacle& obstacle : obstacles) {
       if (obstacle.owner.isInstrument()) moving_.push_back(obstacle);
@@ -56,7 +56,7 @@ class AdaptiveTissue final : public OrganBodies {
   void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(organ_); }
 
   const TissueStep& endCycle(const std::vector<contact::Obstacle>&, double dt) override {
-    // Begun last, the next mesh is made while a loop that keeps time waits for its next cycle.
+    // The background task begins last, so that it runs while the caller waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? adaptation_.reach() : 0.0;
     if (cycles_left_ == 0 && tools_.look(moving_, kLookAheadTime / dt, x, far)) beginNext(x, dt);
@@ -109,8 +109,7 @@ class AdaptiveTissue final : public OrganBodies {
   }
 
  private:
-  // To take the next mesh into use a fixed number of cycles later, however fast it is made, keeps
-  // the results from depending on time.
+  // The next mesh is used a fixed number of cycles later, so that results do not depend on time.
   void beginNext(const Points& x, double dt) {
     adaptation_.begin(x, tools_, dt);
     tools_.suited();
@@ -118,8 +117,8 @@ class AdaptiveTissue final : public OrganBodies {
     cycles_left_ = std::max(kMinBackgroundCycles, static_cast<int>(cycles));
   }
 
-  // Where cycles are asked to end, one waits for the mesh as long as it may; those after it take it
-  // when it is there.
+  // With a deadline, the first cycle waits for the mesh until then; later ones use it when it is
+  // ready.
   bool isInTime() {
     const bool waits = !std::exchange(late_, false);
     if (interrupt_ == nullptr || !*interrupt_) return true;
@@ -127,8 +126,7 @@ class AdaptiveTissue final : public OrganBodies {
     return !late_;
   }
 
-  // The tissue went on since the mesh was begun: a mesh that does not suit it any more, because
-  // elements would be turned inside out, is left, and asked for again.
+  // A mesh with inverted elements at the present positions is dropped and requested again.
   void takeNext() {
     const std::string before = adaptation_.bisected();
     MeshAdaptation::Result next = adaptation_.take();
@@ -155,10 +153,10 @@ class AdaptiveTissue final : public OrganBodies {
   std::vector<contact::Obstacle> moving_;
   ToolDistance tools_;
   std::unique_ptr<FemOrgan> coarse_, fine_;
-  MeshAdaptation adaptation_;  // after what it works on
-  FemOrgan* organ_ = nullptr;  // one of both
-  int cycles_left_ = 0;        // until the next mesh is taken; 0: none is being made
-  bool late_ = false;          // it should have been taken by now
+  MeshAdaptation adaptation_;  // destroyed before the members it uses
+  FemOrgan* organ_ = nullptr;  // body on the present mesh: coarse_ or fine_
+  int cycles_left_ = 0;        // until the next mesh is used; 0: none requested
+  bool late_ = false;          // whether its cycle has passed
   std::vector<std::string> notes_;
   const solver::Interrupt* interrupt_ = nullptr;
   std::uint64_t revision_ = 0;

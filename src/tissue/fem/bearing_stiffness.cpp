@@ -11,7 +11,7 @@ double youngModulus(const material::Solid& solid) {
   return 9.0 * m.kappa * m.mu / (3.0 * m.kappa + m.mu);
 }
 
-// Of the nodes; those within edges have what the corners of their triangle have.
+// Mean edge length at each node; mid-edge nodes have that of their triangle.
 Eigen::VectorXd youngModuli(const mesh::TetMesh& mesh, const Eigen::Matrix3Xi& triangles,
                             const fem::Composition& composition) {
   Eigen::VectorXd E = Eigen::VectorXd::Zero(mesh.numPoints());

@@ -23,7 +23,7 @@ BodyGroup::BodyGroup(std::vector<FemOrgan*> members)
       bodies_(motionsOf(members_)),
       steps_(&bodies_, makeMinimizer()) {}
 
-// A member of another method is ordered here, and has no coarse space.
+// Members of another method get an ordering here, and have no coarse space.
 std::unique_ptr<solver::Minimizer> BodyGroup::makeMinimizer() {
   const FemSettings& of_scene = bodies_.settings();
   ThreadPool* pool = members_.front()->body().pool;
@@ -51,8 +51,8 @@ void BodyGroup::join() {
   for (FemOrgan* member : members_) member->join();
 }
 
-// One for which the cycle is left out, and so for all; null if there is none, or if another one
-// that failed is due for a trial. Each is asked: all count their cycles.
+// Returns a member whose backoff skips the cycle, and so all; null without one, or where another
+// member is due for a retry. Asks every member, since each counts its cycles.
 const FemOrgan* BodyGroup::frozenMember() const {
   const FemOrgan* frozen = nullptr;
   bool due = false;
@@ -67,7 +67,7 @@ const FemOrgan* BodyGroup::frozenMember() const {
   return due ? nullptr : frozen;
 }
 
-// As an organ alone: by its tolerance, and by that of the forces as they are now.
+// Whether the group rests, by the cycle's tolerance and by that of the present forces.
 bool BodyGroup::cameToRest() {
   const bool still = std::all_of(members_.begin(), members_.end(),
                                  [&](const FemOrgan* m) { return m->isStill(out_); });
@@ -114,7 +114,7 @@ void BodyGroup::step(double dt) {
   members_.front()->addWork(out_);
 }
 
-// All are put back where one is: another one may be where that goes.
+// Resets all members where one must be, since another may occupy its space.
 void BodyGroup::endSolved() {
   const bool at_rest = cameToRest();
   const bool touched = isTouched();

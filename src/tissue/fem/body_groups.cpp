@@ -6,11 +6,11 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr std::ptrdiff_t kMostKept = 4;  // groups that do not meet
+constexpr std::ptrdiff_t kMostKept = 4;  // unused groups
 
 }  // namespace
 
-// The leader of bodies that belong together is the first of them.
+// Finds connected components; the leader of a component is its first body.
 void BodyGroups::findLeaders(std::size_t count, const NeighbourSearch& neighbours) {
   leader_.resize(count);
   for (std::size_t k = 0; k < count; ++k) leader_[k] = k;
@@ -48,12 +48,12 @@ void BodyGroups::step(const std::vector<GroupBody>& bodies, const NeighbourSearc
   dropOld();
 }
 
-// Of members_, the one that there is or a new one.
+// Returns the group of members_, or makes it.
 BodyGroups::Group& BodyGroups::groupOf(const std::vector<GroupBody>& bodies) {
   const auto same = [&](const Group& group) { return group.bodies == members_; };
   auto found = std::find_if(groups_.begin(), groups_.end(), same);
   if (found != groups_.end()) {
-    // Of bodies on other meshes, a new one.
+    // A mesh adaptation of a member needs a new group.
     bool current = true;
     for (std::size_t k = 0; k < members_.size(); ++k) {
       current = current && found->revisions[k] == bodies[members_[k]].revision;

@@ -76,7 +76,7 @@ void BodyMotion::endStep(double unbalanced) {
   body_.tool_contact.endStep(body_.x);
 }
 
-// Held components: only rounding, which would grow.
+// Held components contain only rounding errors, which would grow.
 void BodyMotion::extrapolate(double h, Points* way) const {
   integrator_.extrapolate(h, way);
   *way = way->cwiseProduct(body_.free);
@@ -86,7 +86,7 @@ double BodyMotion::valueHere() {
   if (!body_.elastic_energy) return potential_.value(body_.x);
   double sum = potential_.elastic_scale * *body_.elastic_energy;
   for (const fem::EnergyTerm* term : potential_.terms) sum += term->value(body_.x);
-  body_.elastic_energy.reset();  // x goes on
+  body_.elastic_energy.reset();  // x changes
   return sum;
 }
 

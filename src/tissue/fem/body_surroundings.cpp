@@ -137,7 +137,7 @@ double BodySurroundings::largestSquare(const Points& X, const Eigen::VectorXd& m
   return sum;
 }
 
-// The same cavities, in the same order.
+// @pre The cavities are the same, in the same order.
 void BodySurroundings::goOnFrom(const BodySurroundings& old) {
   time_ = old.time_;
   for (std::size_t k = 0; k < cavities_.size(); ++k) {

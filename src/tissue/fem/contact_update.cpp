@@ -8,12 +8,12 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxIterations = 30;
-constexpr int kWholeSteps = 8;  // without a look at whether they overshoot
+constexpr int kWholeSteps = 8;  // iterations without a check of overshoot
 constexpr int kMaxLinearIterations = 30;
 constexpr double kLinearTolerance = 0.03;
 constexpr int kMaxHalvings = 10;
 constexpr double kSufficientDecrease = 1e-4;
-// Of c, the curvature that may enter.
+// Largest curvature in the system, over c [-].
 constexpr double kCurvature = 0.5;
 
 }  // namespace
@@ -43,7 +43,7 @@ void ContactUpdate::touch(int node, const Points& x) {
   free_x_.col(node) = x.col(node);
 }
 
-// The touched nodes of the last time go where its forces would bring them.
+// Warm start: moves the nodes of the last call by its forces.
 void ContactUpdate::warmStart(const Eigen::VectorXd& coefficients, Points* x) {
   last_nodes_.clear();
   for (int i : nodes_) {
@@ -74,7 +74,7 @@ void ContactUpdate::apply(const Eigen::VectorXd& coefficients, double tolerance,
   }
 }
 
-// By the step, or a part of it where friction, whose stiffness jumps, would make it go uphill.
+// Takes the step, or a fraction of it where friction makes the energy grow.
 void ContactUpdate::go(const Eigen::VectorXd& coefficients, Points* x) {
   if (!body_.contact.hasFriction()) {
     for (int i : nodes_) x->col(i) += step_.col(i);
@@ -91,10 +91,10 @@ void ContactUpdate::go(const Eigen::VectorXd& coefficients, Points* x) {
   }
 }
 
-// Where the whole step went too far, for triangles that tilt under a tool are stiffer than the
-// stiffness knows: to where the force along it vanishes, by the secant.
+// After an overshoot, a secant step to zero force along the direction: triangles that tilt under a
+// tool are stiffer than their tangent.
 void ContactUpdate::turnBack(const Eigen::VectorXd& coefficients, Points* x) {
-  const std::size_t gone = nodes_.size();  // collect() may add more
+  const std::size_t gone = nodes_.size();  // collect() may add nodes
   const auto along = [&] {
     double sum = 0.0;
     for (std::size_t n = 0; n < gone; ++n) sum += step_.col(nodes_[n]).dot(right_.col(nodes_[n]));
@@ -109,7 +109,7 @@ void ContactUpdate::turnBack(const Eigen::VectorXd& coefficients, Points* x) {
   for (std::size_t n = 0; n < gone; ++n) x->col(nodes_[n]) += (part - 1.0) * step_.col(nodes_[n]);
 }
 
-// What apply() minimises [J].
+// Energy that apply() minimises [J].
 double ContactUpdate::energy(const Eigen::VectorXd& coefficients, const Points& x) const {
   double sum = body_.contact.value(x);
   for (int i : nodes_) {
@@ -128,13 +128,13 @@ bool ContactUpdate::limit(const Eigen::VectorXd& coefficients, const Points& beg
     if (length <= longest) continue;
     all = false;
     x->col(i) = begin.col(i) + longest / length * way;
-    // The force that moves it that far.
+    // Force of the limited displacement.
     gradient_.col(i) = coefficients[i] * (free_x_.col(i) - x->col(i));
   }
   return all;
 }
 
-// The contacts at x, their forces, and the nodes they touch, which are added to those before.
+// Collects the contacts at x with their forces, and adds their nodes to nodes_.
 void ContactUpdate::collect(const Points& x) {
   body_.contact.collect(x, &contacts_);
   for (int i : nodes_) gradient_.col(i).setZero();
@@ -161,7 +161,7 @@ double ContactUpdate::unbalanced(const Eigen::VectorXd& coefficients, const Poin
   return std::sqrt(square);
 }
 
-// The part of the contacts' stiffness that is semidefinite, and all of it where A stays positive
+// Computes the semidefinite part of the contact stiffness, or all of it where A stays positive
 // definite.
 void ContactUpdate::linearise(const Eigen::VectorXd& coefficients) {
   stiffness_.clear();
@@ -199,7 +199,7 @@ void ContactUpdate::multiply(const Eigen::VectorXd& coefficients, const Points& 
   for (int i : nodes_) Ad->col(i).array() *= body_.free.col(i).array();
 }
 
-// step = A^-1 right, about.
+// Solves A step = right by conjugate gradients.
 void ContactUpdate::solve(const Eigen::VectorXd& coefficients) {
   for (int i : nodes_) inverse_diagonal_.col(i).setConstant(coefficients[i]);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {

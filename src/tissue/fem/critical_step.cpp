@@ -12,21 +12,20 @@ namespace {
 constexpr int kRestSteps = 40;
 constexpr int kFollowSteps = 4;
 constexpr double kNoise = 0.5;
-// Motion since the last look, and the shift of a difference, in parts of an element.
+// Displacement that requires an update, and difference step, over the element size [-].
 constexpr double kNoticeable = 0.02;
 constexpr double kShift = 1e-6;
-// Strains at which fibres that resist tension only are taut, whichever way they go: stretched along
-// an axis or across it. What changes the stiffness by more than a part of it is such fibres.
+// Strains that make tension-only fibres taut, along an axis or across it. A relative change of
+// stiffness above the threshold indicates such fibres.
 constexpr double kTaut = 1e-6, kTautPart = 1e-3;
-// Times w^2 of such fibres. Two steps h of an oscillator of stiffness a / h^2 and b / h^2 have a
-// matrix with the trace (2 - a) (2 - b) - 2 and the determinant 1: where a is over 2 and b below,
-// a mode that is taut in each second step grows. None is where a <= 2, half of what is stable
-// without a change; with a part of that, as of the other bound.
+// Factor on w^2 of such fibres. Two steps h of an oscillator of stiffness a / h^2, then b / h^2,
+// have a matrix of trace (2 - a) (2 - b) - 2 and determinant 1: a mode taut in every second step
+// grows for a > 2 > b. None does for a <= 2, half of the bound without a change.
 constexpr double kTwoSided = 4.0 / 2.0 * CriticalStep::kSafety * CriticalStep::kSafety * 1.02;
-// [s] So short that nothing relaxes: viscous bodies are stiffest then.
+// Step without relaxation [s], at which viscous bodies are stiffest.
 constexpr double kSudden = 1e-6;
 
-// Not small in any mode, between 0.5 and 1.5 of either sign, and always the same.
+// Deterministic noise with entries of modulus in [0.5, 1.5], not small in any mode.
 double noise(Eigen::Index k) {
   const double value = 0.5 + std::fmod(0.754877666 * (static_cast<double>(k) + 1.0), 1.0);
   return std::fmod(0.569840290 * (static_cast<double>(k) + 1.0), 1.0) < 0.5 ? value : -value;
@@ -41,11 +40,11 @@ CriticalStep::CriticalStep(fem::Elasticity* elasticity, const fem::FreeMask& fre
       element_size_(std::cbrt(elasticity->volume() / static_cast<double>(free.cols()))),
       other_squares_(other_squares) {}
 
-// Bound of the largest eigenvalue of the symmetric matrix that `multiply` applies, from mode_ on,
-// which ends as its eigenvector.
+// Upper bound of the largest eigenvalue of the symmetric operator `multiply`; mode_ is the start
+// and becomes the eigenvector.
 template <class Multiply>
 double CriticalStep::lanczos(int steps, const Multiply& multiply) {
-  using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRestSteps, 1>;  // not on the heap
+  using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRestSteps, 1>;  // no allocation
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRestSteps, kRestSteps>;
   Few alpha(steps), beta(steps);
   int size = 0;
@@ -58,7 +57,7 @@ double CriticalStep::lanczos(int steps, const Multiply& multiply) {
     if (size > 0) next_ -= beta[size - 1] * basis_[size - 1];
     residual = next_.norm();
     beta[size++] = residual;
-    if (!(residual > 1e-10 * std::abs(alpha[0]))) break;  // all of the spectrum is seen, or NaN
+    if (!(residual > 1e-10 * std::abs(alpha[0]))) break;  // spectrum exhausted, or NaN
     mode_ = next_ / residual;
   }
   Eigen::SelfAdjointEigenSolver<Square> ritz;
@@ -87,7 +86,7 @@ void CriticalStep::begin(const Points& X) {
   mode_ = noiseMode();
   rest_square_ = lanczos(kRestSteps, multiply);
   rest_mode_ = mode_;
-  // Slack at rest, such fibres are taut as soon as it swings.
+  // Fibres that are slack at rest become taut in motion.
   for (const double strain : {kTaut, -kTaut}) {
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 stretch = Vec3::Constant(1.0 - 0.5 * strain);
@@ -109,7 +108,7 @@ void CriticalStep::begin(const Points& X) {
   basis_.resize(kFollowSteps);
 }
 
-// Where it is free.
+// Scaled noise on free components.
 Points CriticalStep::noiseMode() const {
   Points mode = scale_;
   for (Eigen::Index k = 0; k < mode.size(); ++k) {
@@ -118,7 +117,7 @@ Points CriticalStep::noiseMode() const {
   return mode / mode.norm();
 }
 
-// Adds to mode_ noise in proportion to the motion since the last look.
+// Adds noise to mode_ in proportion to the displacement since the last update.
 void CriticalStep::seed(const Points& x) {
   next_ = (x - looked_at_).cwiseProduct(scale_);
   for (Eigen::Index k = 0; k < next_.size(); ++k) next_.data()[k] *= noise(k);
@@ -149,7 +148,7 @@ void CriticalStep::follow(const Points& x) {
     *Aq = (*Aq - gradient_).cwiseProduct(scale_) / shift;
   });
   if (square_ < least_square_) square_ = least_square_;
-  // Not a number, or all went soft: begin anew with what is known of the rest.
+  // NaN or a vanishing stiffness: restart from the mode at rest.
   if (!(square_ > 0.1 * rest_square_) || !std::isfinite(square_)) {
     mode_ = rest_mode_;
     square_ = rest_square_;

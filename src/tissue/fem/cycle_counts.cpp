@@ -14,11 +14,11 @@
 namespace palpate::tissue {
 namespace {
 
-// Surface nodes that the probe pushes lie within this part of the body's size.
+// Radius of the probe's load, over the body's size [-].
 constexpr double kProbe = 0.1;
 
-// A push by something like a tool: on the free surface nodes around the one that is farthest from
-// the middle of the held ones, towards the middle of the body. 3 x n [N].
+// Load of a probe, 3 x n [N]: on free surface nodes around the one farthest from the supports'
+// middle, towards the middle of the body.
 Points probe(const FemBody& body) {
   const Points& X = body.mesh.points;
   const Vec3 middle = X.rowwise().mean();
@@ -66,7 +66,7 @@ CycleCounts countCycle(FemBody* body) {
   counts.poisson_ratio = body->largest_poisson_ratio;
   fem::Stiffness A = body->elasticity->makeMatrix();
   assembleAtRest(body, &A);
-  // Of a sheet its triangles, which have about as many springs as elements have edges.
+  // A sheet counts its triangles, with about as many springs as elements have edges.
   const Eigen::Index cells =
       body->mesh.numTets() > 0 ? body->mesh.numTets() : body->triangles.cols();
   counts.tets = {static_cast<double>(cells), body->mesh.quadratic(), A.hasVolume()};

@@ -8,9 +8,9 @@ namespace palpate::tissue {
 namespace {
 
 constexpr double kMaxLeapSteps = 256.0;
-// Contact moves no node farther in a step than this part of an element.
+// Largest displacement of a node by contact in a step, over the element size [-].
 constexpr double kContactWay = 0.5;
-// Answers in a step that friction asks for after the first.
+// Most augmentations of friction in a step.
 constexpr int kMaxExplicitAugmentations = 6;
 
 }  // namespace
@@ -32,8 +32,8 @@ void ExplicitContact::begin() {
   body_.tool_path.moveTo(0.0);
 }
 
-// Whether the way is not too short, by a bound, for tissue to go half-way to the middle of a
-// tool that itself has just gone on.
+// Whether the displacement `way`, 3 x n [m], may carry tissue half-way to the middle of a moved
+// tool. Conservative.
 bool ExplicitContact::mayJump(const Points& way) const {
   if (!body_.contact.hasCandidates()) return false;
   const double margin = (1.0 - kToolWay) * body_.tool_path.thinnest() - update_.deepest();
@@ -60,9 +60,8 @@ bool ExplicitContact::step(double s, const Eigen::VectorXd& coefficients, Points
   return true;
 }
 
-// What touches, and, as in implicit steps, again while friction is beyond Coulomb's law for a
-// solution: the law takes that back when the step ends, and a force that has moved tissue would be
-// told by nobody.
+// Solves contact, again after each augmentation while friction exceeds Coulomb's law. Otherwise the
+// limit at the step's end would remove a force that has moved tissue.
 void ExplicitContact::answer(const Eigen::VectorXd& coefficients, Points* next) {
   const bool rubs = body_.contact.hasFriction();
   const double tolerance = body_.tolerance();
@@ -81,7 +80,7 @@ void ExplicitContact::answer(const Eigen::VectorXd& coefficients, Points* next) 
   }
 }
 
-// Asked to end amid its last answer, it has all sub-steps behind it.
+// A deadline during the last augmentation counts as late.
 solver::SolveStatus ExplicitContact::status(double tolerance, bool late) const {
   if (late || (!friction_converged_ && solver::isInterrupted(body_.interrupt))) {
     return solver::SolveStatus::kDeadline;

@@ -18,10 +18,10 @@ int numInviscid(const fem::Composition& composition) {
                                         [](const material::Solid& s) { return s.prony.empty(); }));
 }
 
-// Of what is needed to press a solid flat, so that the guard is strong.
+// Strength of the inversion barrier over the pressure that flattens a solid [-].
 constexpr double kGuard = 10.0;
 
-// Of a strain along one axis alone, of any solid at rest [Pa].
+// Largest P-wave modulus of any solid at rest [Pa].
 double stiffestModulus(const fem::Composition& composition) {
   double stiffest = 0.0;
   for (const material::Solid& solid : composition.solids) {
@@ -40,7 +40,7 @@ double largestPoissonRatio(const fem::Composition& composition) {
   return largest;
 }
 
-// Has solids without viscous terms treated as if they had some, of no strength to speak of.
+// Gives solids without viscous terms negligible ones, to measure the cost of skip.viscous_terms.
 fem::Composition withViscousTerms(fem::Composition composition) {
   for (material::Solid& solid : composition.solids) {
     if (!solid.prony.empty()) continue;
@@ -48,16 +48,16 @@ fem::Composition withViscousTerms(fem::Composition composition) {
     try {
       material::checkProny(solid.law, feeble);
       solid.prony = feeble;
-    } catch (const std::invalid_argument&) {  // a law that cannot relax
+    } catch (const std::invalid_argument&) {  // law without relaxation
     }
   }
   return composition;
 }
 
-// Of its size: points of a surface whose triangles nothing crosses unnoticed.
+// Sample spacing of prescribed contact over the body's size [-].
 constexpr double kPrescribedSpacing = 0.02;
 
-// Prescribed contact asks no response, and of the points nothing but whether a tool is near.
+// Prescribed contact uses no response, and samples only to find near tools.
 ModelSettings touchSettings(const FemSettings& settings, double size) {
   ModelSettings touch = settings;
   if (!contact::isPrescribed(settings.contact)) return touch;
@@ -113,13 +113,13 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
   const double element_area =
       std::pow(elasticity->volume() / static_cast<double>(mesh.numPoints()), 2.0 / 3.0);
   force_floor = 0.1 * composition.softestShearModulus() * element_area;
-  // Forces left on the nodes accelerate them by no more than would move them by the tolerance in
-  // the time that a shear wave takes through the body; after that, elasticity holds them.
+  // The residual moves nodes by at most position_tolerance within the time of a shear wave through
+  // the body.
   const double volume = elasticity->volume(), mass = elasticity->masses().sum();
   const double wave_speed_squared = composition.softestShearModulus() * volume / mass;
   const double time_squared = std::pow(volume, 2.0 / 3.0) / wave_speed_squared;
   least_force_ = settings.position_tolerance * elasticity->masses().norm() / time_squared;
-  // Without such a tolerance, relative to what strains one element a little.
+  // Without position_tolerance: relative to a small strain of one element.
   if (settings.position_tolerance == 0.0) least_force_ = settings.tolerance * force_floor;
 }
 
@@ -167,7 +167,7 @@ bool FemBody::heldWay(double s, Points* way) const {
   return !way->isZero(0.0);
 }
 
-// What holds the nodes, and what surrounds them.
+// Forces of supports and other boundary conditions.
 void FemBody::findSupport(const Points& at, const Points& gradient, Points* forces) {
   *forces = gradient.array() * (1.0 - free.array());
   if (around_.empty()) return;

@@ -8,13 +8,13 @@
 namespace palpate::tissue {
 namespace {
 
-// Of the least det F: what a change of the mesh must leave.
+// Least det F after a mesh adaptation over the value before [-].
 constexpr double kMinKeptJacobianRatio = 0.5;
-// det F that nothing but a tool makes so small, and a part of what it is without tools.
+// Bounds of det F at rest without tools: absolute [-], and over the value in equilibrium [-].
 constexpr double kMinRestJacobian = 0.1, kMinRestJacobianRatio = 0.5;
-// Of its size, in a cycle: what leads nowhere where iterations do not come to an end.
+// Displacement per cycle without progress, over the body's size [-].
 constexpr double kMinProgressRatio = 1e-4;
-// Of det F, or of one: what is more, over some cycles, leads on.
+// Least increase of det F that counts as progress [-].
 constexpr double kMinJacobianGain = 0.01;
 
 Drive driveBy(const fem::EnergyTerm* load) {
@@ -198,7 +198,7 @@ void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
   reportState();
 }
 
-// What is true of each member; work is reported by one of them.
+// Takes over the group's figures; one member reports iterations and times.
 void FemOrgan::takeFigures(const TissueStep& together) {
   out_.status = together.status;
   out_.sweep_stages = together.sweep_stages;
@@ -225,13 +225,13 @@ void FemOrgan::reportSolved() {
   out_.inviscid_solids = body_.inviscid_solids;
   body_.tool_contact.countInactive(&out_);
   if (out_.status != solver::SolveStatus::kDeadline) return;
-  // A tolerance is a part of forces that are in balance: where a cycle was cut there may be any.
+  // Forces of a cut cycle are not in equilibrium, and must not set the tolerance.
   body_.contact_force = contact_force_;
   body_.support_force = support_force_;
 }
 
-// It neither moves nor would begin to if it were stopped here. The cycle's tolerance is of the
-// forces of the one before, which may have been those of a tool that is gone.
+// Whether the body rests: no displacement, and static forces within tolerance, also by the present
+// forces, since a tool may have left.
 bool FemOrgan::cameToRest() {
   if (!rest_.isStill(body_.x, body_.tool_contact, out_)) return false;
   if (method_->unbalancedForce() > out_.tolerance) return false;
@@ -240,21 +240,20 @@ bool FemOrgan::cameToRest() {
   return method_->unbalancedForce() <= body_.tolerance();
 }
 
-// At rest, but folded through itself: what a leap of a tool can leave, which no force mends, for
-// the folds are in balance. Corners of quadratic elements are curled over where their integration
-// points see nothing.
+// Whether the body rests with nearly inverted elements, in a false equilibrium after a tool's jump.
+// Uses det F everywhere in an element: corners of quadratic ones invert between integration points.
 bool FemOrgan::isCrushed() {
   const double now = body_.elasticity->minJacobianWithin(body_.x);
   return now < kMinRestJacobian &&
          now < kMinRestJacobianRatio * body_.elasticity->minJacobianWithin(equilibrium_);
 }
 
-// In this cycle, but for what its supports have moved all of it.
+// Largest displacement in this cycle relative to that of the supports [m].
 double FemOrgan::wayOfShape() const {
   return rest_.way(body_.x, body_.surroundings.commonWay(1.0) - body_.surroundings.commonWay(0.0));
 }
 
-// Inside out it hardly moves, and yet does not come to rest, nor nearer to being turned back.
+// Whether inverted elements persist without progress: small displacements, no rest, constant det F.
 bool FemOrgan::isStuck(const TissueStep& cycle) {
   if (cycle.status == solver::SolveStatus::kDeadline || cycle.newton_iterations == 0) return false;
   if (wayOfShape() > kMinProgressRatio * body_.size) return false;
@@ -282,8 +281,8 @@ bool FemOrgan::shouldReset(const TissueStep& cycle, bool at_rest) {
   return was_inverted_ && !before;
 }
 
-// Its law has no energy here, or forces that cannot be reckoned with, so that no step leads away:
-// where it was placed, not where it went.
+// Whether energy or forces are not finite or above kMostForce, after positions were set, so that no
+// step can solve.
 bool FemOrgan::isOutsideOfLaw() const {
   if (out_.status != solver::SolveStatus::kNonFinite) {
     return !std::isfinite(body_.elasticity->energy(body_.x));
@@ -293,13 +292,12 @@ bool FemOrgan::isOutsideOfLaw() const {
   return !std::isfinite(energy) || !(g.norm() <= FemBody::kMostForce);
 }
 
-// Why, as it is reported.
+// Status to report for a reset.
 solver::SolveStatus FemOrgan::failureHere() const {
   return isOutsideOfLaw() ? solver::SolveStatus::kInverted : out_.status;
 }
 
-// No step leads away from where it is, or all fail with no tool near, or what it came to rest in is
-// no shape of a body: where it was settled, at rest, as its supports have moved since.
+// Resets the body to its equilibrium, displaced with its supports, with zero velocity.
 void FemOrgan::resetToEquilibrium(solver::SolveStatus why) {
   const StepFigures figures = out_;
   const bool was_inverted = was_inverted_;
@@ -325,7 +323,7 @@ void FemOrgan::fallAsleep() {
   stop();
 }
 
-// The tools went on; where they are now may be inside. A cycle that only was late is no failure.
+// Rolls back. Tools have moved, so they may be inside; a deadline is no failure.
 void FemOrgan::fail() {
   out_.recover(Recovery::kRolledBack);
   if (out_.status != solver::SolveStatus::kDeadline) backoff_.failed(out_.status);

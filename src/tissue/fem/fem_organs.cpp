@@ -121,7 +121,7 @@ class FemOrgans final : public TissueModel {
  private:
   OrganBodies& at(int organ) const { return *organs_[static_cast<std::size_t>(organ)].tissue; }
   std::string kind() const { return "fem, " + std::to_string(organs_.size()) + " organs"; }
-  // Of one organ, the caller says which it is.
+  // A single organ is named by the caller.
   std::string noteOn(const std::string& organ, const std::string& note) const {
     return (organs_.size() > 1 ? "organ " + organ + ": " : "") + note;
   }
@@ -185,8 +185,8 @@ class FemOrgans final : public TissueModel {
   std::vector<FemOrgan*> found_;
   NeighbourSearch neighbours_;
   BodyGroups groups_;
-  std::vector<int> apart_;      // of each body
-  std::vector<char> put_back_;  // likewise, in this cycle
+  std::vector<int> apart_;      // pairs without interaction, of each body
+  std::vector<char> put_back_;  // whether each body was reset in this cycle
   std::vector<TissueStep> reports_;
   TissueStep out_;
 };

@@ -15,7 +15,7 @@ namespace {
 
 struct Island {
   std::string name;        // "part 2 of 3, from [..] to [..] m in the world: "
-  std::vector<int> nodes;  // in the whole
+  std::vector<int> nodes;  // indices in the whole
   std::unique_ptr<FemOrgan> body;
 };
 

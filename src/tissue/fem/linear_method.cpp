@@ -23,7 +23,7 @@ LinearMethod::LinearMethod(FemBody* body)
 
 void LinearMethod::moveToEquilibrium(Points* x) { *x = body_.mesh.points + u0_; }
 
-// The contact forces that held the body where it was put, as far as contact can.
+// Contact forces at the present positions, after these were set.
 void LinearMethod::restart() {
   u_ = body_.x - body_.mesh.points;
   compliance_.multiply(u_, &force_);
@@ -97,8 +97,7 @@ bool LinearMethod::advance(double dt, TissueStep* out) {
   return true;
 }
 
-// Displacements without contact: those under the loads, and what held nodes and anchors that move
-// take along.
+// Computes displacements without contact: by loads, prescribed nodes and moved anchors.
 void LinearMethod::moveHeld(double s) {
   body_.surroundings.moveTo(s);
   if (!body_.heldMoves() && !body_.surroundings.moves()) return;
@@ -114,13 +113,13 @@ void LinearMethod::moveHeld(double s) {
   u0_ += u_loads_ + way;
 }
 
-// What anchors that moved draw at a body at rest: the springs' stiffness is in the compliance.
+// Adds forces of moved anchors at rest positions; the compliance has the springs' stiffness.
 void LinearMethod::addAnchorForces(Points* g) const {
   if (!body_.surroundings.moves()) return;
   for (const fem::EnergyTerm* t : body_.surroundings.terms()) t->addGradient(body_.mesh.points, g);
 }
 
-// Of the displacements u, under which all stiffness has the gradient g.
+// Elastic energy of displacements u with the gradient g of all stiffness [J].
 double LinearMethod::elasticEnergy(const Points& u, const Points& g) const {
   double twice = u.cwiseProduct(g).sum();
   if (body_.surroundings.empty()) return 0.5 * twice;
@@ -153,7 +152,7 @@ solver::NewtonReport LinearMethod::solveStage(bool on_the_way, TissueStep* out) 
   return solved;
 }
 
-// The gradient of all energies at x, what of it is unbalanced, and the elastic energy.
+// Computes the gradient of all energies at x, the residual, and the elastic energy.
 void LinearMethod::balance() {
   u_ = body_.x - body_.mesh.points;
   compliance_.multiply(u_, &g_);

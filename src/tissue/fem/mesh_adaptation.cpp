@@ -48,12 +48,13 @@ std::unique_ptr<FemOrgan> MeshAdaptation::make() const {
   return organ;
 }
 
-// On the present mesh: a point between two others has what they have in common.
+// Boundary conditions on the present mesh: a midpoint has those common to its edge's ends.
 Surroundings MeshAdaptation::surroundings() const {
   const Eigen::Index n = nested_.mesh().numPoints();
   const auto forMiddles = [&](const auto& take) {
     for (const mesh::MeshChange::Middle& m : nested_.middles()) {
-      if (nested_.coarsePoint(m.point) < 0) take(m);  // else a middle node of the coarse mesh
+      if (nested_.coarsePoint(m.point) < 0)
+        take(m);  // others are mid-edge nodes of the coarse mesh
     }
   };
   Surroundings fine;
@@ -129,7 +130,7 @@ void MeshAdaptation::work() {
 }
 
 bool MeshAdaptation::await(const solver::Interrupt& interrupt) const {
-  if (pool_ == nullptr || pool_->size() == 1) return true;  // nobody else makes it
+  if (pool_ == nullptr || pool_->size() == 1) return true;  // no thread for background tasks
   while (!is_made_) {
     if (interrupt()) return false;
     std::this_thread::yield();

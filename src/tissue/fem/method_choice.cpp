@@ -11,17 +11,17 @@
 namespace palpate::tissue {
 namespace {
 
-// In a cycle with contact. What differs from scene to scene differs for all implicit methods alike.
+// Solves of a cycle with contact; scenes change them equally for all implicit methods.
 constexpr double kNewtonIterations = 2.0;
 constexpr double kLbfgsIterations = 8.0;
-// An old factor is renewed every so many cycles.
+// Cycles per renewal of a stale factor.
 constexpr double kCyclesOfAFactor = 30.0;
 
-// Times the cost of the method that would be taken instead. Another implicit method leads to the
-// same end; an explicit one is damped differently and moves touched nodes one by one.
+// Largest cost relative to the default method [-]. The bound is stricter for explicit methods,
+// whose damping and contact differ.
 constexpr double kClearlyCheaper = 0.8;
 constexpr double kExplicitCheaper = 0.6;
-// Beyond it elements that are squeezed shorten the explicit step a lot.
+// Poisson ratio above which compressed elements shorten the explicit step [-].
 constexpr double kExplicitPoisson = 0.49;
 
 struct Estimate {
@@ -43,7 +43,7 @@ std::vector<Estimate> implicitEstimates(const CycleCounts& c) {
   };
 }
 
-// Why `tled` is out of question; empty if it is not.
+// Reason against `tled`; empty: none.
 std::string explicitObstacle(const CycleCounts& c) {
   if (!c.explicit_accepts) return "it does not take these settings";
   if (!(c.poisson_ratio <= kExplicitPoisson)) return "poisson_ratio above 0.49";

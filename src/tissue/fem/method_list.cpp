@@ -28,7 +28,7 @@ std::unique_ptr<solver::Minimizer> minimizerOf(const std::string& name, FemBody*
   return solver::makeMinimizer(name, settings, body->elasticity->makeMatrix());
 }
 
-// Of factors that are longer than cycles, and are not made beside them.
+// Warns of factorisations longer than a cycle that are not background tasks.
 void noteFactor(const std::string& name, const solver::Minimizer& minimizer, FemBody* body) {
   const double seconds = minimizer.factorSeconds(), step = body->settings.step;
   if (!(step > 0.0) || !(seconds > step)) return;
@@ -72,7 +72,7 @@ MethodFacts tledFacts() {
   return facts;
 }
 
-// Velocities are differences over the cycle.
+// The method computes velocities as differences over the cycle.
 MethodFacts quasiStatic(solver::LinearSystems linear_systems) {
   MethodFacts facts;
   facts.linear_systems = linear_systems;
@@ -97,8 +97,8 @@ MethodFacts newtonBicgstabFacts() {
 
 MethodFacts automaticFacts() { return {}; }
 
-// Every method beside those of solver::minimizerNames(), the first of which is the default. To add
-// one: write its header and source, add it here with what it is.
+// All methods except those of solver::minimizerNames(), the first of which is the default. To add
+// one: header, source, and a line here.
 struct Entry {
   const char* name;
   std::unique_ptr<StepMethod> (*make)(FemBody*);
@@ -145,7 +145,7 @@ MethodFacts methodFacts(const std::string& name) {
 std::unique_ptr<StepMethod> makeStepMethod(const std::string& name, FemBody* body) {
   const std::string refusal = methodRefusal(methodFacts(name), *body);
   if (!refusal.empty()) throw std::invalid_argument(refusal);
-  body->method = name;  // `automatic` makes another one, which writes its own
+  body->method = name;  // `auto` replaces it by its choice
   return isMinimizer(name) ? implicit(name, body) : find(name).make(body);
 }
 

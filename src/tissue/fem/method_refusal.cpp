@@ -19,7 +19,7 @@ std::string prescribingMethods() {
   return joinNames(names);
 }
 
-// The shape functions of its faces are those of the surface's triangles.
+// Whether the element's faces are triangles of the surface.
 std::string prescriptionRefusal(const MethodFacts& method, const FemBody& body) {
   const std::string what = "contact.model = " + body.settings.contact.model + ": ";
   if (!method.prescribes) {

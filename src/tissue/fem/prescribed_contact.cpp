@@ -6,13 +6,13 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr double kPenetration = 1e-6;  // that counts, of the body's size
-// Of the gap's gradient: where it vanishes nothing says how far the surface is.
+constexpr double kPenetration = 1e-6;  // least penetration over the body's size [-]
+// Least norm of the gap's gradient for a distance from the surface [-].
 constexpr double kLeastSteepness = 0.5;
 
 bool isVertex(const contact::SurfaceSample& s) { return s.weights.maxCoeff() == 1.0; }
 
-// Calls visit(node) for the nodes that the sample lies between.
+// Calls visit(node) for the sample's nodes of nonzero weight.
 template <class Visit>
 void forNodes(const contact::SurfaceSample& s, const Visit& visit) {
   for (int k = 0; k < 3; ++k) {
@@ -83,7 +83,7 @@ void PrescribedContact::moves(const Points& x, Points* move) const {
   }
 }
 
-// Whether none of the sample's nodes is held, and one can move.
+// Whether no node of the sample is held by a tool, and one is free.
 bool PrescribedContact::free(int sample) const {
   bool movable = false, held = false;
   forNodes(body_.contact.samples()[sample], [&](int node) {

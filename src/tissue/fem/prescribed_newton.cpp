@@ -14,14 +14,13 @@ namespace {
 
 constexpr int kMaxParts = 8;
 constexpr int kMaxStepHalvings = 10;
-// Times that points are held or let go in a stage.
+// Most changes of holds in a stage.
 constexpr int kMaxChanges = 30;
-// A step may change the energy by this many times what the tangent says: farther away exponential
-// laws leave forces that no iteration comes back from.
+// Largest change of energy over the tangent's prediction [-]; beyond it exponential laws diverge.
 constexpr double kTrustsTangent = 100.0;
-constexpr double kOfEnergy = 1e-6;  // an increase that is none: roundoff
-constexpr double kNoPush = 1e-6;    // stiffness that counts as none, of the mean
-// Of the body's size: where a held point counts as being on the tool.
+constexpr double kOfEnergy = 1e-6;  // relative increase within roundoff [-]
+constexpr double kNoPush = 1e-6;    // stiffness that counts as zero, over the mean [-]
+// Distance of a held point from the tool that counts as zero, over the body's size [-].
 constexpr double kOnSurface = 1e-9;
 
 }  // namespace
@@ -30,7 +29,7 @@ PrescribedNewton::PrescribedNewton(FemBody* body)
     : body_(*body),
       contact_(makePrescribedDisplacements(body)),
       stiffness_(body->elasticity->makeMatrix()) {
-  assembleSparse(stiffness_);  // throws for what cannot be assembled
+  assembleSparse(stiffness_);  // throws for unsupported elements
 }
 
 void PrescribedNewton::restart() {
@@ -48,7 +47,7 @@ void PrescribedNewton::restore(StateReader* in) {
   in->get(&residual_);
 }
 
-// g at x; its norm where nothing is held.
+// Computes g at x. Returns its norm over free components [N].
 double PrescribedNewton::gradient() {
   value_ = body_.elasticity->gradient(body_.x, &g_);
   value_ += body_.addLoads(body_.x, &g_);
@@ -91,8 +90,8 @@ bool PrescribedNewton::advance(double dt, TissueStep* out) {
   return false;
 }
 
-// Untouched, Newton's steps may lead up to another root of the forces, and with tools to forces
-// that are none, or, cut on their way, farther and farther inside out.
+// Checks the result of Newton's method, which may find an unstable root, forces near zero far away,
+// or inverted elements after a deadline.
 bool PrescribedNewton::isPlausible(bool held, const TissueStep& out) {
   if (!(contact_->nodalNorm(g_) <= FemBody::kMostForce)) return false;
   const bool holds = held || contact_->holds();
@@ -113,7 +112,7 @@ bool PrescribedNewton::restsInMinimum() {
   stiffness_.diagonal(&blocks);
   double trace = 0.0;
   for (const Mat3& block : blocks) trace += block.trace();
-  // Of what can move as a whole the tangent has no more than rounding.
+  // Rigid modes have zero stiffness up to rounding.
   const auto n = static_cast<double>(blocks.size());
   for (int i = 0; i < body_.x.cols(); ++i) stiffness_.addToDiagonal(i, kNoPush * trace / n);
   solver::CholmodSolver solver;
@@ -121,7 +120,7 @@ bool PrescribedNewton::restsInMinimum() {
   return solved.status != solver::SolveStatus::kNotPositiveDefinite;
 }
 
-// The tools' way in at least `parts` parts.
+// Moves the tools along their path in at least `parts` stages.
 bool PrescribedNewton::sweep(int parts, TissueStep* out) {
   value_begin_.reset();
   out->sweep_stages = 0;
@@ -141,7 +140,7 @@ bool PrescribedNewton::sweep(int parts, TissueStep* out) {
   return true;
 }
 
-// Newton's iteration with the points held that are, until these are the right ones.
+// Newton's method with an active set of held points.
 void PrescribedNewton::solveStage(double begin, TissueStep* out) {
   {
     const PhaseTimer timer(&out->phases, Phase::kContact);
@@ -152,7 +151,7 @@ void PrescribedNewton::solveStage(double begin, TissueStep* out) {
     newton(out);
     const PhaseTimer timer(&out->phases, Phase::kContact);
     if (!out->ok()) {
-      // Tissue that tools pull at would never converge, and be carried along for good.
+      // Tissue in tension would not converge and would follow the tool.
       const bool gave_up = out->status == solver::SolveStatus::kIterationLimit;
       if (gave_up && contact_->release(body_.x, g_)) residual_ = gradient();
       return;
@@ -170,7 +169,7 @@ void PrescribedNewton::solveStage(double begin, TissueStep* out) {
 }
 
 void PrescribedNewton::newton(TissueStep* out) {
-  bool to_rest = false;  // the last step moved nothing that is held
+  bool to_rest = false;  // the last step moved no held point
   for (int k = 0;; ++k) {
     const double before = value_;
     {
@@ -201,9 +200,8 @@ void PrescribedNewton::newton(TissueStep* out) {
   }
 }
 
-// Nothing globalises Newton's steps but those that follow. One to where forces are not finite, and
-// the last one, are shortened until they leave less energy than `most` [J], and taken back if none
-// does (false).
+// Halves a step to non-finite forces, or the last one, until the energy is at most `most` [J].
+// Returns false, without the step, where none is. Other steps are not globalised.
 bool PrescribedNewton::shorten(double most) {
   const auto good = [&] { return std::isfinite(residual_) && value_ < most; };
   for (int k = 0; k < kMaxStepHalvings && !good(); ++k) {
@@ -217,8 +215,7 @@ bool PrescribedNewton::shorten(double most) {
   return false;
 }
 
-// Where Newton's step leads up, and no time is left for what may come after that, in cycle after
-// cycle: down, as the forces and the tangent's diagonal say.
+// At a deadline, a descent step by forces and the tangent's diagonal where Newton's step ascends.
 void PrescribedNewton::descend(double most) {
   const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
   const Eigen::VectorXd way = b.cwiseQuotient(diagonal_);
@@ -231,8 +228,8 @@ void PrescribedNewton::descend(double most) {
   shorten(most);
 }
 
-// x += move - K^-1 (g + K move), the second part where nothing is held, and as much of it as the
-// tangent may be trusted for.
+// x += move - K^-1 (g + K move); the second part on free components, shortened where the energy
+// deviates from the tangent.
 bool PrescribedNewton::iterate(TissueStep* out) {
   const Eigen::SparseMatrix<double> A = assemble(out);
   if (!solve(A, out)) {
@@ -253,7 +250,7 @@ bool PrescribedNewton::iterate(TissueStep* out) {
   return false;
 }
 
-// K and the right side at x, without what is held.
+// Assembles K and the right side at x, without held components.
 Eigen::SparseMatrix<double> PrescribedNewton::assemble(TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kAssembly);
   body_.elasticity->hessian(body_.x, fem::Tangent::kExact, &stiffness_);
@@ -270,8 +267,8 @@ Eigen::SparseMatrix<double> PrescribedNewton::assemble(TissueStep* out) {
   return A;
 }
 
-// The step, moves included; false if it is not finite. Interrupted, it is as far as the solver
-// came.
+// Solves for the step, with moves. Returns false where it is not finite. After an interrupt the
+// step is the solver's iterate.
 bool PrescribedNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* out) {
   const PhaseTimer timer(&out->phases, Phase::kLinearSolve);
   Eigen::BiCGSTAB<InterruptibleMatrix, InterruptibleMatrix::Diagonal> solver;
@@ -286,7 +283,7 @@ bool PrescribedNewton::solve(const Eigen::SparseMatrix<double>& A, TissueStep* o
     out->linear_iterations += static_cast<int>(solver.iterations());
   } catch (const InterruptibleMatrix::Interrupted&) {
     out->linear_iterations += matrix.products() / 2 - 1;
-    // As much of it as leads down the tangent the most; on its way it may lead up.
+    // Scaled to the minimum along it, since an iterate may ascend.
     const Eigen::Map<const Eigen::VectorXd> b(right_.data(), right_.size());
     const double down = b.dot(solution), curved = solution.dot(A * solution);
     solution = down > 0.0 && curved > 0.0 ? Eigen::VectorXd(down / curved * solution)

@@ -11,10 +11,10 @@
 namespace palpate::tissue {
 namespace {
 
-// Of a mean edge: so far a tool may go before the tissue is solved again.
+// Largest tool displacement of a stage over the mean edge [-].
 constexpr double kStage = 0.5;
 
-// Half of the segment that a shape is, along its z axis [m]; 0: it is none.
+// Half length of a shape's segment along its z axis [m]; 0: no segment.
 double halfLength(const instrument::Geometry& geometry) {
   if (const auto* capsule = std::get_if<instrument::Capsule>(&geometry)) {
     return capsule->half_length + capsule->radius;
@@ -71,7 +71,7 @@ void SegmentContact::restore(StateReader* from) {
   hold(held);
 }
 
-// What the supports hold gives way to nothing.
+// Points with held components cannot move.
 void SegmentContact::hold(const std::optional<Hold>& held) {
   hold_.reset();
   tie_ = TiedPoint();
@@ -116,7 +116,7 @@ void SegmentContact::beginStage(const Points& x, double s, double end) {
   if (hold_ && isTip(hold_->part)) follow(x);
 }
 
-// The tip's hold goes to where the line meets the surface now.
+// Moves the tip's hold to the present intersection of the line.
 void SegmentContact::follow(const Points& x) {
   const bool at_end = hold_->part == 1.0;
   const Segment tool = at_end ? now_ : Segment{now_.end, now_.begin};
@@ -127,7 +127,7 @@ void SegmentContact::follow(const Points& x) {
   hold(Hold{hold_->number, hit->triangle, hit->weights, hold_->part});
 }
 
-// By the tree: the crossing nearest to the tip, if it goes in there.
+// Finds the entry nearest to the tip by the tree.
 std::optional<contact::SegmentHit> SegmentContact::entryOf(const Points& x, const Segment& tool) {
   tracker_.fit(x);
   tracker_.find(x, tool.begin, tool.end, &hits_);
@@ -144,7 +144,7 @@ bool SegmentContact::holdWhatPenetrates(const Points& x) {
   return hold_.has_value();
 }
 
-// What a tool that touches anew holds: its tip, if one end is inside, of two the less deep one.
+// Chooses the hold of a new contact: the tip, of two inside ends the less deep one.
 std::optional<SegmentContact::Hold> SegmentContact::choose(const Points& x) {
   const int number = body_.tool_path.near()[static_cast<std::size_t>(tool_)].number;
   const contact::SegmentHit &first = hits_.front(), &last = hits_.back();
@@ -153,7 +153,7 @@ std::optional<SegmentContact::Hold> SegmentContact::choose(const Points& x) {
     return Hold{number, first.triangle, first.weights, 0.0};
   }
   if (end_inside) return Hold{number, last.triangle, last.weights, 1.0};
-  const contact::SegmentHit* most = nullptr;  // of those where the tool goes in
+  const contact::SegmentHit* most = nullptr;  // among the entries
   double fastest = 0.0;
   for (const contact::SegmentHit& hit : hits_) {
     const Vec3 motion = now_.at(hit.part) - was_.at(hit.part);

@@ -8,7 +8,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Of where the guard begins to act: it is needed soon.
+// Margin on the barrier's threshold that activates it early [-].
 constexpr double kFlat = 1.5;
 
 }  // namespace
@@ -46,7 +46,7 @@ void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactio
   for (std::size_t k = 0; k < interactions.size(); ++k) interactions_[k]->what = interactions[k];
 }
 
-// visit(interaction, the points of its pair).
+// Calls visit(interaction, points of its pair).
 template <class Visit>
 void StepGroup::forInteractions(const Visit& visit) const {
   for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
@@ -115,7 +115,7 @@ bool StepGroup::startGuarding() {
     any = true;
   }
   if (!any) return false;
-  for (BodyMotion* member : members_) member->body().min_jacobian.reset();  // x goes on
+  for (BodyMotion* member : members_) member->body().min_jacobian.reset();  // x changes
   return true;
 }
 
@@ -328,7 +328,7 @@ void StepGroup::searchInteractions() {
   });
 }
 
-// Before that becomes memory.
+// Sums before endStep() changes the terms' state.
 void StepGroup::sumInteractionForces() {
   interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;

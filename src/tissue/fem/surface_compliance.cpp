@@ -8,7 +8,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Right sides that are solved for at once.
+// Right-hand sides per solve.
 constexpr int kColumns = 48;
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Of a free node: with less there is nothing to move the point by.
+// Least weight of a free node that can move the point [-].
 constexpr double kLeastWeight = 1e-6;
 
 }  // namespace
@@ -43,7 +43,7 @@ Vec3 TiedPoint::force(const Points& gradient) const {
   return sum;
 }
 
-// By least squares, which is exact in balance.
+// Least squares, exact in equilibrium.
 Vec3 TiedPoint::multiplier(const Points& gradient) const {
   Vec3 force = Vec3::Zero();
   for (int c = 0; c < 3; ++c) {
@@ -73,7 +73,7 @@ void TiedPoint::reduce(Eigen::SparseMatrix<double>* A) const {
     if (pivots_[c] >= 0) tied.push_back(c);
   }
   const auto place = [&](int c, int k) { return 3 * nodes_[k] + c; };
-  std::vector<std::vector<double>> G;  // dense: they are few
+  std::vector<std::vector<double>> G;  // dense, since small
   for (const int c : tied) {
     G.emplace_back(n, 0.0);
     for (Eigen::SparseMatrix<double>::InnerIterator a(*A, place(c, pivots_[c])); a; ++a) {

@@ -15,7 +15,7 @@ bool TledOrImplicit::advance(double dt, TissueStep* out) {
     if (explicit_.advance(dt, out)) return true;
     if (!body_.v.allFinite()) return false;
     if (solver::isInterrupted(body_.interrupt)) {
-      out->status = solver::SolveStatus::kDeadline;  // implicit steps were not tried
+      out->status = solver::SolveStatus::kDeadline;  // without an attempt of implicit steps
       return false;
     }
     switchToImplicit();
@@ -35,7 +35,7 @@ void TledOrImplicit::restart() {
   explicit_.restart();
 }
 
-// At rest, sub-steps are as good as they were; after a failure they would only fail before it.
+// Returns to explicit steps at rest, unless the last cycle failed.
 void TledOrImplicit::stop() {
   if (!implicit_active_) return explicit_.stop();
   if (failed_) return implicit_.stop();

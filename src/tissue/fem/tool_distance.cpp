@@ -9,8 +9,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Of the motion that counts: a tool that goes on by less than the first is at rest, and there less
-// than the second counts.
+// Displacements over `motion`: below the first a tool rests, and then the second counts [-].
 constexpr double kRests = 0.02, kCountsAtRest = 0.15;
 
 void put(const std::vector<Pose>& poses, StateWriter* out) {

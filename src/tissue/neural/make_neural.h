@@ -8,10 +8,10 @@
 
 namespace palpate::tissue {
 
-/// Model "neural" of one organ: what was learned of presses of it (NeuralSettings::file), and
-/// finite elements (makeFem()) where a press is unlike those.
-/// @throws std::invalid_argument for what was not learned or is of another body, InputError for the
-/// file, and as makeFem().
+/// Model "neural" of one organ: a surrogate learned from presses (NeuralSettings::file), and finite
+/// elements (makeFem()) for presses outside its training data.
+/// @throws std::invalid_argument for a surrogate of another body, InputError for the file, and as
+/// makeFem().
 std::unique_ptr<TissueModel> makeNeural(const ModelDescription& description);
 
 }  // namespace palpate::tissue

@@ -9,12 +9,12 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr double kBegin = 0.8;   // of strangeness: the elements take part
-constexpr double kEnd = 0.7;     // they are let go
-constexpr double kWidest = 1.5;  // of the ratio of forces of a ball and the patch
-constexpr int kUntold = 2;       // cycles in which a sudden start dies down
-constexpr double kCalm = 1e-3;   // of the body's size: so near to rest it may be taken for that
-constexpr double kClear = 1e-3;  // of the body's size, between a drawn out tool and the surface
+constexpr double kBegin = 0.8;   // strangeness at which elements begin [-]
+constexpr double kEnd = 0.7;     // strangeness at which they end [-]
+constexpr double kWidest = 1.5;  // largest ratio of a ball's force to the patch's [-]
+constexpr int kUntold = 2;       // cycles in which a sudden start decays
+constexpr double kCalm = 1e-3;   // distance from rest that counts as rest, over the body's size [-]
+constexpr double kClear = 1e-3;  // distance of a withdrawn tool, over the body's size [-]
 
 }  // namespace
 
@@ -61,10 +61,10 @@ const TissueStep& NeuralOrgan::step(const std::vector<contact::Obstacle>& obstac
   const double strangeness = answer();
   const double wanted = wantedPart(strangeness);
   const bool begins = !solving_ && wanted > 0.0;
-  // Nothing was told yet that would have to go over to them.
+  // No result was reported yet, so no blend is needed.
   const bool at_once = begins && untouched;
   if (begins) {
-    elements_->setPositions(0, X_, still_);  // as reset(), without its memory
+    elements_->setPositions(0, X_, still_);  // as reset(), but keeps solver state
     if (!at_once) drawOut(obstacles);
     solving_ = true;
     begun_ = at_once ? 0 : kUntold;
@@ -92,7 +92,7 @@ void NeuralOrgan::findPresses(const std::vector<contact::Obstacle>& obstacles) {
   }
 }
 
-// Returns how strange the press is.
+// Evaluates the surrogate. Returns the strangeness of the press.
 double NeuralOrgan::answer() {
   force_.setZero();
   coefficients_.setZero();
@@ -108,13 +108,13 @@ double NeuralOrgan::answer() {
   const double width =
       32.0 / (9.0 * std::acos(-1.0) * surrogate_.patch) * std::sqrt(press.radius * press.depth);
   const double ratio = press.radius > 0.0 ? std::min(width, kWidest) : 1.0;
-  // A tool pushes, and never pulls.
+  // Forces never pull.
   force_ = ratio * std::max(0.0, press.normal_W.dot(R_WO_ * force_O)) * press.normal_W;
   if (press.radius <= 0.0) return 2.0;
   return std::max(surrogate_.strangeness(place, displacement), width / kWidest);
 }
 
-// Of the elements in what is told, in the end.
+// Final weight of the elements.
 double NeuralOrgan::wantedPart(double strangeness) const {
   int touching = 0;
   for (const ToolPress& press : presses_) touching += press.depth > 0.0;
@@ -123,12 +123,12 @@ double NeuralOrgan::wantedPart(double strangeness) const {
   return std::clamp((strangeness - kBegin) / (1.0 - kBegin), 0.0, 1.0);
 }
 
-// Whether the elements are where they are when nothing touches them.
+// Whether the elements are at rest without contact.
 bool NeuralOrgan::isCalm() const {
   return (elements_->positions() - X_).cwiseAbs().maxCoeff() <= kCalm * size_;
 }
 
-// The ways of the tools begin outside of the body.
+// Makes tool paths that begin outside of the body.
 void NeuralOrgan::drawOut(const std::vector<contact::Obstacle>& obstacles) {
   ways_.clear();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -140,7 +140,7 @@ void NeuralOrgan::drawOut(const std::vector<contact::Obstacle>& obstacles) {
   }
 }
 
-// False: it failed, and nothing moves.
+// Steps the elements. Returns false on failure, without motion.
 bool NeuralOrgan::stepElements(const std::vector<contact::Obstacle>& obstacles, double dt) {
   out_ = elements_->step(obstacles, dt);
   out_.slept = false;
@@ -173,13 +173,13 @@ void NeuralOrgan::report(const std::vector<contact::Obstacle>& obstacles, double
     const auto k = static_cast<std::size_t>(followed_);
     out_.contacts.push_back({obstacles[k].owner, 0.0, presses_[k].p_W, -learned * force_, 0});
   }
-  // Quasi-static: what tools and gravity do, the supports undo.
+  // Quasi-static: supports balance tools and gravity.
   out_.support_force = part_ * out_.support_force - learned * (force_ + gravity_force_);
   out_.gravity_force = gravity_force_;
   out_.inertia_force *= part_;
   out_.interaction_force *= part_;
   if (solving_) return;
-  out_.residual = 0.0;  // of elements that are told no more
+  out_.residual = 0.0;  // elements without weight do not count
   out_.tolerance = tolerance_;
   out_.satisfied = true;
   out_.slept = may_sleep_ && followed_ < 0;
@@ -195,7 +195,7 @@ void NeuralOrgan::reset() {
   v_.setZero(3, x_.cols());
 }
 
-// The elements go on from there.
+// Sets the elements' positions and velocities.
 void NeuralOrgan::setPositions(int, const Points& positions, const Points& velocities) {
   elements_->setPositions(0, positions, velocities);
   part_ = 1.0;

@@ -14,34 +14,31 @@
 
 namespace palpate::tissue {
 
-/// What an organ of model neural is made of.
+/// Parts of an organ of model neural.
 struct NeuralParts {
-  std::unique_ptr<TissueModel> elements;  ///< The same organ of finite elements, linear ones.
+  std::unique_ptr<TissueModel> elements;  ///< The organ by linear finite elements.
   enrichment::Surrogate surrogate;
-  mesh::CellMesh body;  ///< At rest in the organ's frame [m].
-  fem::FreeMask free;   ///< Of its points.
+  mesh::CellMesh body;  ///< Rest configuration, organ's frame [m].
+  fem::FreeMask free;   ///< Free components of the points, 3 x n.
   Pose X_WO;
 };
 
-/// An organ that answers presses as it has learned, and by finite elements what it has not.
+/// An organ that evaluates a surrogate for learned presses, and finite elements for others.
 ///
-/// The tool that touches first is looked up where it is deepest in the organ's surface in its
-/// initial equilibrium, with the displacement that brings that place onto the tool. The surrogate's
-/// force is of a pressure on a patch of radius p; where a ball of radius R is pressed d deep, it is
-/// taken times
+/// The first tool in contact is evaluated at its deepest point in the surface of the initial
+/// equilibrium, with the displacement of that point onto the tool. The surrogate's force is of a
+/// pressure on a patch of radius p; for a ball of radius R at depth d it is scaled by
 ///
 ///     s = 32 sqrt(R d) / (9 pi p),
 ///
-/// what Hertz's force of the ball is over that of the patch's pressure, both on a half space that
-/// is displaced as far in the middle [Johnson 1985, secs. 3.4, 4.2]. It is normal to the tool:
-/// there is no friction.
+/// the ratio of Hertz's force to that of the patch for equal displacement of the middle on a half
+/// space [Johnson 1985, secs. 3.4, 4.2]. The force is normal to the tool, without friction.
 ///
-/// A press is unlike what was learned where Surrogate::strangeness() is above 1, where the tool is
-/// wide, flat or of an edge, and where several touch. Then, and some way before, the elements are
-/// solved in the same cycles, and a part of their force and shape is told that goes from 0 to 1 and
-/// back no faster than NeuralSettings::switch_time. They begin where nothing touches, with the
-/// tools drawn out, and at a first touch are told at once; they are not solved while none of them
-/// is told.
+/// A press is outside the training data where Surrogate::strangeness() exceeds 1, for wide, flat or
+/// sharp tools, and for several contacts. Then, and shortly before, finite elements are solved too,
+/// and a blend of both results is reported, with a weight that changes within
+/// NeuralSettings::switch_time. Elements start without contact, with withdrawn tools; at a first
+/// touch their weight is 1 at once. They are not solved while their weight is 0.
 class NeuralOrgan final : public TissueModel {
  public:
   /// @throws std::invalid_argument as SurrogateShape.
@@ -73,28 +70,28 @@ class NeuralOrgan final : public TissueModel {
 
   std::unique_ptr<TissueModel> elements_;
   enrichment::Surrogate surrogate_;
-  Points X_O_, X_;  // at rest in the organ's frame, in equilibrium in the world
+  Points X_O_, X_;  // rest positions, organ's frame; equilibrium, world [m]
   Eigen::Matrix3Xi triangles_;
   Mat3 R_WO_;
   double switch_time_, size_;
   bool may_sleep_;
   SurrogateShape learned_shape_;
   PressFinder finder_;
-  Points still_;  // velocities of none
+  Points still_;  // zero velocities
   Vec3 gravity_force_;
-  double tolerance_;  // of the elements, where nothing touches [N]
+  double tolerance_;  // of the elements without contact [N]
 
-  // From one cycle to the next:
-  double part_ = 0.0;     // of the elements in what is told
-  bool solving_ = false;  // the elements
-  int begun_ = 0;         // cycles that they are solved before any of them is told, still to come
-  int followed_ = -1;     // the obstacle that is looked up, or -1
+  // State between cycles:
+  double part_ = 0.0;     // weight of the elements [-]
+  bool solving_ = false;  // whether elements are solved
+  int begun_ = 0;         // cycles to solve elements before their weight grows
+  int followed_ = -1;     // obstacle of the surrogate, or -1
   Points x_, v_;
 
-  // Within one:
+  // State within a cycle:
   std::vector<ToolPress> presses_;       // of the obstacles
-  std::vector<contact::Obstacle> ways_;  // of the elements' first cycle
-  Vec3 force_ = Vec3::Zero();            // on the organ, as learned [N]
+  std::vector<contact::Obstacle> ways_;  // for the elements' first cycle
+  Vec3 force_ = Vec3::Zero();            // of the surrogate, on the organ [N]
   Eigen::VectorXd coefficients_, work_;
   Points x_begin_;
   TissueStep out_;

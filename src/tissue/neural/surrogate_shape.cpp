@@ -12,9 +12,9 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr double kElsewhere = 0.05;  // of the body's size
+constexpr double kElsewhere = 0.05;  // largest distance over the body's size [-]
 
-// Values at the columns that are not `given` as the mean of those at the other ends of the edges.
+// Solves for values at columns that are not `given`, each the mean of its neighbours.
 void fill(const mesh::CellMesh& body, const std::vector<bool>& given, Eigen::MatrixX3d* values) {
   std::vector<int> number(given.size(), -1);
   int unknown = 0;

@@ -12,9 +12,9 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kProjections = 30;
-constexpr double kRounder = 1.0 / 3.0;  // of the sum of two curvatures: their difference, at most
+constexpr double kRounder = 1.0 / 3.0;  // largest difference of two curvatures over their sum [-]
 
-// The distance's second derivative is k / (1 - depth k) of a curvature k of the shape.
+// For a curvature k of the shape, the distance has the second derivative k / (1 - depth k).
 double radiusOf(const contact::Distance& d) {
   const double sum = d.hessian_G.trace();
   const double apart = std::sqrt(std::max(0.0, 2.0 * d.hessian_G.squaredNorm() - sum * sum));

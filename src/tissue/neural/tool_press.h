@@ -7,30 +7,29 @@
 
 namespace palpate::tissue {
 
-/// Where a tool is deepest in a surface that does not move, and what would free that place of it.
+/// Deepest penetration of a tool into a fixed surface, and the displacement that resolves it.
 struct ToolPress {
-  double depth = 0.0;  ///< [m]; 0: it does not touch.
+  double depth = 0.0;  ///< Penetration [m]; 0: no contact.
   int triangle = -1;
-  Vec3 weights = Vec3::Zero();   ///< Of the triangle's corners.
-  Vec3 normal_W = Vec3::Zero();  ///< Of the tool there, outward.
-  Vec3 p_W = Vec3::Zero();       ///< Where the place then is [m]: on the tool.
-  /// Of curvature of the tool there [m]; 0 where it is flat, or round one way much more than the
-  /// other.
+  Vec3 weights = Vec3::Zero();   ///< Barycentric coordinates in the triangle.
+  Vec3 normal_W = Vec3::Zero();  ///< Normal of the tool, outward, world.
+  Vec3 p_W = Vec3::Zero();       ///< Point on the tool to which the surface point moves, world [m].
+  /// Radius of curvature of the tool [m]; 0 where flat or of two very different curvatures.
   double radius = 0.0;
 
   /// [m]
   Vec3 displacement() const { return depth * normal_W; }
 };
 
-/// Finds presses of a surface.
+/// Finds the presses of tools into a surface.
 class PressFinder {
  public:
-  /// `X`: points in the world, 3 x n [m]; `triangles`: outward.
+  /// `X`: positions, world, 3 x n [m]; `triangles`: outward.
   PressFinder(const Points& X, const Eigen::Matrix3Xi& triangles);
 
-  /// Of the obstacle where it ends. In each triangle that may be deepest by alternating projections
-  /// onto it and onto the tool less what its inscribed ball takes off [Cheney, Goldstein 1959]: of
-  /// a ball exact in one, of convex tools it converges.
+  /// Press of the obstacle at its end pose. In each candidate triangle by alternating projections
+  /// onto it and the tool reduced by its inscribed ball [Cheney, Goldstein 1959]: exact for a ball,
+  /// convergent for convex tools.
   ToolPress find(const contact::Obstacle& obstacle) const;
 
  private:
@@ -39,7 +38,7 @@ class PressFinder {
 
   Points X_;
   Eigen::Matrix3Xi triangles_;
-  Eigen::VectorXd farthest_;  // of a triangle's points from the nearest corner, at most [m]
+  Eigen::VectorXd farthest_;  // largest distance of a triangle's point from its nearest corner [m]
   Vec3 low_, high_;
 };
 

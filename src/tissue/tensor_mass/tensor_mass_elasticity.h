@@ -7,15 +7,14 @@
 
 namespace palpate::tissue {
 
-/// The tensor-mass model [Cotin, Delingette, Ayache 2000; Wang 2005, (2.16)-(2.18)]: of each
-/// tetrahedron of volume V, with the outward area vectors M_j of the faces opposite its corners
-/// twice as long as the faces are large, the force on corner j is minus
+/// The tensor-mass model [Cotin, Delingette, Ayache 2000; Wang 2005, (2.16)-(2.18)]. In a
+/// tetrahedron of volume V with outward area vectors M_j opposite its corners, twice the faces'
+/// areas, the force on corner j is minus
 ///
 ///   sum_k K_jk (x_k - X_k),   K_jk = 1/(36 V) (l M_j M_k^T + m M_k M_j^T + m (M_j . M_k) I),
 ///
-/// l and m being Lame's constants: linear elasticity, so that its force knows no turning of the
-/// body. The tensors of all tetrahedra are summed once for each point and edge; a force is a sum
-/// over edges.
+/// with Lame's constants l and m: linear elasticity without large rotations. Tensors of all
+/// tetrahedra are summed once per point and edge; a force is a sum over edges.
 class TensorMassElasticity final : public CellElasticity {
  public:
   /// @throws as CellElasticity

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMaxHalvings = 30;
-constexpr double kRoundoff = 1e-12;  // of the energy
+constexpr double kRoundoff = 1e-12;  // relative to the energy [-]
 
 }  // namespace
 
@@ -30,7 +30,7 @@ CompliantContact::Square CompliantContact::square(Eigen::Index size, std::vector
   return {memory->data(), size, size};
 }
 
-// The candidates' nodes, and where the forces bring them.
+// Collects the candidates' nodes and their positions under the forces.
 void CompliantContact::gatherNodes(const Points& u0, Points* f, Points* x) {
   for (int node : nodes_) {
     local_[node] = -1;
@@ -55,7 +55,7 @@ void CompliantContact::gatherNodes(const Points& u0, Points* f, Points* x) {
   scatter(kU, x);
 }
 
-// u += C f: forces are few among the candidates' nodes.
+// u += C f, with few nonzero forces.
 void CompliantContact::addMotion(Vector f, Vector u) {
   for (std::size_t b = 0; b < nodes_.size(); ++b) {
     const Vec3 force = of(f).segment<3>(3 * static_cast<Eigen::Index>(b));
@@ -77,7 +77,7 @@ double CompliantContact::energy(Vector f, Vector u, const Points& x) const {
   return 0.5 * of(f).dot(of(u) - of(kU0)) + contact_.value(x);
 }
 
-// The residual r = f - contact forces at x, and the contacts' stiffness H on the touched nodes.
+// Computes the residual r = f - contact forces at x, and the contact stiffness H.
 void CompliantContact::linearise(const Points& x, bool exact) {
   contact_.collect(x, &contacts_);
   of(kR) = of(kF);
@@ -114,14 +114,14 @@ void CompliantContact::addStiffness(const contact::Touch& touch, const Mat3& sti
   }
 }
 
-// A step of u and of f = C^-1 u by Newton; false if it does not go downhill.
+// Computes Newton steps of u and f = C^-1 u. Returns false without descent.
 bool CompliantContact::direction() {
   const auto count = static_cast<Eigen::Index>(touched_.size());
   const Square H = square(3 * count, &H_memory_);
   of(kStepF) = -of(kR);
   of(kStepU).setZero();
   addMotion(kStepF, kStepU);
-  // (1 + C H) of the touched nodes; H has few blocks.
+  // System (1 + C H) of the touched nodes; H is sparse.
   Square system = square(3 * count, &system_memory_);
   system.setIdentity();
   right_.resize(static_cast<std::size_t>(3 * count));

@@ -12,16 +12,16 @@ namespace {
 
 using contact::NeedleChannel;
 
-// Of the tissue's points along the needle [m].
+// Spacing of tissue points along the needle [m].
 constexpr double kSpacing = 1e-3;
-// How far outside of a tetrahedron, in barycentric coordinates, a point still is in it.
+// Tolerance of barycentric coordinates for a point in a tetrahedron [-].
 constexpr double kOnFace = 1e-6;
 
 struct Shaft {
-  double length, radius;  // from its middle to its ends
+  double length, radius;  // half length, radius [m]
 };
 
-// Of a needle's shape; none of any other.
+// Sizes of a needle's shape; none for other shapes.
 Shaft shaftOf(const instrument::Geometry& geometry) {
   if (const auto* capsule = std::get_if<instrument::Capsule>(&geometry)) {
     return {capsule->half_length + capsule->radius, capsule->radius};
@@ -34,7 +34,7 @@ Shaft shaftOf(const instrument::Geometry& geometry) {
 
 NeedleChannel Needles::channelOf(const contact::NeedleSettings& settings, double length,
                                  double radius, double stiffness) {
-  // As stiff as contact with the strip that each of the points holds.
+  // Stiffness of contact on the strip of each point.
   return {settings, length, stiffness * 2.0 * radius * kSpacing, kSpacing};
 }
 
@@ -60,7 +60,7 @@ void Needles::begin(const std::vector<contact::Obstacle>& obstacles, const Point
       needle.channel.addTip(place, at_rest * place.weights, needle.channel.tipForce(x));
     }
   }
-  // One that was drawn out, or taken away, leaves nothing behind.
+  // Removes needles that were withdrawn or are absent.
   needles_.erase(std::remove_if(needles_.begin(), needles_.end(),
                                 [](const Inserted& n) { return !n.there || n.channel.empty(); }),
                  needles_.end());
@@ -82,7 +82,7 @@ void Needles::puncture(const std::vector<contact::Obstacle>& obstacles,
     if (!obstacle.needle || tets_.cols() == 0) continue;
     const Vec3 origin = obstacle.X_WG_end.translation(), z = obstacle.X_WG_end.linear().col(2);
     const contact::Contact* hardest = nullptr;
-    double push = 0.0;  // along z
+    double push = 0.0;  // axial force [N]
     for (const contact::Contact& c : contacts) {
       if (c.touch.number != obstacle.number) continue;
       push -= z.dot(c.force_W);
@@ -91,7 +91,7 @@ void Needles::puncture(const std::vector<contact::Obstacle>& obstacles,
     if (!hardest || std::abs(push) < obstacle.needle->puncture_force) continue;
     const double end = push > 0.0 ? 1.0 : -1.0;
     const contact::Touch& touch = hardest->touch;
-    // With the tip, not with the shaft.
+    // Only contacts at the tip count.
     const Shaft shaft = shaftOf(*obstacle.geometry);
     if (end * z.dot(touch.p_W - origin) < shaft.length - 2.0 * shaft.radius - kSpacing) continue;
     needles_.push_back({obstacle.number, end, *obstacle.needle, shaft.length, shaft.radius,
@@ -123,7 +123,7 @@ void Needles::addHessian(const Points& x, fem::Tangent tangent, fem::Stiffness* 
   for (const Inserted& needle : needles_) needle.channel.addHessian(x, tangent, K);
 }
 
-// The tetrahedron around p.
+// Finds the tetrahedron with p.
 bool Needles::find(const Points& x, const Vec3& p, NeedleChannel::MaterialPoint* place) const {
   for (Eigen::Index e = 0; e < tets_.cols(); ++e) {
     const Vec3 a = x.col(tets_(0, e));
@@ -167,7 +167,7 @@ void Needles::save(StateWriter* to) const {
   }
 }
 
-// Within a cycle they are where they were.
+// Poses do not change within a cycle.
 void Needles::restore(StateReader* from) {
   const std::vector<Inserted> before = std::move(needles_);
   needles_.clear();

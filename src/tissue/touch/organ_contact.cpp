@@ -48,7 +48,7 @@ class OrganContact final : public Interaction {
   }
 
  private:
-  // Bodies that meet again and again have theirs made once.
+  // Contact surfaces of bodies are cached.
   std::shared_ptr<const ContactSurface> surface(const InteractingBody& body) const {
     for (const std::shared_ptr<const ContactSurface>& known : known_) {
       if (contact::isOf(*known, body.X, body.triangles)) return known;
@@ -65,7 +65,8 @@ class OrganContact final : public Interaction {
   static constexpr std::size_t kMostKept = 32;
   contact::Penalty law_;
   bool self_;
-  mutable std::vector<std::shared_ptr<const ContactSurface>> known_;  // no result depends on it
+  mutable std::vector<std::shared_ptr<const ContactSurface>>
+      known_;  // cache without effect on results
 };
 
 }  // namespace

@@ -6,11 +6,11 @@
 namespace palpate::tissue {
 
 bool Rest::isStill(const Points& x, const ToolContact& tool_contact, const TissueStep& out) const {
-  // What was cut was not brought to its end, and would be told as that from now on.
+  // A cut cycle is not a result to repeat.
   if (out.status == solver::SolveStatus::kDeadline) return false;
   if (!allowed_ || tool_contact.possibleByTools()) return false;
   const double motion = way(x);
-  // Iterations that end where they began, to the bit, will do so again.
+  // Iterations that return bitwise to their start repeat.
   return motion == 0.0 || (out.newton_iterations == 0 && motion <= motion_);
 }
 

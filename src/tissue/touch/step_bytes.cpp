@@ -4,7 +4,7 @@
 namespace palpate::tissue {
 namespace {
 
-// visit(value) on all numbers of a step but those that depend on time.
+// Calls visit(value) for all figures except those that depend on machine speed.
 template <class Step, class Visit>
 void forNumbers(Step& step, const Visit& visit) {
   for (const Figure<StepFigures>& figure : stepFigures()) {
@@ -25,7 +25,7 @@ void forNumbers(Step& step, const Visit& visit) {
   visit(step.still_points);
 }
 
-// A member that is new and not named here does not compile.
+// A new member of TissueStep must be named here to compile.
 template <class Contact, class Visit>
 void forNumbersOfContact(Contact& contact, const Visit& visit) {
   auto& [owner, penetration, p_W, force_W, organ] = contact;

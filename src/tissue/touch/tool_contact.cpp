@@ -102,8 +102,7 @@ double ToolContact::report(const Points& x, TissueStep* out) {
     if (!excess_ || !tool_path.owner(touch.obstacle).isInstrument()) continue;
     const auto owner = static_cast<std::size_t>(tool_path.owner(touch.obstacle).index);
     if (too_much_.size() <= owner) too_much_.resize(owner + 1, Vec3::Zero());
-    // As long as it is now: where the surface is stretched around a tool it is as coarse as it
-    // looks there.
+    // Present edge length: a surface stretched around a tool is coarser than at rest.
     const double excess = excess_(touch.meanEdge(x) / touch.radius);
     too_much_[owner] += excess / (1.0 + excess) * c.force_W;
   }

@@ -10,12 +10,10 @@
 namespace palpate::tissue {
 namespace {
 
-// The margin, where the tissue went beyond the last: on a leap, the search for all that lies on the
-// way costs more than what it finds.
+// Factor of the margin after each exceeded search [-]; larger first margins cost more after a jump.
 constexpr double kWider = 2.0;
 
-// What does not move is asked for its distance as well: bones are seldom like the balls around
-// them.
+// Resting obstacles are tested by distance too, since bounding balls of bones are loose.
 bool mayReach(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& high, double margin) {
   if (!sweepReaches(obstacle, low, high, margin)) return false;
   if (obstacle.owner.isInstrument()) return true;
@@ -27,8 +25,7 @@ bool mayReach(const contact::Obstacle& obstacle, const Vec3& low, const Vec3& hi
 }  // namespace
 
 int ToolPath::begin(const std::vector<contact::Obstacle>& obstacles, const Points& x, double way) {
-  // The tissue may move on as fast as it does, and farther where it is pushed: candidatesHold()
-  // notices when it went beyond.
+  // The estimate may be exceeded by pushed tissue; candidatesHold() detects that.
   margin_ = 0.02 * size_ + 2.0 * way;
   searched_ = false;
   const Vec3 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff();
