@@ -9,9 +9,9 @@
 
 namespace palpate::scene {
 
-/// What each tetrahedron of `mesh` is made of. `mesh` is the body in its own frame, after scaling;
-/// `R_WB` turns that frame to the one that the frames of the composition are wanted in. `file` is
-/// the scene or case that says it, and `key` the place of the body in it ("organs[0]", or "").
+/// Materials and fibre frames of the tetrahedra of `mesh`, in the body's own frame, scaled [m];
+/// `R_WB`: rotates fibre frames to those of the result; `file`, `key`: source for errors, such as
+/// "organs[0]".
 /// @throws InputError: as makeSolid(); a region that selects no tetrahedron, or by cell data that
 /// the mesh does not have; a law that needs directions where there are none, or where they are
 /// zero, not finite, or the sheet lies along the fibre.

@@ -18,28 +18,30 @@ namespace palpate::scene {
 
 using Progress = std::function<void(const std::string& what, double fraction)>;
 
-/// Tetrahedra of an organ of `scene` in its own frame, scaled to metres: read, or meshed from its
-/// surface (through the user's cache). Adds what was repaired to `warnings`.
+/// Tetrahedra of an organ of `scene` in its own frame [m]: read, or meshed from its surface by the
+/// user's cache. Adds repairs to `warnings`.
 /// @throws InputError
 mesh::TetMesh readOrganMesh(const Scene& scene, const OrganConfig& organ, const Progress& progress,
                             std::vector<std::string>* warnings);
 
-/// Its closed surface, likewise: read and repaired, or the boundary of its tetrahedra.
+/// Closed surface of the organ in its own frame [m]: read and repaired, or the tetrahedra's
+/// boundary.
 /// @throws InputError
 mesh::SurfaceMesh readOrganSurface(const OrganConfig& organ, const std::string& scene_file,
                                    std::vector<std::string>* warnings);
 
-/// How the volume mesher is to fill the surface of an organ that has one.
-/// @throws InputError if a file or an instrument that the scene names is not there or not right.
+/// Settings of the volume mesher for an organ with a surface.
+/// @throws InputError for a missing or invalid file or instrument.
 mesh::MeshingOptions meshingOptions(const Scene& scene, const OrganConfig& organ);
 
-/// An organ of `scene` for the makers of models. Its functions refer to all that is given here, and
-/// throw InputError.
+/// Description of an organ of `scene` for makers of models. Its functions refer to the arguments
+/// and throw InputError.
 tissue::OrganDescription describeOrgan(const Scene& scene, int index, const Progress& progress,
                                        std::vector<std::string>* warnings);
 
-/// The tissue model of the organs at these places in the scene, which all name the same one.
-/// `frictions`: of each organ of the scene with all that may touch it.
+/// Makes the tissue model of the organs with these scene indices. `frictions`: of each organ of the
+/// scene.
+/// @pre The organs name the same model.
 /// @throws InputError
 std::unique_ptr<tissue::TissueModel> assembleModel(
     const Scene& scene, const std::vector<int>& organs,

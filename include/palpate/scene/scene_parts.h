@@ -13,30 +13,30 @@
 
 namespace palpate::scene {
 
-/// A tissue model and the organs that it owns, by their places in the scene.
+/// A tissue model with the scene indices of its organs.
 struct ModelPart {
   std::unique_ptr<tissue::TissueModel> tissue;
   std::vector<int> organs;
 };
 
-/// Where an organ of the scene is.
+/// Model and index of an organ of the scene.
 struct OrganHandle {
   tissue::TissueModel* tissue;
-  int organ;  ///< Of the model's.
+  int organ;  ///< Index among the model's organs.
 
   tissue::SurfaceState surfaceState() const { return tissue->surfaceState(organ); }
 };
 
-/// Something rigid that never moves.
+/// A rigid, fixed part of the anatomy.
 struct AnatomyPart {
   std::string name;
   instrument::Geometry geometry;
-  Pose X_WG;                  ///< The shape's frame, in the middle of its box, to world.
-  double stiffness;           ///< Of what a tool feels of it [N/m].
-  mesh::SurfaceMesh surface;  ///< As it was read, for pictures; in the shape's frame [m].
+  Pose X_WG;         ///< Pose of the shape's frame, in the middle of its bounding box, world.
+  double stiffness;  ///< Contact stiffness for tools [N/m].
+  mesh::SurfaceMesh surface;  ///< Surface for display, in the shape's frame [m].
 };
 
-/// What a scene's files hold.
+/// Loaded contents of a scene's files.
 struct SceneParts {
   std::unique_ptr<ThreadPool> pool;  // first: outlives the models
   std::vector<instrument::Instrument> instruments;
@@ -45,10 +45,11 @@ struct SceneParts {
   std::vector<ModelPart> models;     ///< In the order of their first organs.
   std::vector<OrganHandle> organs;   ///< In the scene's order.
   std::vector<std::string> warnings;
-  std::vector<std::string> notes;  ///< What was decided while loading, with the name of whom.
+  std::vector<std::string>
+      notes;  ///< Decisions of loading, with the names of organs or instruments.
 };
 
-/// The instruments alone, without the organs: for who moves them.
+/// Loads only the instruments.
 /// @throws InputError
 std::vector<instrument::Instrument> readInstruments(const Scene& scene);
 

@@ -11,39 +11,42 @@
 
 namespace palpate::sim {
 
-/// How a simulated device is joined to a simulator.
+/// Settings of a simulated device on a simulator.
 struct HandLoopSettings {
   haptics::HandSettings hand;
   haptics::WrenchFilterSettings filter;
   haptics::PassivitySettings passivity;
   haptics::CouplingSettings coupling;
-  haptics::DeviceSettings told;  ///< What the program believes of the device.
-  double tick = 1.0e-3;          ///< Of the force loop and the device [s].
-  double cycle = 0.01;           ///< Of the simulation [s].
-  double solve = 0.005;          ///< From the input of a cycle to its wrench [s].
-  double delay_in = 0.0;         ///< From the device to the program [s].
-  double delay_out = 0.0;        ///< And back [s].
-  double device_rate = 1e3;      ///< Of the device: it reports and latches so often [Hz].
-  bool prescribed = false;       ///< The hand is where it means to be, whatever it feels.
-  bool local_model = true;       ///< Else the last wrench is held.
-  bool ahead = true;  ///< The force is for where the hand will be; else for where it was heard.
+  haptics::DeviceSettings told;  ///< Device settings that the program assumes.
+  double tick = 1.0e-3;          ///< Period of force loop and device [s].
+  double cycle = 0.01;           ///< Period of the simulation [s].
+  double solve = 0.005;          ///< Delay from a cycle's input to its wrench [s].
+  double delay_in = 0.0;         ///< Delay from device to program [s].
+  double delay_out = 0.0;        ///< Delay from program to device [s].
+  double device_rate = 1e3;      ///< Rate at which the device reports poses and takes forces [Hz].
+  bool prescribed = false;  ///< Whether the hand's position is prescribed, independent of forces.
+  bool local_model = true;  ///< False: the last wrench is held between cycles.
+  bool ahead = true;        ///< Whether forces are for predicted, not reported, positions.
 };
 
-/// What a tick of the loop did.
+/// Result of a tick.
 struct HandTick {
-  double time = 0.0;     ///< At its end [s].
-  Vec3 position, meant;  ///< Of the device, and where the hand means it to be; as intents [m].
-  Vec3 force;            ///< Rendered [N].
-  Vec3 solved;           ///< Of the newest solve [N].
-  double tissue_stiffness = 0.0, stiffness = 0.0;  ///< Largest, and as rendered [N/m].
+  double time = 0.0;  ///< Time at the tick's end [s].
+  Vec3 position,
+      meant;    ///< Present and intended position of the device, relative to its start [m].
+  Vec3 force;   ///< Rendered force [N].
+  Vec3 solved;  ///< Force of the newest solve [N].
+  double tissue_stiffness = 0.0,
+         stiffness = 0.0;  ///< Largest stiffness of the tissue, and as rendered [N/m].
 };
 
-/// The loop through the hand, in simulated time: a device on one instrument, whose tool it carries
-/// along without turning it. Everything that the node does between pose and force is here done by
-/// the same parts; delays are what the settings say, so that the same settings give the same bits.
+/// Force loop through a simulated hand, in simulated time: a device that translates one instrument.
+/// Uses the node's classes between pose and force, with delays of the settings, so results are
+/// bitwise reproducible.
 class HandLoop {
  public:
-  /// The instrument stands at `start`, clear of tissue. `simulator` outlives this.
+  /// `start`: pose of the instrument.
+  /// @pre It is clear of tissue, and `simulator` outlives this.
   HandLoop(Simulator* simulator, int instrument, const LinkPoses& start,
            const HandLoopSettings& settings);
 
@@ -68,13 +71,13 @@ class HandLoop {
   haptics::ToolRenderer tool_;
   haptics::ForceRenderer force_;
   std::vector<LinkPoses> poses_;
-  std::deque<Sent> positions_, forces_;    // under way
-  Vec3 heard_ = Vec3::Zero();              // newest position that the program knows
-  Vec3 rendered_ = Vec3::Zero();           // newest force that the device knows
+  std::deque<Sent> positions_, forces_;    // in transit
+  Vec3 heard_ = Vec3::Zero();              // newest position at the program
+  Vec3 rendered_ = Vec3::Zero();           // newest force at the device
   long ticks_ = 0, every_;                 // ticks of the device
-  double next_cycle_ = 0.0, ready_ = 0.0;  // when the next begins; when the one under way is done
+  double next_cycle_ = 0.0, ready_ = 0.0;  // begin of the next cycle; end of the present one [s]
   bool under_way_ = false;
-  haptics::RenderTarget solved_, target_;  // of the cycle under way; in use
+  haptics::RenderTarget solved_, target_;  // of the present cycle; in use
   HandTick done_;
 };
 

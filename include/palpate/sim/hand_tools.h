@@ -8,27 +8,26 @@
 
 namespace palpate::sim {
 
-/// What stands between the hands and the tools of a simulator whose forces are felt: where tissue
-/// is too stiff for a hand's device, its tool goes less deep than the hand. No clock.
+/// Virtual couplings between hands and tools of a simulator: where tissue is too stiff for a
+/// device, its tool is less deep than the hand. Reads no clock.
 class HandTools {
  public:
   explicit HandTools(const Simulator& simulator);
 
-  /// From where the hands hold their tools to where the tools are to go. A tool that is not there,
-  /// without poses, stays so.
+  /// Target poses of the tools for the hands' poses; empty poses stay empty.
   void target(std::vector<LinkPoses>* poses);
 
-  /// What instrument `i` felt in a step of `dt` [s] to `target`, for its hand; `held`: the hand is
-  /// there still.
+  /// Takes the result of instrument `i` in a step of `dt` [s] to `target`; `held`: its hand is
+  /// present.
   const haptics::RenderTarget& observe(std::size_t i, bool held, const LinkPoses& target,
                                        const InstrumentResult& tool, double dt);
 
-  /// Nobody holds one: the simulator was reset.
+  /// Clears the couplings: the simulator was reset.
   void lose();
 
  private:
-  std::vector<haptics::ToolRenderer> tools_;  // one an instrument
-  std::vector<std::size_t> links_;            // with the control frames
+  std::vector<haptics::ToolRenderer> tools_;  // one per instrument
+  std::vector<std::size_t> links_;            // links of the control frames
 };
 
 }  // namespace palpate::sim

@@ -9,32 +9,30 @@
 
 namespace palpate::sim {
 
-/// What a recorded input is simulated as.
+/// Interpretation of recorded inputs.
 enum class Cycles {
-  kByTime,  ///< The time since the last one, cut into equal parts of at most `solver.step`.
-  kLive     ///< A cycle of the live node, `solver.step`; tools are hands', see HandTools.
+  kByTime,  ///< Time since the last input, in equal steps of at most `solver.step`.
+  kLive     ///< One cycle of `solver.step` per input, as in the live node, with HandTools.
 };
 
-/// Steps a simulator to the times of recorded inputs, the same way wherever they come from. One
-/// call an input; between the parts that one is cut into, poses are interpolated.
+/// Steps a simulator to the times of recorded inputs, one call per input; poses are interpolated
+/// over the steps of an input.
 class Lockstep {
  public:
-  /// `kLive` gives the bits of the live node where the scene's tools are driven by hands, see
-  /// scene::driveByHands().
+  /// kLive is bitwise equal to the live node for tools driven by hands: scene::driveByHands().
   explicit Lockstep(Simulator* simulator, Cycles cycles = Cycles::kByTime);
 
-  /// The input `poses` of time `t` [s]. The first one, and one that is earlier than the last or
-  /// more than 1e5 steps later (which resets the simulator), places the tools and makes one step of
-  /// `solver.step`. The same time again makes no step. The report and the
-  /// penetrations are of all parts, see reportFigures(); wrenches and contacts of the last one.
+  /// Steps to the input `poses` at time `t` [s]. The first input, and one before the last or more
+  /// than 1e5 steps later, which resets the simulator, sets the tools and makes one step of
+  /// `solver.step`. An equal time makes no step. Report and penetrations merge all steps by
+  /// reportFigures(); wrenches and contacts are those of the last.
   const StepResult& advance(double t, const std::vector<LinkPoses>& poses);
 
-  /// The simulator was restored to where the input `poses` of time `t` [s] had left it, and goes on
-  /// from there.
+  /// Continues from a restored simulator, whose last input was `poses` at time `t` [s].
   void resume(double t, const std::vector<LinkPoses>& poses);
 
   const StepResult& result() const { return result_; }
-  /// Simulated steps that the last advance() was cut into; 0 if it made none.
+  /// Number of steps of the last advance(), or 0.
   int parts() const { return parts_; }
 
  private:

@@ -20,42 +20,44 @@
 
 namespace palpate::sim {
 
-/// Where all links of one instrument are: `X_WL[i]` maps link i to world. Empty: it is not there.
+/// Poses of all links of an instrument, `X_WL[i]` of link i in world; empty: the instrument is
+/// absent.
 using LinkPoses = haptics::ToolProxy::LinkPoses;
 
-/// How far from the origin of world links may be [m]. Farther away, rounding is more than a tool.
+/// Largest distance of links from the world's origin [m], for accuracy.
 inline constexpr double kReach = 1.0e3;
 /// Whether all poses are finite, and within kReach.
 bool inReach(const LinkPoses& poses);
 
-/// One touching point, for pictures: of a tool or a part of the anatomy with an organ, or of both
-/// with one another.
+/// A contact for display: of a tool or part of the anatomy with an organ, or of both with each
+/// other.
 struct ContactPoint {
   static constexpr int kNone = -1;
 
   int instrument = kNone;
   int organ = kNone;
   int anatomy = kNone;
-  Vec3 p_W;      ///< Point of the tissue surface, or of the tool's [m].
-  Vec3 force_W;  ///< What the organ, or the anatomy, does to the other one [N].
+  Vec3 p_W;      ///< Point of the tissue's or tool's surface, world [m].
+  Vec3 force_W;  ///< Force of organ or anatomy on the other body, world [N].
 };
 
-/// What the hand and the eyes get from a cycle.
+/// Results of a cycle for haptics and display.
 struct InstrumentResult {
-  /// Tissue and anatomy on tool at the control frame's origin, expressed in world. After a failed
-  /// solve that of the last solved state fades (haptics::WrenchFade, in `rates.ramp` of simulated
-  /// time).
+  /// Wrench of tissue and anatomy on the tool about the control frame's origin, world [N], [N m].
+  /// After a failed solve the last one fades: haptics::WrenchFade, within `rates.ramp` of simulated
+  /// time.
   Wrench spatial;
-  Wrench solved;  ///< The same of the last solved state, whole: for who fades it in real time.
-  Pose X_WC = Pose::Identity();  ///< The control frame in world, of a tool that is there.
-  bool there = false;            ///< The tool could touch. If it goes, what it felt fades.
-  bool live = false;     ///< It is there, and the solve good enough: `spatial` is of this cycle.
-  bool waiting = false;  ///< It is commanded to where it would be inside something, not there yet.
+  Wrench solved;  ///< Wrench of the last solved state, without fade, for fades in real time.
+  Pose X_WC = Pose::Identity();  ///< Pose of the control frame of a present tool, world.
+  bool there = false;            ///< Whether the tool is present; its wrench fades when it leaves.
+  bool live = false;     ///< Whether the tool is present and solved: `spatial` is of this cycle.
+  bool waiting = false;  ///< Whether an absent tool waits for a pose clear of all surfaces.
 
   /// `spatial` expressed in the control frame.
   Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
   int contacts = 0;
-  double max_penetration = 0.0;  ///< [m]; of an input that Lockstep cuts, of all its steps.
+  double max_penetration =
+      0.0;  ///< Largest penetration [m]; over all steps of an input in Lockstep.
 };
 
 struct StepResult {
@@ -63,7 +65,7 @@ struct StepResult {
   std::vector<ContactPoint> contacts;
   StepReport report;
 
-  /// As new, with so many instruments, but with its memory.
+  /// Resets to this number of instruments, but keeps capacities.
   void clear(std::size_t num_instruments) {
     instruments.assign(num_instruments, InstrumentResult());
     contacts.clear();
@@ -71,78 +73,76 @@ struct StepResult {
   }
 };
 
-/// Told while loading takes long: what is done, and a fraction in [0, 1].
+/// Receives progress of loading: task and fraction in [0, 1].
 using Progress = std::function<void(const std::string& what, double fraction)>;
 
-/// A loaded scene and its cycle. Construct once (reads, meshes, may take long, may throw); then
-/// step() for ever, which never throws. Same scene, same inputs: same bits, whatever the number of
-/// threads. Not copyable: the solvers keep references to their meshes.
+/// A loaded scene and its simulation. The constructor reads and meshes; step() simulates a cycle
+/// and never throws. Equal scenes and inputs give bitwise equal results for any number of threads.
+/// Not copyable, since solvers refer to meshes.
 class Simulator {
  public:
-  /// @throws InputError for anything wrong in a file that the scene names.
+  /// @throws InputError for errors in files that the scene names.
   explicit Simulator(const scene::Scene& scene, const Progress& progress = {});
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
   const scene::Scene& scene() const;
-  const std::vector<std::string>& warnings() const;  ///< Of loading: repairs, missing visuals ...
-  /// What loading decided: the method for `auto`, the grids of shapes that are not convex.
+  const std::vector<std::string>& warnings()
+      const;  ///< Warnings of loading, such as repairs or missing visuals.
+  /// Decisions of loading, such as the method for `auto` or grids of nonconvex shapes.
   const std::vector<std::string>& notes() const;
 
   int numInstruments() const;
   const instrument::Instrument& instrument(int i) const;
-  int controlLink(int i) const;  ///< Index of its control frame among its links.
+  int controlLink(int i) const;  ///< Link index of the control frame.
   /// Link poses in world for positions of instrument(i).joints() [m or rad].
   LinkPoses linkPoses(int i, const Eigen::VectorXd& joints) const;
 
   int numOrgans() const;
   const std::string& organName(int i) const;
   std::vector<std::string> methods(int i) const;  ///< See tissue::TissueModel::methods().
-  /// Whether an organ's method has cycles that wait for BLAS.
+  /// Whether a method of an organ calls BLAS in cycles.
   bool wantsFastBlas() const;
-  /// What there is of it now: points and its surface, which may become another one (its revision
-  /// says so). The references hold until the next step().
+  /// Present surface state of an organ; the revision changes with the mesh. References are valid
+  /// until the next step().
   tissue::SurfaceState surfaceState(int i) const;
-  const Points& positions(int i) const;  ///< World, 3 x n [m]; a solved state, always finite.
-  /// Its points at rest in the world, and its cells; where its model has none, the surface's
-  /// triangles. Made anew in each call.
+  const Points& positions(
+      int i) const;  ///< Positions of a solved state, world, 3 x n [m]; always finite.
+  /// Rest positions, world [m], and cells, or the surface's triangles where the model has none.
+  /// Computed in each call.
   mesh::CellMesh cells(int i) const;
 
   int numAnatomy() const;
-  /// Surface of a part of the anatomy in world, as it was read [m]; it never changes.
+  /// Surface of a part of the anatomy, world [m]; constant.
   mesh::SurfaceMesh anatomySurface(int i) const;
 
-  /// One cycle of `dt` [s] during which instrument i moves from where it was to `poses[i]`, or, of
-  /// an instrument with a proxy, as far towards it as the proxy may. The first cycle after
-  /// construction or reset(), or in which an instrument is there again, takes `poses` as where it
-  /// already was. Without poses an instrument is not there.
-  /// Bad input (a pose that is not inReach(), dt not > 0) leaves the state and says so in the
-  /// report; the wrench fades as after a failed solve.
+  /// Simulates a cycle of `dt` [s] in which instrument i moves to `poses[i]`, or as far as its
+  /// proxy may. In the first cycle, or when an instrument reappears, it begins at `poses[i]`. Empty
+  /// poses: the instrument is absent. Invalid input (not inReach(), dt <= 0) keeps the state, is
+  /// reported, and fades the wrench.
   const StepResult& step(const std::vector<LinkPoses>& poses, double dt) noexcept;
 
-  /// Asked now and then within every step, after its first iterations: true ends the step with the
-  /// best state so far and the status `deadline`, whose wrench no hand is told. An empty one, as at
-  /// first, never does. Results then depend on when it said so.
+  /// Sets a predicate that steps poll after their first iterations: true ends the step with the
+  /// best state and status `deadline`, without a valid wrench. Empty, the default: none. Results
+  /// then depend on the time of the interrupt.
   void setInterrupt(solver::Interrupt interrupt);
 
-  /// Back to the rest state at time 0.
+  /// Resets to the initial equilibrium at time 0.
   void reset();
-  /// Whether instrument i, with its links at `poses`, would be clear of all tissue as it is now,
-  /// and of the anatomy.
+  /// Whether instrument i at `poses` would be clear of all present tissue and of the anatomy.
   bool isFree(int i, const LinkPoses& poses) const;
-  /// Puts the points of an organ at `positions` with `velocities`, 3 x n [m], [m/s], from where it
-  /// goes on without a past.
-  /// @throws std::invalid_argument if the sizes are not this organ's or a number is not finite.
+  /// Sets positions [m] and velocities [m/s] of an organ, 3 x n, and clears its other state.
+  /// @throws std::invalid_argument for sizes other than the organ's, or values that are not finite.
   void setPositions(int i, const Points& positions, const Points& velocities);
 
-  double time() const;  ///< Simulated so far [s].
+  double time() const;  ///< Simulated time [s].
 
-  /// All memory. To take it changes nothing.
+  /// Returns the whole state, without changing it.
   SimulatorState state() const;
-  /// Goes on as the simulator would have whose state() it is.
-  /// @throws std::invalid_argument that says what is wrong, if it is one of another scene, of other
-  /// models or methods, or not whole; this simulator is then as it was.
+  /// Sets the state; later results are bitwise equal to those of the simulator of that state().
+  /// @throws std::invalid_argument for a state of another scene, model or method, or a truncated
+  /// one; this simulator is then unchanged.
   void restore(const SimulatorState& state);
 
  private:

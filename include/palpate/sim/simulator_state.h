@@ -8,10 +8,10 @@
 
 namespace palpate::sim {
 
-/// The memory of one tissue model.
+/// State of one tissue model.
 struct ModelState {
-  std::string model;                ///< Its name in the scene.
-  std::vector<std::string> organs;  ///< That it owns, by name.
+  std::string model;                ///< Name of the model in the scene.
+  std::vector<std::string> organs;  ///< Names of its organs.
   tissue::State state;
 
   friend bool operator==(const ModelState& a, const ModelState& b) {
@@ -19,18 +19,17 @@ struct ModelState {
   }
 };
 
-/// Everything that a simulator remembers from one cycle to the next. Who is given it back goes on
-/// with the same bits as who went on without a break, in another process too. For the machine and
-/// the version that wrote it.
+/// Whole state of a simulator between cycles. A restored simulator continues bitwise equally, in
+/// other processes too. Valid for the machine and version that wrote it.
 struct SimulatorState {
-  std::string scene;  ///< Its name.
-  double time = 0.0;  ///< Simulated [s].
+  std::string scene;  ///< Name of the scene.
+  double time = 0.0;  ///< Simulated time [s].
   std::vector<ModelState> models;
-  std::string tools;  ///< Where the tools are and what the hands felt: bytes of a StateWriter.
+  std::string tools;  ///< Tool poses and wrenches, as bytes of a StateWriter.
 
-  /// All of it as bytes.
+  /// The state as bytes.
   std::string bytes() const;
-  /// @throws std::invalid_argument for bytes that are no state.
+  /// @throws std::invalid_argument for bytes of no state.
   static SimulatorState fromBytes(const std::string& bytes);
 
   friend bool operator==(const SimulatorState& a, const SimulatorState& b) {

@@ -7,8 +7,8 @@
 
 namespace palpate::sim {
 
-/// A number of 64 bits for numbers, by which runs are compared: the same numbers in the same order
-/// have the same one, and others another one (by chance alike once in 2^64).
+/// 64 bit hash of a sequence of numbers, for comparison of runs; collisions have the probability
+/// 2^-64.
 ///
 /// FNV-1a [Fowler, Noll, Vo; RFC 9923] on words of 64 bits in the place of bytes, and a shift that
 /// brings high bits down, in four lanes by turns, which are hashed themselves in the end:
