@@ -9,9 +9,8 @@
 
 namespace palpate::fem {
 
-/// Part of a symmetric matrix that lies beside the pattern of a BlockMatrix: 3 x 3 blocks between
-/// nodes that no element connects, because something else ties them together, such as a touch. Who
-/// is tied to whom may change from one matrix to the next.
+/// Part of a symmetric matrix outside the pattern of a BlockMatrix: 3 x 3 blocks between nodes that
+/// no element connects, such as those of a touch. The pattern may change from matrix to matrix.
 class Couplings {
  public:
   struct Block {
@@ -20,8 +19,7 @@ class Couplings {
   };
 
   bool empty() const { return blocks_.empty(); }
-  /// In the order in which they were added; those of the same i and j add up. With each block
-  /// (i, j) comes its transpose (j, i).
+  /// Blocks in the order of add(); equal pairs are summed, and transposes are implied.
   const std::vector<Block>& blocks() const { return blocks_; }
   /// The pairs i < j, ascending, each once.
   std::vector<std::pair<int, int>> pairs() const;

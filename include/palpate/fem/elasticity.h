@@ -18,28 +18,28 @@ namespace palpate::fem {
 
 using mesh::TetMesh;
 
-/// What there is at a point of a deformed body.
+/// Deformation and stress at a point.
 struct PointState {
   Mat3 F;              ///< Deformation gradient.
   Mat3 cauchy_stress;  ///< [Pa], in world, with its viscous part.
 };
 
-/// Viscous memory of a body, to be given back to the body that it came from.
+/// Viscous state of a body, for restoreViscousState() of the same body.
 struct ViscousState {
   virtual ~ViscousState() = default;
 };
 
-/// Elastic energy of a body of one kind of element, with its derivatives. One virtual call an
-/// assembly, never one an element. Sums run in a fixed order: same x, same bits, whatever the pool.
-/// The energy of a viscous body is the potential of the step that beginStep() began.
+/// Elastic energy of a body of one kind of element, with derivatives. One virtual call per
+/// assembly. Sums have a fixed order, so results are bitwise independent of the pool. Of a viscous
+/// body it is the potential of the step of beginStep().
 class Elasticity : public ElasticEnergy {
  public:
   virtual int numNodes() const = 0;
 
-  /// Smallest det F of any integration point.
+  /// Least det F of all integration points [-].
   virtual double minJacobian(const Points& x) = 0;
-  /// Smallest det F that is found anywhere in the elements: of linear ones the same; of quadratic
-  /// ones between integration points as well. By one thread: not for every cycle.
+  /// Least det F anywhere in the elements [-]; of quadratic ones between integration points too.
+  /// Single-threaded: not for every cycle.
   virtual double minJacobianWithin(const Points& x) { return minJacobian(x); }
   /// At each of `places`, in the body's mesh.
   virtual std::vector<PointState> states(const Points& x,
@@ -47,22 +47,23 @@ class Elasticity : public ElasticEnergy {
   /// W(x) of each solid of the composition [J].
   virtual Eigen::VectorXd energyBySolid(const Points& x) = 0;
 
-  /// At rest [m^3].
+  /// Volume at rest [m^3].
   virtual double volume() const = 0;
   /// Lumped masses, n, all positive [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
-  /// The same, with what each element gives to its nodes.
+  /// Lumped masses, with the contribution of each element to its nodes.
   virtual mesh::LumpedMasses lumpedMasses() const = 0;
-  /// Times an acceleration: the nodal forces of a uniform gravity, n [kg]. Their sum is the mass.
+  /// Nodal weights over gravity, n [kg]: times an acceleration, the forces of uniform gravity.
+  /// Their sum is the mass.
   virtual const Eigen::VectorXd& loadWeights() const = 0;
 
-  /// Begins a step of `h` [s]; infinity, as before the first: all has relaxed that can.
+  /// Begins a step of `h` [s]; infinite h: full relaxation, the default.
   virtual void beginStep(double h) = 0;
-  /// Ends the step at x: the body remembers what it went through.
+  /// Ends the step at x and updates the viscous state.
   virtual void endStep(const Points& x) = 0;
-  /// Forgets: the body has been at x for ever.
+  /// Resets the viscous state to full relaxation at x.
   virtual void relax(const Points& x) = 0;
-  /// Null for a body that is not viscous.
+  /// Copies the viscous state; null for a body without.
   virtual std::unique_ptr<ViscousState> saveViscousState() const = 0;
   virtual void restoreViscousState(const ViscousState* state) = 0;
 
@@ -72,9 +73,9 @@ class Elasticity : public ElasticEnergy {
   /// @throws std::invalid_argument for a body of other elements or solids.
   virtual void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) = 0;
 
-  /// All memory: what viscous solids went through, and the step that was begun.
+  /// Writes the viscous state and that of the step.
   virtual void save(StateWriter* out) const = 0;
-  /// @throws std::invalid_argument for the memory of another body.
+  /// @throws std::invalid_argument for the state of another body.
   virtual void restore(StateReader* in) = 0;
 };
 

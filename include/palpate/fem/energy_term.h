@@ -7,8 +7,8 @@
 
 namespace palpate::fem {
 
-/// Something beside the elastic energy that acts on nodal positions x, 3 x n [m]: a load, inertia,
-/// contact. It adds to what is there.
+/// An energy of nodal positions x, 3 x n [m], in addition to the elastic energy: a load, inertia,
+/// contact.
 class EnergyTerm {
  public:
   virtual ~EnergyTerm() = default;
@@ -17,13 +17,13 @@ class EnergyTerm {
   virtual double value(const Points& x) const = 0;
   /// The energy; g += its gradient [N], which is minus the force on the nodes.
   virtual double addGradient(const Points& x, Points* g) const = 0;
-  /// K += its second derivative [N/m], or a positive semidefinite part of it where `tangent` asks:
-  /// off the diagonal by Stiffness::add() or addPoint(), between any nodes.
+  /// K += the second derivative [N/m], or a positive semidefinite part by `tangent`. Off-diagonal
+  /// blocks between any nodes by Stiffness::add() or addPoint().
   virtual void addHessian(const Points& x, Tangent tangent, Stiffness* K) const = 0;
-  /// Largest part in [0, 1] of the step d from x that this term can be trusted over; a line search
-  /// begins there.
+  /// Largest fraction in [0, 1] of the step d from x for which the term is valid; start of line
+  /// searches.
   virtual double maxStep(const Points& /*x*/, const Points& /*d*/) const { return 1.0; }
-  /// Whether the gradient is that of the value; a follower pressure on an open patch has none.
+  /// Whether the gradient derives from the value; false for a follower pressure on an open patch.
   virtual bool conservative() const { return true; }
 };
 

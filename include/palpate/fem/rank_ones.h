@@ -9,10 +9,9 @@
 
 namespace palpate::fem {
 
-/// Part of a symmetric matrix that is a sum of few c a a^T, c > 0, each over many nodes: what a
-/// volume that something resists adds to a stiffness. As blocks each would fill the square of its
-/// nodes; so it is kept as it is, applied in two sweeps over them, and a factor of the rest is
-/// corrected for it.
+/// Rank-one updates of a symmetric matrix: a sum of few c a a^T, c > 0, each over many nodes, such
+/// as the stiffness of a volume. Stored as vectors, since blocks would be dense over the nodes;
+/// products use the vectors, and factors are corrected.
 class RankOnes {
  public:
   struct Term {
@@ -26,7 +25,7 @@ class RankOnes {
   const Term& operator[](std::size_t k) const { return terms_[k]; }
 
   Term& add(const std::vector<int>& nodes, const Points& a, double c);
-  /// Forgets all, but not their memory.
+  /// Removes all terms, but keeps their buffers.
   void clear() { count_ = 0; }
 
   /// y += A x, both 3 x n.

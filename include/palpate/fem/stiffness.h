@@ -33,9 +33,9 @@ struct VolumeStiffness {
   void addTransposed(const Eigen::VectorXd& p, Points* y) const;
 };
 
-/// Symmetric stiffness matrix of a body: 3 x 3 blocks and, for elements with nodal pressures,
-/// a VolumeStiffness, whose patterns never change; beside them, what ties nodes together that no
-/// element connects, two by two or many at once.
+/// Symmetric stiffness of a body: 3 x 3 blocks and, for elements with nodal pressures, a
+/// VolumeStiffness, both of fixed pattern; couplings between unconnected nodes, and rank-one
+/// updates.
 class Stiffness {
  public:
   Stiffness() = default;
@@ -54,21 +54,21 @@ class Stiffness {
   const Couplings& couplings() const { return couplings_; }
   const RankOnes& rankOnes() const { return rank_ones_; }
 
-  /// Where the nodes are of somebody who adds and knows one body of several, or two: his node i is
-  /// `first` + i, and from `split` on `second` + i - split.
+  /// Map from the nodes of one or two bodies to those of a group: node i is `first` + i, and from
+  /// `split` on `second` + i - split.
   struct NodeMap {
     int first = 0, split = std::numeric_limits<int>::max(), second = 0;
 
     int of(int i) const { return i < split ? first + i : second + i - split; }
   };
-  /// Of all that is added from here on.
+  /// Sets the map for all later add() calls.
   void setNodeMap(const NodeMap& node_map) { node_map_ = node_map; }
   /// += w I on the diagonal block of node i.
   void addToDiagonal(int i, double w) {
     blocks_.block(blocks_.diagonal(node_map_.of(i))).diagonal().array() += w;
   }
-  /// += M on block (i, j), which becomes one of the couplings where the pattern has none; add its
-  /// transpose to (j, i), too.
+  /// += M on block (i, j), or a coupling where the pattern has none.
+  /// @pre The caller adds the transpose to (j, i).
   void add(int i, int j, const Mat3& M) {
     i = node_map_.of(i);
     j = node_map_.of(j);
@@ -94,8 +94,7 @@ class Stiffness {
       }
     }
   }
-  /// The blocks hold what they do without any add(): forgets couplings, rank ones and where was
-  /// added to.
+  /// Clears couplings, rank-one updates and the record of add() after the blocks were overwritten.
   void forgetAdded() {
     blocks_.forgetAdded();
     couplings_.clear();

@@ -11,18 +11,17 @@
 
 namespace palpate::tissue {
 
-/// A region of tensors (TensorMassElasticity) and a rest that is linear and quasi-static
-/// (LinearPart), which share the points of a border. Points of the rest alone have no inertia but
-/// a part kInertia of their mass, which integrators divide by.
+/// A region of tensors (TensorMassElasticity) and a linear, quasi-static part (LinearPart) that
+/// share the points of a border. Points of the linear part alone have the fraction kInertia of
+/// their mass, since integrators divide by masses.
 ///
-/// Unknowns are the points of the region, those that the rest keeps, and of its surface those that
-/// tools may touch (TouchedSurface). Where all others are, recover() says; whoever minimises holds
-/// those that are inner. At x from there the energy is the elastic energy and the gradient its
-/// gradient, but for points that are held for ever, which reactions() knows.
+/// Unknowns are the points of the region, kept points of the linear part, and its touchable surface
+/// points (TouchedSurface); inner points are held in the minimisation, and recover() computes them.
+/// At a recovered x energy and gradient are the elastic ones, except at fixed points: reactions().
 ///
-/// Both are solved together, as at first, or, after beginLoop(), with one exchange a cycle [Cotin,
-/// Delingette, Ayache 2000]: until the next one the rest has the border's displacements of that
-/// moment, and the region feels the forces that they need.
+/// Both parts are solved as one by default, or, after beginLoop(), with one exchange per cycle
+/// [Cotin, Delingette, Ayache 2000]: the linear part has the border's displacements of the
+/// exchange, and the region the forces for these.
 class HybridElasticity final : public CellElasticity {
  public:
   static constexpr double kInertia = 1e-9;
@@ -32,39 +31,41 @@ class HybridElasticity final : public CellElasticity {
   HybridElasticity(const mesh::TetMesh& mesh, const fem::Composition& composition,
                    const std::vector<int>& region, const fem::FreeMask& free, const Vec3& gravity,
                    const std::vector<char>& acted);
-  HybridElasticity(const HybridElasticity&) = delete;  // parts refer to each other
+  HybridElasticity(const HybridElasticity&) = delete;  // members refer to each other
   HybridElasticity& operator=(const HybridElasticity&) = delete;
 
   const Eigen::VectorXd& masses() const override { return inertia_; }
   fem::Stiffness makeMatrix() const override;
   double energy(const Points& x) override;
   double gradient(const Points& x, Points* g) override;
-  /// That of touched points is in couplings().
+  /// The stiffness of touched points is in couplings().
   void hessian(const Points& x, fem::Tangent tangent, fem::Stiffness* K) override;
   double minJacobian(const Points& x) override;
   void relax(const Points& x) override;
   void save(StateWriter* out) const override;
   void restore(StateReader* in) override;
 
-  /// Tetrahedra of tensors, ascending.
+  /// Tetrahedra of the region, ascending.
   const std::vector<int>& region() const { return region_; }
-  /// Null where all is region.
+  /// The linear part; null where all is region.
   const LinearPart* rest() const { return rest_ ? &*rest_ : nullptr; }
-  /// Kept points that belong to the region, too.
+  /// Kept points that also belong to the region.
   int numBorder() const { return num_border_; }
 
-  /// What tools may touch: the candidates of `contact`, which outlives this, at any time.
+  /// Sets the contact whose candidates tools may touch.
+  /// @pre It outlives this.
   void follow(const contact::ContactPotential* contact) { contact_ = contact; }
-  /// A term of the potential, whose derivatives beside the second are in this energy.
+  /// A term with second derivatives only; value and gradient are in this energy.
   const fem::EnergyTerm* couplings() const { return &couplings_; }
 
-  /// A cycle begins at x, 3 x n [m].
+  /// Begins a cycle at x, 3 x n [m].
   void beginCycle(const Points& x);
-  /// Puts the points of x that are no unknowns where they are in balance.
+  /// Computes the points of x that are no unknowns, in equilibrium.
   void recover(Points* x);
-  /// The same, of a body that nothing touches.
+  /// The same without contact.
   void recoverUntouched(Points* x);
-  /// After recover(), where there is a rest: its gradient at LinearPart::fixed() [N].
+  /// Gradient of the linear part at LinearPart::fixed() [N].
+  /// @pre recover().
   void reactions(Points* g) { rest_->reactions(g); }
   void beginLoop(const Points& x);
   /// longestLoopStep() with this damping by mass [1/s], [s].
@@ -100,13 +101,13 @@ class HybridElasticity final : public CellElasticity {
   Couplings couplings_{this};
   const contact::ContactPotential* contact_ = nullptr;
   std::vector<int> candidates_;
-  bool floats_ = false;                  // the rest is held at no point for ever
-  std::vector<int> unknowns_;            // of the region and kept ones, ascending
-  Vec3 middle_ = Vec3::Zero();           // of these at rest [m],
-  Mat3 inverse_inertia_ = Mat3::Zero();  // of whose masses are 1
+  bool floats_ = false;                  // the linear part has no fixed point
+  std::vector<int> unknowns_;            // points of the region and kept ones, ascending
+  Vec3 middle_ = Vec3::Zero();           // centroid of these at rest [m]
+  Mat3 inverse_inertia_ = Mat3::Zero();  // inverse moment of inertia with unit masses
   bool loops_ = false;
-  Eigen::VectorXd u_c_, imposed_;  // of the kept points, and in a loop as the rest has them [m]
-  Eigen::VectorXd answered_;       // the last cycle's forces on the surface, 3 p [N]
+  Eigen::VectorXd u_c_, imposed_;  // displacements of kept points; those imposed in a loop [m]
+  Eigen::VectorXd answered_;       // contact forces of the last cycle on the surface, 3 p [N]
   Eigen::VectorXd of_border_;
   double imposed_energy_ = 0.0;  // [J]
   Points loads_;                 // 3 x n, in the gradient [N]

@@ -8,13 +8,12 @@
 
 namespace palpate::tissue {
 
-/// Implicit steps of a body of HybridElasticity by the scene's method; after each cycle the points
-/// that are no unknowns are put where they are in balance, before each, in a loop, region and rest
-/// exchange forces and displacements. It is solved alone.
+/// Implicit steps of a body of HybridElasticity by the scene's method. Each cycle ends with
+/// recover(); in a loop it begins with the exchange of forces and displacements. Not for groups.
 class HybridSteps final : public StepMethod {
  public:
-  /// `elasticity`: the body's. @throws std::invalid_argument for a method that is not implicit and
-  /// for damping by stiffness, of which the rest has none.
+  /// `elasticity`: the body's. @throws std::invalid_argument for a method that is not implicit, and
+  /// for stiffness damping, which the linear part does not support.
   HybridSteps(FemBody* body, HybridElasticity* elasticity, bool loop);
 
   bool advance(double dt, TissueStep* out) override;

@@ -12,22 +12,23 @@ namespace palpate::tissue {
 
 constexpr int kMaxCondensedPoints = 1500;
 
-/// Tetrahedra of linear elastostatics, K u = f, solved for beforehand. Of its points
+/// Precomputed linear elastostatics of tetrahedra, K u = f. Kinds of points:
 ///
-///   `kept` c   are shared with others, or others act on them: unknowns,
+///   `kept` c   shared with the region or loaded: unknowns,
 ///   `surface`  p, free, may be touched,
 ///   `inner`    i, free, feel nothing but their weight,
 ///   `fixed`    are held for ever.
 ///
-/// What is inner is eliminated first [Guyan 1965; Bro-Nielsen, Cotin 1996], then the surface, of
-/// which a compliance is left [James, Pai 1999]: under forces e on the surface,
+/// Static condensation eliminates inner points [Guyan 1965; Bro-Nielsen, Cotin 1996], then the
+/// surface, which leaves a compliance [James, Pai 1999]: under forces e on the surface,
 ///
 ///   u_p = a + T u_c + C e,   f_c = S u_c + b - T^T e.
 class LinearPart {
  public:
   struct Load {
-    Eigen::VectorXd weights;  ///< Of all points, 3 n [N]; those of free ones that are not kept act.
-    std::vector<char> acted;  ///< n: whether something but tools and weight acts, or carries.
+    Eigen::VectorXd
+        weights;  ///< Weights of all points, 3 n [N]; used at free points that are not kept.
+    std::vector<char> acted;  ///< n: whether other loads or prescribed motion act.
   };
   /// `tets`: of `mesh`, which is at rest in the world, ascending; `volumes` of all [m^3].
   /// @throws std::invalid_argument for more than kMaxCondensedPoints that are kept or surface.
@@ -51,17 +52,17 @@ class LinearPart {
   /// The elastic energy where u_c and e are zero [J].
   double energyOfWeights() const { return energy_of_weights_; }
 
-  /// Where a point is at rest [m].
+  /// Rest position of a point [m].
   auto rest(int node) const { return X_.col(node); }
   /// u_c of x, 3 x n [m].
   void keptOf(const Points& x, Eigen::VectorXd* u_c) const;
-  /// Puts surface and inner points of x where they are in balance under the displacements u_c and
-  /// the forces e on the surface points `touched` (their places in surface()).
+  /// Computes surface and inner points of x, in equilibrium under displacements u_c and forces e on
+  /// surface points `touched`, indices in surface().
   void recover(const Eigen::VectorXd& u_c, const std::vector<int>& touched,
                const Eigen::Ref<const Eigen::VectorXd>& e, Points* x);
   /// The gradient of the elastic energy at fixed(), 3 x their number [N], after recover().
   void reactions(Points* g);
-  /// Of all that is dense [bytes].
+  /// Size of the dense matrices [bytes].
   std::size_t memory() const {
     return sizeof(double) * static_cast<std::size_t>(S_.size() + T_.size() + C_.size());
   }

@@ -8,31 +8,31 @@
 
 namespace palpate::tissue {
 
-/// The points A of a linear part's surface that tools may touch, as unknowns. In balance with all
-/// others of the surface they have the energy
+/// Touchable surface points A of a linear part, as unknowns. In equilibrium with the other surface
+/// points their energy is
 ///
 ///   1/2 r^T Q r,   r = u_A - a_A - T_A u_c,   Q = C_AA^-1,
 ///
-/// of which Q r are the forces that they need. The other points of the surface are pinned: each by
-/// the stiffness D that it has alone, where it was put last, which so exerts nothing until it is
-/// put elsewhere.
+/// with forces Q r. Other surface points are pinned at their last positions by their own stiffness
+/// D, without force there.
 class TouchedSurface {
  public:
   explicit TouchedSurface(const LinearPart* part);
 
-  /// A: those of these points of the body, ascending, that are of the surface. False: as before.
+  /// Sets A to the surface points among these points of the body, ascending. Returns whether A
+  /// changed.
   bool set(const std::vector<int>& nodes);
-  /// Where they are pinned from now on: at x, 3 x n [m].
+  /// Pins the points at x, 3 x n [m].
   void pin(const Points& x);
   /// Energy at x [J], where the kept points' displacements are u_c; g += its gradient. `back`:
-  /// whether the kept points feel it.
+  /// whether forces act on kept points.
   double addGradient(const Points& x, const Eigen::VectorXd& u_c, bool back, Points* g);
-  /// D of all points of the surface.
+  /// Stiffness D of all surface points [N/m].
   void addPins(fem::BlockMatrix* K) const;
-  /// What the second derivative has beside.
+  /// Adds the dense second derivative over A and the kept points.
   void addHessian(bool back, fem::Stiffness* K) const;
 
-  /// Places of A in LinearPart::surface(), and the forces at x on them, 3 each [N].
+  /// Indices of A in LinearPart::surface(), and forces on them at x, 3 each [N].
   const std::vector<int>& places() const { return places_; }
   Eigen::Ref<const Eigen::VectorXd> forces(const Points& x, const Eigen::VectorXd& u_c);
 

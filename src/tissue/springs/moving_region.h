@@ -8,24 +8,25 @@
 
 namespace palpate::tissue {
 
-/// The points that go on in a step: all, or, as in a published step of tetrahedra's springs, those
-/// around what tools touch [CN 103400023 B, step 4]; the others stay where they are.
+/// Points that move in a step: all, or those around touched points, as published for springs of
+/// tetrahedra [CN 103400023 B, step 4]; others are fixed.
 class MovingRegion {
  public:
-  /// `X`: points at rest, 3 x n [m]. `radius` [m]: how far from a touched point; infinity: all
-  /// points, always. `a`, `b`: the ends of each spring.
+  /// `X`: rest positions, 3 x n [m]; `radius`: around touched points [m], infinity: all; `a`, `b`:
+  /// ends of each spring.
   MovingRegion(const Points& X, double radius, std::vector<int> a, std::vector<int> b);
 
-  /// Points that move, ascending, and springs with an end that does.
+  /// Moving points, ascending, and springs with a moving end.
   const std::vector<int>& points() const { return points_; }
   const std::vector<int>& springs() const { return springs_; }
   bool moves(int point) const { return moves_[static_cast<std::size_t>(point)] != 0; }
-  /// Whether it is all points.
+  /// Whether the region has all points.
   bool whole() const { return points_.size() == moves_.size(); }
 
-  /// The points near these move, too, from now on.
+  /// Adds the points near these to the region.
   void addAround(const std::vector<int>& touched);
-  /// All go on, or none, as long as nothing is touched: what was set from outside is to settle.
+  /// Makes all points, or none, move until a touch; all after positions were set, to reach
+  /// equilibrium.
   void setAll();
   void clear();
 

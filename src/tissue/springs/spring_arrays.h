@@ -8,8 +8,8 @@
 
 namespace palpate::tissue {
 
-/// The springs of a network as one array a quantity, ordered by their first ends, and what they do,
-/// with vector instructions. Sums run in a fixed order.
+/// Springs of a network in structure-of-arrays form, ordered by first ends, with vectorised forces.
+/// Sums have a fixed order.
 class SpringArrays {
  public:
   explicit SpringArrays(const springs::SpringNetwork& network, Isa isa = bestIsa());
@@ -17,11 +17,11 @@ class SpringArrays {
   int size() const { return size_; }
   int a(int s) const { return a_[static_cast<std::size_t>(s)]; }
   int b(int s) const { return b_[static_cast<std::size_t>(s)]; }
-  /// Force at the distance u [N], its derivative [N/m], and the energy [J].
+  /// Force at distance u [N], derivative [N/m], energy [J].
   double force(int s, double u) const { return preload(s) + stiffness(s) * (u - length(s)); }
   double stiffness(int s) const { return stiffness_[static_cast<std::size_t>(s)]; }
   double preload(int s) const { return preload_[static_cast<std::size_t>(s)]; }
-  /// Of its own [N s/m].
+  /// Damper of the spring [N s/m].
   double damping(int s) const { return damping_[static_cast<std::size_t>(s)]; }
   double length(int s) const { return length_[static_cast<std::size_t>(s)]; }
   double energy(int s, double u) const {
@@ -29,17 +29,17 @@ class SpringArrays {
     return (preload(s) + 0.5 * stiffness(s) * longer) * longer;
   }
 
-  /// Sum of all energies at x, 3 x n [m].
+  /// Energy of all springs at x, 3 x n [m] [J].
   double energy(const Points& x) const;
   /// The same; g += its gradient, 3 x n [N].
   double addGradient(const Points& x, Points* g) const;
-  /// Of some springs only.
+  /// Restricted to the given springs.
   void addGradient(const Points& x, const std::vector<int>& some, Points* g) const;
-  /// g += minus the forces of dampers beside some springs, each of `ratio` [s] times its stiffness
-  /// along it, and of its own: at x with velocities v, 3 x n [m/s].
+  /// g -= forces of dampers of the given springs at x with velocities v, 3 x n [m/s]: `ratio` [s]
+  /// times the stiffness, plus the springs' own.
   void addDamping(const Points& x, const Points& v, double ratio, const std::vector<int>& some,
                   Points* g) const;
-  /// Whether any has a damper of its own.
+  /// Whether a spring has a damper of its own.
   bool damps() const { return damps_; }
 
  private:
@@ -47,11 +47,11 @@ class SpringArrays {
 
   SpringKernel kernel_;
   int size_ = 0;
-  // Filled up to whole batches, see SpringSpan.
+  // Padded to whole batches, as SpringSpan requires.
   std::vector<int> a_, b_, a3_, b3_;
   std::vector<double> stiffness_, preload_, length_, damping_;
   bool damps_ = false;
-  // Scratch, a row a spring.
+  // Buffers, a row per spring.
   mutable Eigen::MatrixX3d force_;
   mutable Eigen::VectorXd energy_;
 };

@@ -10,10 +10,10 @@
 
 namespace palpate::tissue {
 
-/// SpringForces between the points of tetrahedra.
+/// Elasticity of springs between the points of tetrahedra.
 ///
-/// Tetrahedra only carry masses, and say where space is turned inside out; each has of a spring's
-/// energy what its volume is of those that share the spring.
+/// Tetrahedra provide masses and det F. A tetrahedron's share of a spring's energy is its share of
+/// the volume around the spring.
 class SpringElasticity final : public CellElasticity {
  public:
   /// `network`: springs between points of `mesh`, which need not be edges.
@@ -34,7 +34,7 @@ class SpringElasticity final : public CellElasticity {
  private:
   Mat3 cauchyStress(const Points& x, int t, const Mat3& F) override;
   double energyOf(const Points& x, int t) override;
-  /// visit(spring, share) of those along the edges of tetrahedron t.
+  /// Calls visit(spring, share) for springs along the edges of tetrahedron t.
   template <class Visit>
   void forEdges(int t, const Visit& visit) const;
 

@@ -6,7 +6,7 @@
 
 namespace palpate::tissue {
 
-/// The energy of springs between points, whatever lies between these [Wang 2005, sec. 2.2]:
+/// Energy of springs between points [Wang 2005, sec. 2.2]:
 ///
 ///   W = sum over springs  P (u - u0) + k/2 (u - u0)^2,   u the distance of its ends.
 class SpringForces {
@@ -16,10 +16,10 @@ class SpringForces {
   SpringForces(const springs::SpringNetwork& network, Eigen::Index num_points);
 
   const SpringArrays& springs() const { return springs_; }
-  /// Bound of the squares of all frequencies, in any shape: springs::largestStep() [1/s^2].
+  /// Upper bound of squared frequencies in any configuration: springs::largestStep() [1/s^2].
   double largestSquare() const { return largest_square_; }
 
-  /// As those of fem::Elasticity.
+  /// As in fem::Elasticity.
   fem::Stiffness makeMatrix() const;
   double energy(const Points& x) const { return springs_.energy(x); }
   double gradient(const Points& x, Points* g) const;

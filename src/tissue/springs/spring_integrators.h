@@ -8,15 +8,14 @@
 
 namespace palpate::tissue {
 
-/// How point masses go on in an explicit step of h [s], from velocity v with acceleration a, both
-/// at its beginning, damping included.
+/// Explicit integrator of point masses over a step of h [s], from velocity v and acceleration a
+/// with damping, both at the begin.
 struct SpringIntegrator {
   const char* name;
-  /// The way in the step [m]; v becomes the velocity at its end [m/s].
+  /// Returns the displacement [m]; v becomes the velocity at the end [m/s].
   Vec3 (*go)(double h, const Vec3& a, Vec3* v);
-  /// The longest stable step [s] of a mode of the square of the frequency w2 [1/s^2] that is damped
-  /// by the rate d [1/s] at least and d_most at most, x'' + d x' + w2 x = 0. Zero: it grows in any
-  /// step.
+  /// Largest stable step [s] of a mode x'' + d x' + w2 x = 0 with w2 [1/s^2] and a damping rate
+  /// between d and d_most [1/s]. Zero: unstable for any step.
   double (*longest)(double w2, double d, double d_most);
 };
 

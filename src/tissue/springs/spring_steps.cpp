@@ -16,11 +16,11 @@ namespace {
 constexpr double kSafety = 0.9;
 constexpr double kMaxSubSteps = 1e5;
 constexpr int kMaxCaution = 8, kCautionForGain = 2;
-// Times the energy that is known to have come in, with a part of what all springs may take, for
-// tissue that a tool is in at once: beyond it, contact made it.
+// Largest ratio of energy gained to energy supplied [-]; the supply includes a fraction of the
+// springs' capacity, for tools that begin in tissue.
 constexpr double kEnergyGain = 4.0, kOfSprings = 0.1;
 
-// By the largest sum of dampers at a point: no mode is damped at a higher rate than twice that.
+// Upper bound of damping rates: twice the largest sum of dampers at a point over its mass.
 double ownDamping(const SpringArrays& springs, const Eigen::VectorXd& masses) {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(masses.size());
   for (int s = 0; s < springs.size(); ++s) {
@@ -108,7 +108,7 @@ SpringSteps::SpringSteps(FemBody* body, const SpringForces* springs,
                       inSeconds(at_rest) + " s are stable";
 }
 
-// Of modes up to a square of the frequency [s].
+// Largest stable step of modes up to a squared frequency [s].
 double SpringSteps::longestStep(double square) const {
   if (!(square > 0.0)) return std::numeric_limits<double>::infinity();
   const double d = body_.settings.mass_damping + body_.settings.stiffness_damping * square;
@@ -139,7 +139,7 @@ void SpringSteps::restore(StateReader* in) {
   addForces(&g_);
 }
 
-// Minus all forces but contact and damping by mass, of springs with an end that moves.
+// Computes minus all forces but contact and mass damping, of springs with a moving end.
 void SpringSteps::addForces(Points* g) const {
   if (loads_vary_) {
     g->setZero();
@@ -182,7 +182,7 @@ bool SpringSteps::advance(double dt, TissueStep* out) {
     body_.contact.restore(&before);
     if (gained_ && finer >= kCautionForGain) return false;
     if (late && finer < kMaxCaution) {
-      out->status = solver::SolveStatus::kDeadline;  // finer sub-steps were not tried
+      out->status = solver::SolveStatus::kDeadline;  // without an attempt of finer sub-steps
       return false;
     }
   }
@@ -205,7 +205,7 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
     region_.addAround(contact_.nodes());
     late = k < steps && solver::isInterrupted(body_.interrupt);
   }
-  // Where the tools are now the springs have not followed them.
+  // The springs have not followed the tools.
   if (late) body_.tool_contact.inside_tools.invalidate();
   if (!body_.x.allFinite() || !body_.v.allFinite()) return false;
   gained_ = !plausible();
@@ -223,14 +223,14 @@ bool SpringSteps::run(double dt, int steps, TissueStep* out) {
   return true;
 }
 
-// At x, v: with that of loads, and `own` without.
+// Energy at x, v [J]: total, and `own` without loads.
 double SpringSteps::energy(const Points& x, const Points& v, double* own) {
   way_.setZero();
   *own = 0.5 * v.colwise().squaredNorm().dot(masses_.transpose()) + body_.elasticity->energy(x);
   return *own + body_.addLoads(x, &way_);
 }
 
-// Whether motion and springs have no more than they had, and tools gave, since these touch.
+// Whether the energy gained since tools touch is within their work.
 bool SpringSteps::plausible() {
   const bool counts = touched_now_ && !body_.heldMoves() && !body_.surroundings.moves();
   Account account = counts ? account_ : Account();
@@ -247,7 +247,7 @@ bool SpringSteps::plausible() {
   return true;
 }
 
-// One integrator's step of `h`, in which the tools go on to part `s` of their way.
+// Computes a sub-step of `h` [s] with the tools moved to fraction `s` of their path.
 bool SpringSteps::subStep(double h, double s, TissueStep* out) {
   body_.surroundings.moveTo(s);
   {
@@ -285,7 +285,7 @@ bool SpringSteps::subStep(double h, double s, TissueStep* out) {
   return true;
 }
 
-// Once nothing is touched and all has come to rest, nothing moves.
+// Empties the moving region once nothing is touched and all points rest.
 void SpringSteps::clearRegionAtRest(const TissueStep& out) {
   if (!contact_.nodes().empty()) return;
   const double kinetic = 0.5 * body_.v.colwise().squaredNorm().dot(masses_.transpose());
@@ -310,7 +310,7 @@ void SpringSteps::reportForces(TissueStep* out) {
   }
   out->inertia_force = accelerating;
   body_.reportSupport(next_, out);
-  // What holds the points that are left where they are.
+  // Support forces of fixed points.
   for (Eigen::Index i = 0; i < next_.cols(); ++i) {
     if (!region_.moves(static_cast<int>(i))) {
       out->support_force += next_.col(i).cwiseProduct(body_.free.col(i));

@@ -11,30 +11,29 @@
 
 namespace palpate::tissue {
 
-/// How the springs of a body go on in explicit steps.
+/// Settings of explicit steps of springs.
 struct SpringStepSettings {
   const SpringIntegrator* integrator;
-  double step;    ///< Longest sub-step [s]; 0: nine tenths of what is stable in any shape.
-  double radius;  ///< Of MovingRegion [m]; infinity: all moves.
-  double load_square = 0.0;  ///< Bound of frequencies by the body's loads, squared [1/s^2].
+  double step;    ///< Largest sub-step [s]; 0: 0.9 of the stable one in any configuration.
+  double radius;  ///< Radius of MovingRegion [m]; infinity: all points move.
+  double load_square = 0.0;  ///< Upper bound of squared frequencies of the body's loads [1/s^2].
 };
 
 /// Explicit steps of point masses, springs and dampers,
 ///
 ///   m a = -dW/dx - sum_springs l (v_ab . n) n - c m v + loads,   l = b k + the spring's own,
 ///
-/// b the organ's damping by stiffness, c that by mass, in sub-steps of the integrator. Touched
-/// points go as symplectic Euler has them, with the contact's forces of the end (ContactUpdate).
+/// with stiffness damping b and mass damping c of the organ, in sub-steps of the integrator.
+/// Touched points use symplectic Euler with implicit contact (ContactUpdate).
 ///
-/// TissueStep: sweep_stages is the number of sub-steps, still_points how many points were left
-/// where they are, whose unbalanced forces count as those of supports. A cycle that would end
-/// with numbers that are not finite, carry tissue through a tool, or gain more energy than tools
-/// give, is repeated with 2, 4 and 8 times the sub-steps (time_steps), then fails. An interrupt is
-/// asked after each sub-step; the cycle then ends there, late.
+/// TissueStep: sweep_stages: number of sub-steps; still_points: fixed points, whose unbalanced
+/// forces count as support forces. A cycle with values that are not finite, tissue passing through
+/// a tool, or spurious energy is repeated with 2, 4 and 8 times the sub-steps (time_steps), then
+/// fails. Interrupts are polled after each sub-step and end the cycle.
 class SpringSteps final : public StepMethod {
  public:
-  /// `springs`: those of the body's elasticity. @throws std::invalid_argument, with the limit, for
-  /// a step that is longer than the stable one at rest, or where there is none.
+  /// `springs`: of the body's elasticity.
+  /// @throws std::invalid_argument, with the limit, for an unstable step, or where none is stable.
   SpringSteps(FemBody* body, const SpringForces* springs, const SpringStepSettings& settings);
 
   bool advance(double dt, TissueStep* out) override;
@@ -60,19 +59,19 @@ class SpringSteps final : public StepMethod {
   const SpringForces& forces_;
   SpringStepSettings settings_;
   Eigen::VectorXd masses_;
-  double own_damping_;    // bound of the rate at which springs' own dampers damp [1/s]
+  double own_damping_;    // upper bound of damping rates by springs' own dampers [1/s]
   Points minus_weight_;   // 3 x n [N]
-  bool loads_vary_;       // beside gravity
-  double square_;         // bound of all frequencies' [1/s^2]
+  bool loads_vary_;       // in addition to gravity
+  double square_;         // upper bound of squared frequencies [1/s^2]
   double longest_ = 0.0;  // sub-step [s]
   ExplicitContact contact_;
   MovingRegion region_;
-  Points g_;  // minus all forces but contact, 3 x n [N]; where nothing moves, of no use
+  Points g_;                      // minus all forces but contact, 3 x n [N]; valid at moving points
   Points way_, next_, held_way_;  // of a sub-step
-  StateWriter touched_;           // where the cycle began, and
+  StateWriter touched_;           // contact state at the cycle's begin
   Points begin_x_, begin_v_, contact_g_;
   Eigen::VectorXd coefficients_;
-  // Since tools began to touch: energies [J] of all and of what is its own, and the tools' work.
+  // Since tools began to touch: total and internal energy [J], and the tools' work [J].
   struct Account {
     double all = 0.0, own = 0.0, work = 0.0;
     bool open = false;
@@ -80,7 +79,7 @@ class SpringSteps final : public StepMethod {
   Account account_;
   double work_ = 0.0;  // in this cycle [J]
   bool touched_now_ = false, gained_ = false;
-  // If each spring were stretched to twice its length: energy [J], and forces at a point [N].
+  // Energy [J] and forces at a point [N] with all springs stretched to twice their length.
   double all_springs_;
   Eigen::VectorXd strong_;
 };

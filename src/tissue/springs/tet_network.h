@@ -13,12 +13,11 @@ namespace palpate::tissue {
 
 /// Springs between the points of tetrahedra, at rest in the world:
 ///
-/// "volumes": an edge of length L with volume V around it has the stiffness E V / L^2, E being the
-/// mean over V; a body whose edges point everywhere alike then has Young's modulus E, and Poisson's
-/// ratio 1/4 [Wang 2005, (7.59)].
-/// "fitted": springs::fitSolid() with its mean matched, times that mean E; how well it is fitted
-/// becomes one of `notes`. "file": what springs::readSprings() reads; damping, lengths and preloads
-/// with it. Masses are a quarter of those of the tetrahedra around a point.
+/// "volumes": an edge of length L with adjacent volume V has the stiffness E V / L^2, with the mean
+/// E over V. With isotropic edge directions Young's modulus is E and Poisson's ratio 1/4 [Wang
+/// 2005, (7.59)]. "fitted": springs::fitSolid() with its mean matched, times the mean E; `notes`
+/// gets the quality of the fit. "file": what springs::readSprings() reads; damping, lengths and
+/// preloads with it. Masses are a quarter of those of the tetrahedra around a point.
 /// @throws palpate::InputError as readSprings(); std::invalid_argument for a file with other
 /// points, by more than a thousandth of the mesh's size, or as fitSolid().
 springs::SpringNetwork tetNetwork(const mesh::TetMesh& mesh, const Pose& X_WO,
