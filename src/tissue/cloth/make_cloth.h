@@ -8,12 +8,11 @@
 
 namespace palpate::tissue {
 
-/// Model "cloth": a sheet of point masses and springs (sheetNetwork()) as thick as its settings
-/// say, which tools touch from either side. It is moved, held, solved and stepped as model
-/// mass_spring is, by the same schemes. Rolled up, its layers are kept apart
-/// (contact::LayerContact); no other organ touches it.
+/// Model "cloth": a sheet of point masses and springs (sheetNetwork()) with thickness, touched on
+/// both sides. Integration, supports and solvers are those of mass_spring. A rolled sheet has layer
+/// contact (contact::LayerContact); there is no contact with other organs.
 /// @throws as makeFem(), sheetNetwork(), rolledUp() and SpringSteps; std::invalid_argument for
-/// supports that need faces of a body, pressures, fibres, viscous terms and a mesh that adapts.
+/// supports on faces, pressures, fibres, viscous terms and adaptation.
 std::unique_ptr<TissueModel> makeCloth(const ModelDescription& description);
 
 }  // namespace palpate::tissue

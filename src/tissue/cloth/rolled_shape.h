@@ -11,11 +11,10 @@ namespace palpate::tissue {
 double spiralLength(const RolledSettings& rolled, double left);
 double spiralLeft(const RolledSettings& rolled, double length);
 
-/// Where the points X of a flat sheet at z = const, 3 x n [m], are when it is rolled up: each as
-/// far along the spiral as it is along y from the edge. `spacing`: mean distance of neighbours [m].
-/// @throws std::invalid_argument, naming the key, the value and what is allowed, for a sheet that
-/// is not flat, and a radius or a loss with which layers would be nearer than gap_least, or the
-/// innermost one narrower than `spacing`.
+/// Positions of the points X of a flat sheet at z = const, 3 x n [m], rolled along a spiral by
+/// their distance in y from the edge. `spacing`: mean distance of neighbours [m].
+/// @throws std::invalid_argument, naming key, value and limit, for a sheet that is not flat, layers
+/// nearer than gap_least, or an innermost radius below `spacing`.
 Points rolledUp(const Points& X, double spacing, const RolledSettings& rolled);
 
 }  // namespace palpate::tissue

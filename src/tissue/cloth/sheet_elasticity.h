@@ -8,8 +8,8 @@
 
 namespace palpate::tissue {
 
-/// SpringForces between the points of a sheet of triangles, which only carry masses and say how it
-/// is stretched: det F of a triangle is its area over that at rest.
+/// Elasticity of springs between the points of a sheet. Triangles provide masses and det F, the
+/// ratio of their area to that at rest.
 class SheetElasticity final : public UnchangingElasticity {
  public:
   /// `thickness` [m], for the volume alone. @throws std::invalid_argument as SpringForces, and for
@@ -26,7 +26,7 @@ class SheetElasticity final : public UnchangingElasticity {
     forces_.hessian(x, tangent, K);
   }
   double minJacobian(const Points& x) override;
-  /// @throws std::invalid_argument always: there are no tetrahedra to be in.
+  /// @throws std::invalid_argument always: a sheet has no tetrahedra.
   std::vector<fem::PointState> states(const Points& x,
                                       const std::vector<mesh::Location>& places) override;
   Eigen::VectorXd energyBySolid(const Points& x) override;
@@ -36,7 +36,7 @@ class SheetElasticity final : public UnchangingElasticity {
  private:
   SpringForces forces_;
   Eigen::Matrix3Xi triangles_;
-  Eigen::VectorXd areas_;  // at rest, of triangles [m^2]
+  Eigen::VectorXd areas_;  // areas of the triangles at rest [m^2]
   double volume_;
 };
 

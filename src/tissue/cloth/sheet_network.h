@@ -11,17 +11,16 @@
 
 namespace palpate::tissue {
 
-/// A sheet of point masses and springs in its own frame.
+/// A sheet of point masses and springs, in its own frame.
 struct SheetNetwork {
   springs::SpringNetwork network;
-  Eigen::Matrix3Xi triangles;  ///< Between its points, 3 x m.
+  Eigen::Matrix3Xi triangles;  ///< Triangles, 3 x m.
 };
 
-/// The sheet of an organ: of equal triangles, with the springs of springs::triangleSprings(), or
-/// what its file has, fitted by springs::fitSheet() with its means matched; the constants of either
-/// may come from a file (SpringSettings::constants). Without preload the springs that are left are
-/// as stiff as with it. Masses are by the triangles around a point. How well it is fitted becomes
-/// one of `notes`.
+/// Makes the sheet of an organ: equal triangles with springs::triangleSprings(), or the file's
+/// triangles with springs::fitSheet() and matched means; constants may come from a file
+/// (SpringSettings::constants). Without preload the remaining springs keep their stiffness. Masses
+/// are by adjacent triangles. `notes` gets the quality of the fit.
 /// @throws palpate::InputError as for files; std::invalid_argument naming the key, the value and
 /// what is allowed, or as springs::triangleNetwork() and springs::fitSheet().
 SheetNetwork sheetNetwork(const OrganDescription& organ, const material::Solid& solid,

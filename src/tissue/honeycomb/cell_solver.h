@@ -11,37 +11,38 @@
 
 namespace palpate::tissue {
 
-/// What a solve came to.
+/// Result of a solve.
 struct CellSolve {
   solver::SolveStatus status = solver::SolveStatus::kIterationLimit;
   int waves = 0;
-  int cells = 0;              ///< Solved, in all waves.
-  double residual = 0.0;      ///< Norm of what is unbalanced [N].
-  double volume_error = 0.0;  ///< Largest of a cell, over its volume at rest.
+  int cells = 0;              ///< Solved cells, summed over waves.
+  double residual = 0.0;      ///< Norm of the unbalanced forces [N].
+  double volume_error = 0.0;  ///< Largest relative volume error of a cell [-].
 };
 
-/// Quasi-static solves of a lattice of cells under contact: control sides, a wave, mixing, until no
-/// side moves farther in a wave than the threshold and what is unbalanced is within the tolerance,
-/// as is what volumes lack. Of cells that the cut-off leaves out nothing is asked.
+/// Quasi-static solver of a lattice under contact: control sides, a wave and mixing, until side
+/// displacements per wave, residual and volume errors are within limits. Cells below the cut-off
+/// are skipped.
 class CellSolver {
  public:
-  /// `tolerance` [N]. All that are classes are kept by reference.
+  /// `tolerance`: of the residual [N].
+  /// @pre Arguments of class type outlive this.
   CellSolver(const CellBalance& balance, const CornerMap& map,
              const contact::ContactPotential& contact, const HoneycombSettings& settings,
              double tolerance);
 
-  /// `whole`: no cell is left out.
+  /// Solves; `whole`: without skipped cells.
   CellSolve solve(int max_waves, const solver::Interrupt* interrupt, CellState* state,
                   bool whole = false);
 
-  /// All memory between solves.
+  /// Writes the state between solves.
   CellWaves& waves() { return waves_; }
   const CellWaves& waves() const { return waves_; }
 
-  /// Forces on corners of contact at x, world, 3 x n [N], as sides and turns get them.
+  /// Contact forces at x, world, 3 x n [N], mapped to sides and rotations.
   void contactForces(const Points& x, Points* f) const;
-  /// What is unbalanced on sides and turns that are not held, of cells that have been reached, or
-  /// `everywhere` [N]; `volume_error` as in CellSolve.
+  /// Residual of free sides and rotations of reached cells, or `everywhere` [N]; `volume_error` as
+  /// in CellSolve.
   double unbalanced(const CellState& state, bool everywhere, double* volume_error);
 
  private:
@@ -60,9 +61,9 @@ class CellSolver {
   ContactSides contact_sides_;
   WaveMixing mixing_;
   CellControl control_;
-  int solved_ = 0;                          // cells, in the last wave
-  std::vector<bool> fronts_of_, turns_of_;  // control sides and turns that fronts began from
-  double pressure_scale_, turn_scale_;      // to [m]
+  int solved_ = 0;                          // cells in the last wave
+  std::vector<bool> fronts_of_, turns_of_;  // control sides and rotations where fronts begin
+  double pressure_scale_, turn_scale_;      // scales to lengths
   Eigen::VectorXd begin_, middle_, end_, trial_, moved_, sides_, turns_;
   Points x_, next_, f_;
 };

@@ -9,39 +9,39 @@
 
 namespace palpate::tissue {
 
-/// Sides and turns that a wave finds as they are to be, and what acts on the others.
+/// Prescribed sides and rotations of a wave, and loads on the others.
 struct CellControl {
-  std::vector<bool> sides;                 ///< Of each: it is held, or moved from outside.
-  std::vector<bool> turns;                 ///< Likewise.
+  std::vector<bool> sides;                 ///< Whether each side is held or prescribed.
+  std::vector<bool> turns;                 ///< Whether each rotation is held or prescribed.
   Eigen::VectorXd side_loads, turn_loads;  ///< [N], [N m]
 
   void reset(const CellBalance& balance);
 };
 
-/// Solves cell after cell, front by front, from those with a side that is moved from outside [Wang
-/// 2005, 3.5, after Brown]; where there is none, from those that are held.
+/// Solves cells front by front, from those with a prescribed side [Wang 2005, 3.5, after Brown], or
+/// without any from held ones.
 ///
-/// Outward: a side that an earlier front has moved is active, as prescribed, to the cells behind; a
-/// cell of which all are solves for those that are not controlled. There and back: all sides that
-/// are not controlled are passive, and a second wave runs in the opposite order.
-/// Where both converge they come to the same state, that in which all balances.
+/// Outward: sides moved by an earlier front are active for the next cells; a cell with active sides
+/// only solves for those that are not controlled. There and back: all sides that are not controlled
+/// are passive, and a second wave runs in reverse. Both converge to the same equilibrium.
 class CellWaves {
  public:
-  /// `cut_off` [m], 0: none. `balance` is kept by reference.
+  /// `cut_off` [m]; 0: none. @pre `balance` outlives this.
   CellWaves(const CellBalance& balance, bool outward_only, double cut_off);
 
-  /// A solve begins: no cell has been reached, or, where none is to be left out, each `whole`.
+  /// Begins a solve: no cell is reached, or with `whole` all are.
   void begin(bool whole);
-  /// Before the first wave, and where what is controlled has become other: the fronts.
+  /// Computes the fronts.
+  /// @pre Called before the first wave, and after changes of the control.
   void findFronts(const CellControl& control);
-  /// One wave; returns how many cells were solved. `moved`: how far each side was moved from
-  /// outside since the last one [m].
+  /// Runs a wave. Returns the number of solved cells. `moved`: prescribed displacement of each side
+  /// since the last wave [m].
   int run(const CellControl& control, const Eigen::VectorXd& moved, CellState* state);
-  /// Whether the cell has taken part since begin(): its sides had moved by the cut-off, in all,
-  /// since it last did.
+  /// Whether a cell was solved since begin(): its sides' accumulated displacement reached the
+  /// cut-off.
   bool reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
 
-  /// How far the sides of cells have moved that were left out: all memory between solves.
+  /// Accumulated side displacements of skipped cells, the state between solves [m].
   void forget() { std::fill(pending_.begin(), pending_.end(), 0.0); }
   const std::vector<double>& memory() const { return pending_; }
   void remember(const std::vector<double>& pending) { pending_ = pending; }

@@ -11,21 +11,20 @@
 
 namespace palpate::tissue {
 
-/// The control sides of a lattice: those, and the turns, that move corners which tools touch. They
-/// are brought to where they balance with contact, together with the other sides and the pressures
-/// of their cells, while all else stays: Newton's method on a small dense matrix, so that tools do
-/// not go into cells whatever their shape.
+/// Control sides of a lattice: sides and rotations that move touched corners. Newton's method with
+/// a dense matrix solves for them and for the other sides and pressures of their cells, with
+/// contact.
 class ContactSides {
  public:
-  /// All are kept by reference.
+  /// @pre All arguments outlive this.
   ContactSides(const CellBalance& balance, const CornerMap& map,
                const contact::ContactPotential& contact);
 
-  /// The factors of matrices serve as long as they help; without those of an earlier solve.
+  /// Drops the factors of earlier solves.
   void forget() { factored_.clear(); }
-  /// Moves them, and with the state its corners x, 3 x n [m], until no more than `tolerance` [N] is
-  /// unbalanced among them, marks them in `control`, beside what is held, and says how far each
-  /// side went, `moved` [m]. False: nothing touches.
+  /// Solves for the control sides, state and corners x, 3 x n [m], to a residual of `tolerance`
+  /// [N]; marks them in `control` and writes displacements to `moved` [m]. Returns false without
+  /// contact.
   bool solve(double tolerance, CellState* state, Points* x, CellControl* control,
              Eigen::VectorXd* moved);
 
@@ -46,18 +45,18 @@ class ContactSides {
   const contact::ContactPotential& contact_;
   int num_sides_;
 
-  std::vector<int> local_;                  // of each unknown, or -1
-  std::vector<int> cell_local_;             // of each cell, or -1
-  std::vector<int> unknowns_, cells_;       // that are solved for
-  int num_touched_ = 0;                     // of the unknowns, first: they move what is touched
-  std::vector<contact::Contact> contacts_;  // in the state that is solved, or tried
-  Points x_, d_;                            // corners, and a step of them [m]
+  std::vector<int> local_;             // local index of each unknown, or -1
+  std::vector<int> cell_local_;        // local index of each cell, or -1
+  std::vector<int> unknowns_, cells_;  // of the present solve
+  int num_touched_ = 0;                // number of unknowns that move touched corners, the first
+  std::vector<contact::Contact> contacts_;  // of the present or trial state
+  Points x_, d_;                            // corners, and their step [m]
   DenseSaddle matrix_;
-  std::vector<int> factored_;  // unknowns that the matrix is factored for; empty: none
+  std::vector<int> factored_;  // unknowns of the factor; empty: none
   std::vector<double> g_, v_, y_, p_;
   struct Entry {
     int local;
-    Vec3 by;  // of a sample by an unknown, in world
+    Vec3 by;  // derivative of a sample by an unknown, world
   };
   std::vector<Entry> entries_;
   CellState trial_;

@@ -8,33 +8,32 @@
 
 namespace palpate::tissue {
 
-/// Where the corners of cells are: along an axis in the mean of the sides around that are normal to
-/// it, turned with the mean of the cells around, to first order in the angles. By it forces on
-/// corners act on sides, their whole sum, and on turns by their arms, l/2 [as Wang 2005, eq. 3.12,
-/// for tangential ones].
+/// Positions of cell corners: along an axis the mean of the adjacent sides normal to it, rotated
+/// with the mean of the adjacent cells, to first order. The transpose maps corner forces to sides
+/// and rotations, with lever arms l/2 [as Wang 2005, eq. 3.12, for tangential ones].
 class CornerMap {
  public:
   struct Term {
-    int unknown;  ///< A side, or the number of sides + 3 cell + axis.
+    int unknown;  ///< Index of a side, or number of sides + 3 cell + axis.
     double weight;
   };
 
-  /// `free`: of the corners in O, 3 x n; `X_WO`: of the lattice's frame.
+  /// `free`: free components of the corners in O, 3 x n; `X_WO`: pose of the lattice's frame.
   CornerMap(const CellLattice& lattice, const HeldSides& held, const Eigen::Matrix3Xd& free,
             const Pose& X_WO);
 
-  /// Corners at rest in the world [m].
+  /// Rest positions of the corners, world, 3 x n [m].
   const Points& rest() const { return X_; }
   const Mat3& frame() const { return R_WO_; }
-  /// The unknowns that move a corner along an axis of O; of held sides none.
+  /// Unknowns that move a corner along an axis of O, without held sides.
   const Term* begin(int corner, int axis) const { return terms_.data() + first(corner, axis); }
   const Term* end(int corner, int axis) const { return terms_.data() + first(corner, axis + 1); }
 
-  /// Corners in the world [m].
+  /// Computes corner positions, world [m].
   void place(const CellState& state, Points* x) const;
-  /// Those of the surface only; the others are as they were.
+  /// The same for surface corners only.
   void placeSurface(const CellState& state, Points* x) const;
-  /// Where corner i goes in the world by what way(unknown) says of those that move it [m].
+  /// Displacement of corner i for the changes way(unknown), world [m].
   template <class Way>
   Vec3 way(int i, const Way& way) const {
     Vec3 d = Vec3::Zero();
@@ -43,11 +42,11 @@ class CornerMap {
     }
     return R_WO_ * d;
   }
-  /// += what forces `f` on the corners, world, 3 x n [N], are to sides [N] and turns [N m].
+  /// Adds corner forces `f`, world, 3 x n [N], to sides [N] and rotations [N m].
   void pull(const Points& f, Eigen::VectorXd* sides, Eigen::VectorXd* turns) const;
-  /// Of forces on corners the sum that no side takes: held ones bear it; in world [N].
+  /// Sum of corner forces on held sides, world [N].
   Vec3 borne(const Points& f) const;
-  /// The sides and turns that place corners as near to x, 3 x n [m], as they can; no pressures.
+  /// Least-squares sides and rotations for corner positions x, 3 x n [m]; without pressures.
   void fit(const Points& x, CellState* state) const;
 
  private:
@@ -57,7 +56,7 @@ class CornerMap {
   int num_sides_;
   Points X_;
   Mat3 R_WO_;
-  double arm_;  // by which turns count [m]
+  double arm_;  // lever arm as weight of rotations [m]
   std::vector<Term> terms_;
   std::vector<int> first_;
   std::vector<int> surface_;  // corners of triangles, ascending

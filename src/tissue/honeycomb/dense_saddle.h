@@ -5,23 +5,25 @@
 
 namespace palpate::tissue {
 
-/// n unknowns y with a symmetric positive definite stiffness H and m conditions C y, dense:
+/// Dense saddle-point system of n unknowns y with symmetric positive definite H and m constraints:
 ///
 ///   H y - C^T p = -g,   C y = -v
 ///
-/// by Cholesky's factors of H and of C H^-1 C^T [Benzi, Golub, Liesen 2005, sec. 5]. Allocates
-/// nothing but where it is larger than ever before.
+/// by Cholesky factors of H and C H^-1 C^T [Benzi, Golub, Liesen 2005, sec. 5]. Allocates only to
+/// grow its buffers.
 class DenseSaddle {
  public:
-  /// All zero.
+  /// Resizes, with zero values.
   void reset(int n, int m);
-  /// Of the lower triangle, b <= a.
+  /// Element of the lower triangle, b <= a.
   double& stiffness(int a, int b) { return H_[at(a, b)]; }
   double& condition(int c, int a) { return C_[at(c, a)]; }
 
-  /// Conditions that contradict each other give way by 1e-10. False: H is not positive definite.
+  /// Factorises, with a regularisation of 1e-10 for dependent constraints. Returns false where H is
+  /// not positive definite.
   bool factor();
-  /// Afterwards. Sizes: g, y n; v, p m. Returns -y H y.
+  /// Solves; sizes: g, y: n; v, p: m. Returns -y H y.
+  /// @pre A successful factorisation.
   double solve(const std::vector<double>& g, const std::vector<double>& v, std::vector<double>* y,
                std::vector<double>* p);
 

@@ -12,20 +12,19 @@
 
 namespace palpate::tissue {
 
-/// What a honeycomb is made of.
+/// Parts of an organ of model honeycomb.
 struct HoneycombParts {
   CellLattice lattice;
-  Eigen::Matrix3Xd free;              ///< Of the corners, in O.
-  Pose X_WO;                          ///< Of the lattice's frame.
+  Eigen::Matrix3Xd free;              ///< Free components of the corners in O, 3 x n.
+  Pose X_WO;                          ///< Pose of the lattice's frame.
   std::vector<double> shear_modulus;  ///< Of each cell [Pa].
-  std::vector<double> density;        ///< Likewise [kg/m^3].
+  std::vector<double> density;        ///< Of each cell [kg/m^3].
 };
 
-/// An organ of cells, quasi-static: each cycle ends in balance, velocities are differences.
+/// A quasi-static organ of cells: each cycle ends in equilibrium; velocities are differences.
 ///
-/// TissueStep: newton_iterations are waves, linear_iterations cells that were solved, min_jacobian
-/// the least of the cells' volumes and edges over those at rest. What is unbalanced within the
-/// tolerance, or left by the cut-off, shows as imbalance.
+/// TissueStep: newton_iterations: waves; linear_iterations: solved cells; min_jacobian: least ratio
+/// of volume or edge to rest. Residual and cut-off contribute to the imbalance.
 class HoneycombOrgan final : public TissueModel {
  public:
   /// @throws std::runtime_error where there is no equilibrium under gravity.

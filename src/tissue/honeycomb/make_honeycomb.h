@@ -8,9 +8,9 @@
 
 namespace palpate::tissue {
 
-/// Model "honeycomb" of one organ: cells of elastic walls that are full of an incompressible fluid
-/// [Wang 2005, chapter 3], those of a grid in the organ's frame whose centres are inside it.
-/// @throws std::invalid_argument for what it cannot do and for cells that nothing holds,
+/// Model "honeycomb" of one organ: cells of elastic walls with an incompressible fluid [Wang 2005,
+/// chapter 3], of a grid in the organ's frame, with centres inside the organ.
+/// @throws std::invalid_argument for unsupported descriptions and for cells without support,
 /// std::runtime_error where there is no equilibrium under gravity.
 std::unique_ptr<TissueModel> makeHoneycomb(const ModelDescription& description);
 

@@ -5,17 +5,17 @@
 
 namespace palpate::tissue {
 
-/// Anderson's mixing of a fixed-point iteration x -> g(x) [Walker, Ni 2011, Anderson acceleration
-/// for fixed-point iterations, sec. 2]: the next x is that combination of the last ones of which
-/// g(x) - x is least.
+/// Anderson mixing of a fixed-point iteration x -> g(x) [Walker, Ni 2011, Anderson acceleration for
+/// fixed-point iterations, sec. 2]: the next x is the combination of the last ones with least g(x)
+/// - x.
 class WaveMixing {
  public:
   static constexpr int kMaxDepth = 20;
 
-  /// `size`: of x; `depth`: earlier iterations that are kept, to kMaxDepth; 0: x is g(x).
+  /// `size`: of x; `depth`: number of stored iterations, <= kMaxDepth; 0: x = g(x).
   WaveMixing(Eigen::Index size, int depth);
   void forget() { kept_ = next_ = 0, begun_ = false; }
-  /// `x` has led to `g`, which is replaced by the next x.
+  /// Replaces `g` = g(`x`) by the next x.
   void mix(const Eigen::VectorXd& x, Eigen::VectorXd* g);
 
  private:
@@ -25,7 +25,7 @@ class WaveMixing {
   int depth_;
   int kept_ = 0, next_ = 0;
   bool begun_ = false;
-  Eigen::MatrixXd df_, dg_;  // differences of g - x and of g, a column an iteration
+  Eigen::MatrixXd df_, dg_;  // differences of g - x and of g, a column per iteration
   Eigen::MatrixXd gram_;     // of df_
   Eigen::VectorXd f_, last_f_, last_g_;
 };

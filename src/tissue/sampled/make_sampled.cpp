@@ -10,7 +10,8 @@
 namespace palpate::tissue {
 namespace {
 
-constexpr double kContact = 100.0;  // shear moduli over the least distance of particles
+constexpr double kContact =
+    100.0;  // contact stiffness over shear modulus per particle distance [-]
 
 }  // namespace
 
@@ -35,8 +36,7 @@ std::unique_ptr<TissueModel> makeSampledElasticity(const ModelDescription& descr
   if (!motions.empty() && !description.settings.gravity.isZero()) {
     throw std::invalid_argument("gravity would move the organ, its supports leave " + motions);
   }
-  // No stiffer than rest needs, for it bounds the step; what is entered meanwhile, multipliers
-  // learn.
+  // Contact is soft, since it bounds the step; multipliers remove the penetration.
   ModelSettings settings = description.settings;
   const material::Solid& solid = composition.solids.front();
   settings.contact.stiffness =

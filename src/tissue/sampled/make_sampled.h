@@ -8,12 +8,13 @@
 
 namespace palpate::tissue {
 
-/// Model "sampled_elasticity" of one organ [Debunne et al. 1999]: particles of an octree between
-/// which umbrella operators act (Umbrella), in symplectic Euler steps, those of large particles
-/// less often than those of small ones by powers of two; a surface that follows them, and is
-/// touched. Displacements are small: a turn of the organ is a strain.
-/// @throws std::invalid_argument for what it cannot treat: several solids, viscous ones, fibres,
-/// adapt, supports that are not glue; an organ that gravity would drag away.
+/// Model "sampled_elasticity" of one organ [Debunne et al. 1999]: particles of an octree with
+/// umbrella operators (Umbrella), in symplectic Euler steps; large particles step less often, by
+/// powers of two. The surface interpolates the particles and has contact. For small displacements:
+/// rotations strain.
+/// @throws std::invalid_argument for unsupported descriptions: several solids, viscous terms,
+/// fibres, adaptation, supports other than glue; for supports that do not hold the organ under
+/// gravity.
 std::unique_ptr<TissueModel> makeSampledElasticity(const ModelDescription& description);
 
 }  // namespace palpate::tissue

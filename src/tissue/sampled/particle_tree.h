@@ -10,47 +10,47 @@
 
 namespace palpate::tissue {
 
-/// Particles that stand for the cubes of an octree over an organ: of each cube that has some of it,
-/// one in the middle of what it has. Those in use, the leaves, fill the organ once, and neighbours
-/// differ by one level at most.
+/// Particles of an octree over an organ: one per cube with tissue, at its tissue's centroid. Leaves
+/// fill the organ once; neighbours differ by at most one level.
 class ParticleTree {
  public:
   struct Particle {
-    Vec3 X;         ///< At rest, in the world [m].
+    Vec3 X;         ///< Rest position, world [m].
     double volume;  ///< [m^3]
-    double size;    ///< Edge of its cube [m].
+    double size;    ///< Edge of the cube [m].
     int level;      ///< 0: the largest cubes.
-    int parent;     ///< -1 of the largest.
+    int parent;     ///< Index of the parent, -1 for the largest.
     int first_child, num_children;
-    Eigen::Vector3i low;  ///< Of its cube, in the smallest ones.
+    Eigen::Vector3i low;  ///< Low corner of the cube, in units of the smallest cubes.
   };
 
-  /// `mesh`: the organ at rest in the world; cubes lie along the axes of its own frame, so that it
-  /// is parted alike however it stands. @throws std::invalid_argument if no cube has any of it.
+  /// `mesh`: the organ's rest configuration, world [m]; cubes are aligned with the organ's frame.
+  /// @throws std::invalid_argument where no cube has tissue.
   ParticleTree(const mesh::TetMesh& mesh, const Pose& X_WO, double coarsest, int levels);
 
   const std::vector<Particle>& particles() const { return particles_; }
   int levels() const { return levels_; }
   double finest() const { return finest_; }
-  /// Of each particle, whether it is in use.
+  /// Whether each particle is a leaf.
   const std::vector<char>& leaves() const { return leaf_; }
-  /// Those in use, ascending.
+  /// Leaves, ascending.
   std::vector<int> leafList() const;
 
-  /// All of the largest cubes.
+  /// Makes the largest cubes the leaves.
   void reset();
-  /// A leaf's children take its place; its neighbours that would then be two levels coarser are
-  /// parted before, and all parted are added to `parted`, in order. Not for the finest.
+  /// Replaces a leaf by its children, after neighbours two levels coarser; adds all replaced ones
+  /// to `parted`, in order.
+  /// @pre The leaf is not of the finest level.
   void refine(int leaf, std::vector<int>* parted);
-  /// Whether the children of a particle are leaves and no neighbour is finer than they are.
+  /// Whether a particle's children are leaves without finer neighbours.
   bool canCoarsen(int parent) const;
   void coarsen(int parent);
-  /// @throws std::invalid_argument unless they could be leaves() of this tree.
+  /// @throws std::invalid_argument for particles that cannot be leaves() of this tree.
   void setLeaves(const std::vector<char>& leaves);
 
-  /// Leaves whose cubes share a face or an edge with that of a leaf, ascending.
+  /// Neighbours of a leaf by faces or edges of cubes, ascending.
   std::vector<int> neighbours(int leaf) const;
-  /// The leaf nearest to a point of the world, by its cube.
+  /// Leaf with the cube nearest to a point, world.
   int leafAt(const Vec3& p) const;
 
  private:

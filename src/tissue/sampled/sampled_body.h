@@ -11,17 +11,16 @@
 
 namespace palpate::tissue {
 
-/// Particles that become finer where the body bends and coarser where it does not, and how far they
-/// are from rest. Displacements and velocities of parts come from a linear fit to the neighbours,
-/// those of a whole are its parts' means, so that momentum stays.
+/// Adaptive particles with displacements from rest. Refinement gives children a linear fit to the
+/// neighbours; coarsening gives parents the mean of their children, which conserves momentum.
 class SampledBody {
  public:
-  /// `surface`: its points at rest, 3 x n [m]; `held`: parts of it that are held.
+  /// `surface`: rest positions, 3 x n [m]; `held`: held parts of the surface.
   SampledBody(const mesh::TetMesh& mesh, const Pose& X_WO, const Points& surface,
               const std::vector<Umbrella::Anchor>& held, const material::Moduli& moduli,
               double density, const SamplingSettings& settings);
 
-  /// Of the leaves, one column each.
+  /// State of the leaves, a column each.
   Points d, v;             ///< [m], [m/s]
   Eigen::VectorXd masses;  ///< [kg]
 
@@ -31,14 +30,14 @@ class SampledBody {
   const SurfaceLinks& surface() const { return links_; }
   /// Longest stable step of each leaf [s].
   const Eigen::VectorXd& longestSteps() const { return longest_; }
-  /// The shortest of them without contact [s].
+  /// Least stable step without contact [s].
   double longestAlone() const { return alone_; }
   /// Stiffness of contact at each point of the surface, n [N/m].
   void setContactStiffness(const Eigen::VectorXd& stiffness);
 
-  /// All of the largest, at rest.
+  /// Resets to the largest particles, at rest.
   void reset();
-  /// Parts and joins as the settings say, once; false: nothing changed.
+  /// Refines and coarsens once by the settings. Returns whether particles changed.
   bool adapt();
 
   void save(StateWriter* out) const;
@@ -52,12 +51,12 @@ class SampledBody {
 
   ParticleTree tree_;
   Points X_surface_;
-  std::vector<Umbrella::Anchor> held_;  // of no leaf
+  std::vector<Umbrella::Anchor> held_;  // without leaves
   Umbrella umbrella_;
   SurfaceLinks links_;
   SamplingSettings settings_;
   double density_;
-  std::vector<int> leaves_, at_;  // at_: of each particle its place among the leaves, or -1
+  std::vector<int> leaves_, at_;  // at_: leaf index of each particle, or -1
   Eigen::VectorXd contact_stiffness_, longest_, bends_;
   double alone_ = 0.0;
 };

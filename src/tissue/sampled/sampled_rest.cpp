@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where particles come to rest, and whether they can go from there.
+// Equilibrium of the particles, and checks of it.
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kMostAdaptations = 12;
 constexpr int kMaxEquilibriumSteps = 200000;
-constexpr double kSameRest = 0.01;  // of its size: so far the parting of particles may move a rest
+constexpr double kSameRest = 0.01;  // change of the equilibrium by refinement, over the size [-]
 
 }  // namespace
 
-// Cycles would all end where they begin.
+// Cycles without possible motion.
 void SampledTissue::refuseTooManySubSteps(double dt) const {
   const double steps = std::ceil(dt / stableStep());
   if (steps <= kMostSubSteps) return;
@@ -39,7 +39,7 @@ void SampledTissue::findEquilibrium() {
   body_.save(&equilibrium_);
 }
 
-// All motion is stopped whenever it begins to lose energy.
+// Kinetic relaxation: velocities are zeroed at each maximum of the kinetic energy.
 bool SampledTissue::comeToRest() {
   body_.v.setZero();
   Vec3 anchors;
@@ -58,8 +58,8 @@ bool SampledTissue::comeToRest() {
   return false;
 }
 
-// What it parted it joins only where that makes a difference of less than `coarsen_below`. But a
-// linear body has one rest: untouched, it ends there.
+// Coarsening needs less than `coarsen_below`, so refined particles may remain; a linear body still
+// has one equilibrium.
 void SampledTissue::endAtRest() {
   const Points x = x_;
   StateWriter parted;

@@ -7,14 +7,14 @@
 namespace palpate::tissue {
 namespace {
 
-// Contact moves no particle farther in a sub-step than this part of the least distance of them:
-// what does was not there in the sub-step before, and would throw it.
+// Largest displacement of a particle by contact in a sub-step, over the least distance of particles
+// [-]; more comes from a contact that began deep.
 constexpr double kContactWay = 0.5;
 
 }  // namespace
 
-// How many sub-steps; 0: too many to be stable. What the published rule of velocities asks for
-// beyond that is left off, and told: forces do not become less where nothing moves.
+// Number of sub-steps of the cycle; 0: too many for stability. The published rule by velocities is
+// capped and reported, since forces do not decrease at rest.
 int SampledTissue::planSteps(double dt, bool* coarse) {
   const double stable = std::max(1.0, std::ceil(dt / stableStep()));
   double wanted = stable;
@@ -32,7 +32,7 @@ int SampledTissue::planSteps(double dt, bool* coarse) {
   return stable <= kMostSubSteps ? static_cast<int>(std::min(wanted, 1.0 * kMostSubSteps)) : 0;
 }
 
-// Not where it would take more sub-steps than there are, and so never move again.
+// Without refinement that would need more sub-steps than allowed.
 bool SampledTissue::adapt(double dt) {
   before_.clear();
   body_.save(&before_);
@@ -43,7 +43,7 @@ bool SampledTissue::adapt(double dt) {
   return false;
 }
 
-// Whether contact did not throw anything.
+// Whether displacements by contact are plausible.
 bool SampledTissue::subStep(double h, double s) {
   tool_contact_.tool_path.beginStep(x_);
   tool_contact_.tool_path.moveTo(s);
@@ -112,7 +112,7 @@ const TissueStep& SampledTissue::step(const std::vector<contact::Obstacle>& obst
     return out_;
   }
   body_.surface().interpolate(body_.v, &surface_v_);
-  if (late) {  // where the tools are now the tissue has not followed them
+  if (late) {  // the tissue has not followed the tools
     tool_contact_.inside_tools.invalidate();
     out_.status = solver::SolveStatus::kDeadline;
   } else {

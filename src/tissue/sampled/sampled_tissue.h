@@ -16,7 +16,7 @@
 
 namespace palpate::tissue {
 
-/// Its particles, the surface that follows them, and what touches it: makeSampledElasticity().
+/// Model of particles with a surface and contact: makeSampledElasticity().
 class SampledTissue final : public TissueModel {
  public:
   SampledTissue(const mesh::TetMesh& mesh, const fem::FreeMask& free, const material::Solid& solid,
@@ -77,7 +77,8 @@ class SampledTissue final : public TissueModel {
     body_.v.setZero();
     forget();
   }
-  /// The particles take what the surface says: where it is, all others as the nearest ones.
+  /// Sets particles from surface positions and velocities; others take those of the nearest surface
+  /// point.
   void setPositions(int, const Points& positions, const Points& velocities) override;
 
   State state() const override {
@@ -97,16 +98,16 @@ class SampledTissue final : public TissueModel {
     follow();
   }
 
-  /// The least distance of particles [m].
+  /// Least distance of particles [m].
   static double finestOf(const SamplingSettings& sampling) {
     return sampling.coarsest / (1 << (sampling.levels - 1));
   }
 
  private:
-  static constexpr double kSafety = 0.7;  // of the bound of the stable step
+  static constexpr double kSafety = 0.7;  // factor of safety on the stable step [-]
   static constexpr int kMostSubSteps = 20000;
 
-  // Of the triangles all of whose corners are, parts smaller than the smallest particles.
+  // Held parts of triangles with all corners held, smaller than the smallest particles.
   std::vector<Umbrella::Anchor> heldParts(const fem::FreeMask& free,
                                           const SamplingSettings& sampling) const {
     std::vector<Umbrella::Anchor> parts;
@@ -123,7 +124,7 @@ class SampledTissue final : public TissueModel {
           static_cast<int>(std::ceil(3.0 * std::max(u.norm(), v.norm()) / finestOf(sampling)));
       const Vec3 area = 0.5 * u.cross(v) / (n * n);
       for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < 2 * (n - i) - 1; ++j) {  // upright and upside down in turn
+        for (int j = 0; j < 2 * (n - i) - 1; ++j) {  // orientations alternate
           const double a = (i + (j % 2 + 1) / 3.0) / n,
                        b = (std::floor(0.5 * j) + (j % 2 + 1) / 3.0) / n;
           parts.push_back({-1, corners.col(0) + a * u + b * v, area});
@@ -147,7 +148,7 @@ class SampledTissue final : public TissueModel {
     x_ += X_;
     body_.surface().interpolate(body_.v, &surface_v_);
   }
-  // With damping of all but contact, see SpringIntegrator.
+  // Integrator, with damping of all forces but contact: SpringIntegrator.
   double stableStep() const {
     const double w = 2.0 / body_.longestSteps().minCoeff(), own = 2.0 / body_.longestAlone();
     const double d = damping_ + lag_ * own * own;
@@ -166,16 +167,16 @@ class SampledTissue final : public TissueModel {
   Eigen::Matrix3Xi triangles_;
   SampledBody body_;
   Vec3 gravity_;
-  double damping_;  // by mass [1/s]
-  double lag_;      // by stiffness [s]
-  double finest_;   // distance of particles [m]
+  double damping_;  // mass damping [1/s]
+  double lag_;      // stiffness damping [s]
+  double finest_;   // least distance of particles [m]
   double most_change_;
-  double step_;  // a cycle [s]
+  double step_;  // duration of a cycle [s]
   ToolContact tool_contact_;
   double size_;
   Rest rest_;
   double tolerance_;
-  StateWriter equilibrium_, before_;  // the cycle
+  StateWriter equilibrium_, before_;  // equilibrium; state at the cycle's begin
   Points x_, surface_v_, on_surface_, forces_, contact_;
   const solver::Interrupt* interrupt_ = nullptr;
   TissueStep out_;
