@@ -7,9 +7,8 @@
 
 namespace palpate::mesh {
 
-/// Nodes of the surface of each cavity that tetrahedra leave, ascending: of each piece of the
-/// boundary, by common nodes, that encloses space and no tetrahedra. The largest cavity comes
-/// first.
+/// Surface nodes of each cavity, ascending: of each connected component of the boundary that
+/// encloses no tetrahedra. The largest cavity comes first.
 std::vector<std::vector<int>> cavityNodes(const TetMesh& mesh);
 
 }  // namespace palpate::mesh

@@ -10,15 +10,14 @@
 
 namespace palpate::mesh {
 
-/// Points and cells of one kind between them, for whoever shows a body without knowing what it is
-/// made of.
+/// Points and cells of one kind, for display of a body of any model.
 struct CellMesh {
   Points points;  ///< 3 x n [m].
   /// k x m, a column a cell, in VTK order: k = 2 lines, 3 triangles, 4 tetrahedra, 8 hexahedra, 10
   /// quadratic tetrahedra.
   Eigen::MatrixXi cells;
-  std::vector<int> region;  ///< One tag a cell, or empty: all in region 0.
-  /// Of each cell which of the body's solids it is made of, or empty: of the first.
+  std::vector<int> region;  ///< Region of each cell; empty: all 0.
+  /// Solid of each cell; empty: the first.
   std::vector<int> solid = {};
 
   Eigen::Index numPoints() const { return points.cols(); }
@@ -28,10 +27,10 @@ struct CellMesh {
 /// The points and tetrahedra of `mesh`, linear or quadratic.
 CellMesh cellsOf(const TetMesh& mesh);
 
-/// The pairs of corners that cells connect, each once, sorted.
+/// Edges of the cells as pairs of corners, without repetition, sorted.
 std::vector<std::pair<int, int>> edgesOf(const CellMesh& mesh);
 
-/// Of the straight lines between the corners of cells, each once [m]; 0 without cells.
+/// Mean edge length of the cells, each edge once [m]; 0 without cells.
 double meanEdgeLength(const CellMesh& mesh);
 
 }  // namespace palpate::mesh

@@ -7,35 +7,34 @@
 
 namespace palpate::mesh {
 
-/// How finely the distance of a surface is sampled.
+/// Resolution of a sampled distance.
 struct DistanceGridSettings {
-  int cells = 64;         ///< Over the surface's diagonal, to begin with, >= 8;
-  double error = 1.0e-4;  ///< more until no error that is found is larger [m], > 0,
-  double memory = 64.0;   ///< or the grid has so many megabytes [1e6 bytes].
-  /// So far beyond the surface it reaches at least [m]: for who asks with balls of that radius.
+  int cells = 64;         ///< Initial cells over the surface's diagonal, >= 8.
+  double error = 1.0e-4;  ///< Largest measured error; the grid is refined until then [m], > 0.
+  double memory = 64.0;   ///< Largest size of the grid [1e6 bytes].
+  /// Least extent beyond the surface [m], for queries with balls of that radius.
   double margin = 0.0;
 };
 
-/// Signed distance of a closed surface of any shape [m], negative inside: sampled on a grid, and
-/// cubic splines between. Twice continuously differentiable in the grid's box, so the gradient is
-/// shorter than 1 where the nearest point changes (at sharp edges inside, in notches outside), and
-/// 1 within the error elsewhere.
+/// Signed distance of a closed surface [m], negative inside: cubic splines on a grid. C2 in the
+/// grid's box, so the gradient's norm is below 1 where the nearest point changes (sharp edges
+/// inside, notches outside), else 1 within the error.
 ///
 /// Outside of the box it is the root of |p - q| squared plus the square of the distance at q, the
 /// nearest point of the box: continuous, and no more than the true distance but for what the
 /// splines are off at q, for the box is convex and holds the surface. Its gradient jumps at the
 /// box.
 struct DistanceGrid {
-  SurfaceMesh surface;      ///< Whose distance it is.
+  SurfaceMesh surface;      ///< The surface.
   SplineGrid field;         ///< The distance.
-  double largest_error;     ///< Of many points nearer to the surface than a cell [m],
-  double rms_error;         ///< and the root of their mean square.
-  bool limited = false;     ///< The error is larger than was asked for: memory did not allow more.
-  Vec3 deepest;             ///< The node that is farthest inside,
-  double inscribed_radius;  ///< and how far [m].
+  double largest_error;     ///< Largest error at points nearer to the surface than a cell [m].
+  double rms_error;         ///< Root mean square error at these points [m].
+  bool limited = false;     ///< Whether memory limited the error.
+  Vec3 deepest;             ///< Node deepest inside.
+  double inscribed_radius;  ///< Depth of that node [m].
 
   double value(const Vec3& p) const;
-  /// The same, with its derivatives by p; the same bits of the value.
+  /// The value, bitwise equal, with derivatives by p.
   FieldPoint at(const Vec3& p) const;
 };
 

@@ -17,33 +17,32 @@ struct LumpedMasses {
   Eigen::MatrixXd shares;
 };
 
-/// How one nested mesh became another one of the same body, and what becomes of linear fields, or
-/// of quadratic ones where the meshes are quadratic. Old and new points and tetrahedra are named by
-/// their numbers in the old and new mesh.
+/// Change between nested meshes of a body, with the transfer of linear or quadratic fields. Old and
+/// new indices are those of the old and new mesh.
 struct MeshChange {
-  /// A point in the middle between two others.
+  /// A midpoint of two points.
   struct Middle {
     int point, a, b;
   };
 
   int num_old_points = 0;
-  std::vector<int> old_point;   ///< Of each new point; -1: it was not there.
-  std::vector<Middle> added;    ///< New points, after those that they are between.
-  std::vector<Middle> removed;  ///< Old points, before those that they are between.
-  /// Of each new tetrahedron: it consists of the old ones first .. last - 1, or is part of `first`
-  /// if last = first + 1.
+  std::vector<int> old_point;   ///< Old index of each new point; -1: added.
+  std::vector<Middle> added;    ///< Added points, after their ends.
+  std::vector<Middle> removed;  ///< Removed points, before their ends.
+  /// Source of each new tetrahedron: the union of old ones first .. last - 1, or part of `first` if
+  /// last = first + 1.
   struct Range {
     int first, last;
   };
   std::vector<Range> tets;
 
-  /// A new point inside an old tetrahedron, which has these nodes and there these shape functions.
+  /// A new point in an old tetrahedron: its nodes and shape functions.
   struct Inside {
     int point;
     std::array<int, 10> nodes;
     std::array<double, 10> values;
   };
-  /// What there is besides of quadratic meshes; without columns the meshes are linear.
+  /// Additional data of quadratic meshes; without columns: linear.
   Eigen::Matrix<int, 10, Eigen::Dynamic> old_nodes, new_nodes;
   /// Takes the place of `added` and `removed`, which then have nothing: every point of the coarser
   /// of two quadratic meshes is one of the finer.

@@ -10,18 +10,18 @@
 
 namespace palpate::mesh {
 
-/// A place in a mesh.
+/// A point in a tetrahedron of a mesh.
 struct Location {
   int tet = -1;
   Eigen::Vector4d w;  ///< Barycentric coordinates, sum 1; of a curved tetrahedron those of its
                       ///< straight original.
 };
 
-/// Where the point `p` [m] is; nothing where it is outside of all tetrahedra by more than 1e-6 of
-/// one. In curved tetrahedra by Newton's method.
+/// Locates the point `p` [m]; none where outside of all tetrahedra by more than 1e-6. Newton's
+/// method in curved tetrahedra.
 std::optional<Location> locate(const TetMesh& mesh, const Vec3& p);
 
-/// Nodes of the tetrahedron there, with the values of their shape functions.
+/// Nodes of the tetrahedron with shape functions at the point.
 std::vector<std::pair<int, double>> shapeValues(const TetMesh& mesh, const Location& at);
 
 /// Values at the nodes, one column each, interpolated by the shape functions.

@@ -7,18 +7,18 @@
 
 namespace palpate::mesh {
 
-/// About how many tetrahedra of mean edge length `edge_length` [m] fill `volume` [m^3].
+/// Estimated number of tetrahedra of mean edge length `edge_length` [m] in `volume` [m^3].
 double estimateTets(double volume, double edge_length);
 
-/// Of a tetrahedron of `volume` [m^3]: the edge length [m] that a mesh of such ones has on average.
+/// Estimated mean edge length of a mesh of tetrahedra of `volume` [m^3] [m].
 double edgeLength(double volume);
 
-/// What a size field makes of a body.
+/// Estimated mesh size of a body by a size field.
 struct SizeEstimate {
-  double tets = 0.0;            ///< About so many tetrahedra.
-  std::vector<double> of_zone;  ///< Those of them that each place asks for.
-  std::vector<bool> felt;       ///< Whether each place makes something finer than the coarsest.
-  bool complete = true;         ///< False: counting stopped, there are more than `tets`.
+  double tets = 0.0;            ///< Estimated number of tetrahedra.
+  std::vector<double> of_zone;  ///< Number due to each refinement zone.
+  std::vector<bool> felt;       ///< Whether each zone has an effect.
+  bool complete = true;         ///< False: the count stopped at its limit.
 };
 
 /// The integral of estimateTets() over the body within `surface`, which is closed, by boxes that

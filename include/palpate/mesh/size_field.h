@@ -12,31 +12,31 @@
 
 namespace palpate::mesh {
 
-/// The straight lines from each point to the next [m]; of a single point that point.
+/// A polyline [m], or a single point.
 struct Polyline {
   std::vector<Vec3> points;
 };
-/// The surface of the body itself.
+/// The body's surface.
 struct OwnSurface {};
 
-/// Where a mesh is to be fine.
+/// A refinement zone of a mesh.
 struct RefinementZone {
-  double finest = 0.0;  ///< Mean edge there [m], > 0.
-  double growth = 0.3;  ///< What an edge grows by for each metre farther away [-], in (0, 1].
-  double radius = 0.0;  ///< As far from the place edges do not grow yet [m], >= 0.
+  double finest = 0.0;  ///< Mean edge in the zone [m], > 0.
+  double growth = 0.3;  ///< Growth of the edge by distance [-], in (0, 1].
+  double radius = 0.0;  ///< Distance without growth [m], >= 0.
   /// A plane's negative tolerance counts as 0 here.
   std::variant<Polyline, Region, OwnSurface> where;
 };
 
-/// How long edges are to be where:
+/// Mean edge length as a function of position:
 ///
 ///   h(p) = min(coarsest, min_i finest_i + growth_i max(0, dist_i(p) - radius_i)),
 ///
-/// so that h(p) - h(q) is at most the largest growth times |p - q|, with dist_i from the nearest
-/// point of place i.
+/// with the distance dist_i from zone i, so that |h(p) - h(q)| is at most the largest growth times
+/// |p - q|.
 struct SizeField {
-  double coarsest = 0.0;             ///< Mean edge far from all places [m], > 0.
-  std::vector<RefinementZone> near;  ///< Without any the edges are equally long everywhere.
+  double coarsest = 0.0;             ///< Mean edge far from all zones [m], > 0.
+  std::vector<RefinementZone> near;  ///< Zones; empty: uniform edges.
 
   bool uniform() const { return near.empty(); }
 };
@@ -46,7 +46,7 @@ double distanceTo(const Region& region, const Vec3& p);
 /// The nearest of its points, of which there is at least one [m].
 double distanceTo(const Polyline& line, const Vec3& p);
 
-/// A surface that is asked for distances. Copies share it.
+/// Distance queries of a surface; copies share the data.
 class SurfaceDistance {
  public:
   /// `surface` has a triangle.
@@ -65,12 +65,12 @@ class SurfaceDistance {
 /// A size field in a body.
 class BodySizes {
  public:
-  /// `surface`: of the body, for places near it.
+  /// `surface`: of the body, for zones at the surface.
   BodySizes(SizeField field, const SurfaceDistance& surface);
 
-  /// h(p) [m]; with a `shift` [m] what it would be if all places were as much farther away.
+  /// h(p) [m]; `shift`: added to all distances [m].
   double at(const Vec3& p, double shift = 0.0) const;
-  /// What place `i` alone asks for, which may be more than the coarsest.
+  /// Edge length by zone `i` alone; may exceed the coarsest [m].
   double ofZone(std::size_t i, const Vec3& p, double shift = 0.0) const;
   const SizeField& field() const { return field_; }
 

@@ -8,16 +8,16 @@
 
 namespace palpate::mesh {
 
-/// A place in a triangle: the sum of `weights`, which are in [0, 1] and sum to 1, times `nodes`.
+/// A point of a triangle: barycentric `weights` in [0, 1], sum 1, of its `nodes`.
 struct SurfacePoint {
   Eigen::Vector3i nodes;
   Vec3 weights;
 };
 
-/// Where the triangles are nearest to `points` (3 x n), one place each.
+/// Nearest surface point of each of `points`, 3 x n [m].
 std::vector<SurfacePoint> nearestSurfacePoints(const SurfaceMesh& surface, const Points& points);
 
-/// Values at the nodes (3 x m) interpolated there: 3 x n.
+/// Interpolates nodal values, 3 x m, to surface points, 3 x n.
 void interpolate(const std::vector<SurfacePoint>& places, const Points& values, Points* there);
 
 }  // namespace palpate::mesh

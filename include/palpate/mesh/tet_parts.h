@@ -7,7 +7,7 @@
 
 namespace palpate::mesh {
 
-/// A part of a mesh as a mesh of its own.
+/// A part of a mesh as a separate mesh.
 struct TetPart {
   TetMesh mesh;
   std::vector<int> nodes;  ///< Its nodes in the whole mesh, ascending.
