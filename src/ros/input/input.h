@@ -3,7 +3,9 @@
 
 #include <ros/time.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "palpate/sim/simulator.h"
 #include "ros/program/throttle.h"
@@ -41,5 +43,8 @@ class Input {
   /// Who else publishes it, and names for both; "" if nobody does.
   virtual std::string conflict() const { return ""; }
 };
+
+/// One an instrument.
+using Inputs = std::vector<std::unique_ptr<Input>>;
 
 }  // namespace palpate::node

@@ -3,8 +3,11 @@
 
 #include <ros/node_handle.h>
 
+#include <memory>
+
+#include "input.h"
 #include "palpate/sim/simulator.h"
-#include "ros/node/live_cycle.h"
+#include "ros/messages/channels.h"
 
 namespace palpate::node {
 

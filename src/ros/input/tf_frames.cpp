@@ -17,10 +17,6 @@ constexpr double kClosest = 5e-4;   // [s] between two transforms of a frame
 // Beyond, sums of stamps and times overflow.
 constexpr std::uint32_t kLatest = 0x7fffffff;
 
-std::string stripped(const std::string& frame) {
-  return frame.rfind('/', 0) == 0 ? frame.substr(1) : frame;
-}
-
 std::string fault(const geometry_msgs::TransformStamped& t) {
   const auto& p = t.transform.translation;
   const auto& q = t.transform.rotation;
@@ -38,12 +34,12 @@ std::string fault(const geometry_msgs::TransformStamped& t) {
 TfFrames::TfFrames(const std::vector<std::string>& frames, double patience, tf2::BufferCore* buffer)
     : patience_(patience), buffer_(*buffer) {
   want(kWorldFrame);
-  for (const std::string& frame : frames) want(stripped(frame));
+  for (const std::string& frame : frames) want(frameName(frame));
 }
 
 std::string TfFrames::take(const Transform& transform, bool is_static, const Source& source) {
-  const std::string child = stripped(transform.child_frame_id);
-  const std::string parent = stripped(transform.header.frame_id);
+  const std::string child = frameName(transform.child_frame_id);
+  const std::string parent = frameName(transform.header.frame_id);
   if (child.empty() || parent.empty() || child == parent) return "";
   if (child.size() > kLongestFrameName || parent.size() > kLongestFrameName) return "";
   const auto found = wanted_.find(child);

@@ -50,6 +50,11 @@ inline std::string absoluteTopic(const std::string& topic) {
   return topic.empty() || topic.front() != '/' ? "/" + topic : topic;
 }
 
+/// A frame's name without the "/" before it that names of before tf2 have.
+inline std::string frameName(const std::string& frame) {
+  return frame.empty() || frame.front() != '/' ? frame : frame.substr(1);
+}
+
 /// Where the joint positions of an instrument come from.
 inline std::string jointTopic(const scene::InstrumentConfig& instrument) {
   return instrument.joint_topic.empty() ? instrumentTopic(instrument.name, kMeasuredJoints)

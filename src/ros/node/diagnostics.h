@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "live_cycle.h"
 #include "ros/haptics/haptic_loop.h"
+#include "ros/input/input.h"
 #include "ros/messages/channels.h"
 
 namespace palpate::node {

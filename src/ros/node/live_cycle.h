@@ -16,8 +16,6 @@
 
 namespace palpate::node {
 
-using Inputs = std::vector<std::unique_ptr<Input>>;
-
 /// One cycle of the live node: newest inputs, state, a step of fixed length, results to the
 /// channels. The simulation thread owns it. It waits for the step until `solver.deadline`, and then
 /// in later cycles; the tools stay where that step has them, and the force as the last one told it.

@@ -7,7 +7,7 @@
 
 namespace palpate::node {
 
-inline constexpr int kBadInput = 2;
+inline constexpr int kBadInput = 2;  ///< Exit status after an InputError.
 
 /// The main() of a program of the node: `--help` and the wait for the master, then ROS with the
 /// threads that send at real-time priority where the system allows it, every signal and shutdown an

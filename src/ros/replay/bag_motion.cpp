@@ -10,14 +10,6 @@
 #include "ros/messages/topics.h"
 
 namespace palpate::node {
-namespace {
-
-// Names of before tf2 begin with "/".
-std::string frameName(const std::string& frame) {
-  return frame.empty() || frame.front() != '/' ? frame : frame.substr(1);
-}
-
-}  // namespace
 
 BagMotion::BagMotion(const std::string& file, const scene::Scene& scene,
                      InputPublishers* publishers)

@@ -18,14 +18,13 @@
 #include "replay_outputs.h"
 #include "replay_summary.h"
 #include "ros/input/tool_frames.h"
+#include "ros/program/program.h"
 #include "ros/program/throttle.h"
 #include "ros/record/run_record.h"
 #include "shipped.h"
 
 namespace palpate::node {
 namespace {
-
-constexpr int kBadInput = 2;
 
 struct Options {
   std::string in, scene, out, csv, trajectory;
