@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails if a room uses one that is not above it, another room's private header, or a library that it
-must not see. scripts/rooms.txt says what is right.
+must not see, or if a file of a room with folders uses one of a folder that is not above its own.
+scripts/rooms.txt says what is right.
 
     scripts/checks/check_rooms.py [--self-test]
 
@@ -30,16 +31,18 @@ SHARED_SOURCES = {"start"}  # rooms without include/ whose headers in src/ are f
 
 
 class Rooms:
-    """What rooms.txt says: the order, and the libraries of each room, public and in all."""
+    """What rooms.txt says: the order, the libraries of each room, public and in all, and its folders in src/."""
 
     def __init__(self, text):
-        self.order, self.public, self.all, self.line = [], {}, {}, {}
+        self.order, self.public, self.all, self.line, self.folders = [], {}, {}, {}, {}
         for number, line in enumerate(text.splitlines(), 1):
             line = line.split("#")[0].strip()
             if not line:
                 continue
             name, libraries = line.split(":")
-            public, _, private = libraries.partition(";")
+            public, private, folders = (libraries + ";;").split(";")[:3]
+            if folders.strip():
+                self.folders[name] = folders.split()
             self.order.append(name)
             self.line[name] = number
             self.public[name] = {"Eigen", *public.split()}
@@ -47,6 +50,18 @@ class Rooms:
 
     def sees(self, user, used):
         return self.order.index(used) <= self.order.index(user)
+
+    def has_place(self, path):
+        """Whether a file of src/ is in a folder of its room, if that has a list of folders."""
+        order = self.folders.get(path.parts[0])
+        return order is None or (len(path.parts) == 3 and path.parts[1] in order)
+
+    def sees_folder(self, user, used):
+        """Whether a file of src/ may include another one of its room by the order of the room's folders."""
+        order = self.folders.get(user.parts[0])
+        if order is None or user.name.endswith("_main.cpp") or not self.has_place(user) or not self.has_place(used):
+            return True
+        return order.index(used.parts[1]) <= order.index(user.parts[1])
 
 
 def sources(root, folder):
@@ -98,11 +113,15 @@ def check_include(root, rooms, path, room, quoted, name):
             return f"room '{room}' includes '{name}', which is no header of ours"
         if not in_source:
             return f"a public header of room '{room}' includes '{name}' of src/"
-        used = found.relative_to((root / "src").resolve()).parts[0]
+        found = found.relative_to((root / "src").resolve())
+        used = found.parts[0]
         if used != room and used not in SHARED_SOURCES:
             return f"room '{room}' includes the private header '{name}' of room '{used}'"
         if not rooms.sees(room, used):
             return f"room '{room}' includes '{name}' of room '{used}', which is not above it"
+        user = path.relative_to(root / "src")
+        if used == room and not rooms.sees_folder(user, found):
+            return f"folder '{user.parts[1]}' of room '{room}' includes '{name}' of a folder that is not above it"
         return None
     library = library_of(name)
     allowed = (rooms.all if in_source else rooms.public)[room]
@@ -114,10 +133,10 @@ def check_include(root, rooms, path, room, quoted, name):
 
 
 def check_page(root, rooms, present):
-    """The table in docs/architecture.md has the rooms that there are, in their order."""
+    """The tables in docs/architecture.md have the rooms and folders that there are, in their order."""
     page = root / "docs/architecture.md"
     lines = page.read_text(encoding="utf-8").splitlines()
-    table = [m.group(1) for m in (re.match(r"\| `([a-z_]+)`( \(src only\))? \|", line) for line in lines) if m]
+    table = [m.group(1) for m in (re.match(r"\| `([a-z_/]+)`( \(src only\))? \|", line) for line in lines) if m]
     listed = [room for room in table if room in rooms.order]
     problems = []
     if listed != sorted(listed, key=rooms.order.index):
@@ -125,6 +144,10 @@ def check_page(root, rooms, present):
     for room in present:
         if room not in listed:
             problems.append(f"{page.relative_to(root)}: the table lacks room '{room}'")
+    for room, order in rooms.folders.items():
+        listed = [name for name in table if name.startswith(room + "/")]
+        if listed != [f"{room}/{folder}" for folder in order]:
+            problems.append(f"{page.relative_to(root)}: the table of folders of '{room}' differs from rooms.txt: {listed}")
     return problems
 
 
@@ -141,6 +164,8 @@ def check(root):
                 problems.append(f"{where}: is in no room of scripts/rooms.txt")
                 continue
             present.add(room)
+            if top == "src" and not rooms.has_place(inside):
+                problems.append(f"{where}: is in no folder that scripts/rooms.txt names of room '{room}'")
             for number, quoted, name in includes(path):
                 count += 1
                 wrong = check_include(root, rooms, path, room, quoted, name)
@@ -158,8 +183,9 @@ def check(root):
     return problems + check_page(root, rooms, sorted(present, key=rooms.order.index)), count
 
 
-SELF_TEST_ROOMS = "base:\nmesh: ; CGAL\nfem:\nstart:\nros: ; *\ncli: ; CLI11\n"
-SELF_TEST_PAGE = "| `base` | \n| `mesh` | \n| `fem` | \n| `start` (src only) | \n| `ros` | \n| `cli` | \n"
+SELF_TEST_ROOMS = "base:\nmesh: ; CGAL\nfem:\nstart:\nros: ; * ; guard node\ncli: ; CLI11\n"
+SELF_TEST_PAGE = ("| `base` | \n| `mesh` | \n| `fem` | \n| `start` (src only) | \n| `ros` | \n| `cli` | \n"
+                  "| `ros/guard` | \n| `ros/node` | \n")
 SELF_TEST_FILES = {  # all that is allowed
     "include/palpate/base/types.h": "#include <Eigen/Core>\n#include <vector>\n",
     "include/palpate/mesh/tets.h": '#include "palpate/base/types.h"\n',
@@ -168,7 +194,10 @@ SELF_TEST_FILES = {  # all that is allowed
     "src/mesh/kernels/wide.cpp": '#include "mesh/fill.h"\n',
     "src/fem/loads.cpp": '#include "palpate/mesh/tets.h"\n',
     "src/start/environment.h": "",
-    "src/ros/node.cpp": '#include <ros/ros.h>\n#include "environment.h"\n#include "palpate/StepReport.h"\n',
+    "src/ros/node/cycle.h": '#include "ros/guard/ending.h"\n',
+    "src/ros/node/cycle.cpp": '#include <ros/ros.h>\n#include "environment.h"\n#include "palpate/StepReport.h"\n',
+    "src/ros/guard/ending.h": "",
+    "src/ros/guard/guard_main.cpp": '#include "ros/node/cycle.h"\n',
     "src/cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "environment.h"\n',
     "test/mesh/fill_test.cpp": '#include "mesh/fill.h"\n',
 }
@@ -184,10 +213,14 @@ SELF_TEST_BREAKS = [  # (file, its new line 1, what must be said of it)
     ("include/palpate/mesh/tets.h", "#include <CGAL/Random.h>", "public headers of this room may see Eigen"),
     ("include/palpate/mesh/tets.h", '#include "mesh/fill.h"', "a public header of room 'mesh' includes"),
     ("src/cli/main.cpp", '#include "node.h"', "is no header of ours"),
+    ("src/ros/guard/ending.h", '#include "ros/node/cycle.h"', "of a folder that is not above it"),
+    ("src/ros/cycle.cpp", "", "is in no folder"),
+    ("src/ros/pictures/view.cpp", "", "is in no folder"),
     ("test/mesh/fill_test.cpp", '#include "../../src/mesh/fill.h"', "climbs out"),
     ("src/attic/old.cpp", "", "is in no room"),
     ("scripts/rooms.txt", "gone:\n" + SELF_TEST_ROOMS, "room 'gone' has no file"),
     ("docs/architecture.md", SELF_TEST_PAGE.replace("| `mesh` | \n", ""), "lacks room 'mesh'"),
+    ("docs/architecture.md", SELF_TEST_PAGE.replace("| `ros/node` | \n", ""), "table of folders of 'ros' differs"),
     ("docs/architecture.md", "| `fem` | \n" + SELF_TEST_PAGE.replace("| `fem` | \n", ""), "order differs"),
 ]
 

@@ -4,7 +4,7 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "ros/bag_inputs.h"
+#include "ros/replay/bag_inputs.h"
 #include "scratch_file.h"
 #include "state_scenes.h"
 #include "targets.h"

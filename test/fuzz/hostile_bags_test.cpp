@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
-#include "ros/bag_records.h"
+#include "ros/replay/bag_records.h"
 #include "support/contains.h"
 #include "support/input_error.h"
 #include "targets.h"

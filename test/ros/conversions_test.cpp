@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "conversions.h"
+#include "ros/messages/conversions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crash.h"
+#include "ros/guard/crash.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "ending.h"
+#include "ros/guard/ending.h"
 
 namespace palpate::node::crash_test {
 namespace {

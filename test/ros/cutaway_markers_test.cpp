@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Organs that are shown cut open.
-#include "cutaway_markers.h"
+#include "ros/pictures/cutaway_markers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ros/pictures/surface_copies.h"
 #include "sim/slab_scene.h"
 #include "support/source_folder.h"
-#include "surface_copies.h"
 
 namespace palpate::node::cutaway_markers_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps that end later than their cycle's deadline are the same steps.
-#include "live_cycle.h"
+#include "ros/node/live_cycle.h"
 
 #include <gtest/gtest.h>
 

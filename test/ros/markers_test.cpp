@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Markers of organs whose triangles become others while they run.
-#include "markers.h"
+#include "ros/pictures/markers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "anatomy_markers.h"
+#include "ros/pictures/anatomy_markers.h"
+#include "ros/pictures/surface_copies.h"
 #include "sim/anatomy_scene.h"
 #include "support/splitting_model.h"
-#include "surface_copies.h"
 
 namespace palpate::node {
 namespace {

@@ -16,14 +16,14 @@
 #include "palpate/RunRecord.h"
 #include "palpate/StepReport.h"
 #include "palpate/base/number.h"
-#include "params.h"
+#include "ros/messages/topics.h"
+#include "ros/node/params.h"
 #include "sensor_msgs/JointState.h"
 #include "std_msgs/String.h"
 #include "std_srvs/Trigger.h"
 #include "support/source_folder.h"
 #include "support/temp_folder.h"
 #include "tf2_msgs/TFMessage.h"
-#include "topics.h"
 #include "visualization_msgs/MarkerArray.h"
 
 namespace palpate::node::node_page_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "node_state.h"
+#include "ros/messages/node_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "one_publisher.h"
+#include "ros/input/one_publisher.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pace.h"
+#include "ros/node/pace.h"
 
 #include <gtest/gtest.h>
 

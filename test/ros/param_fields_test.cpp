@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters replace the keys that they name, and no others.
-#include "param_fields.h"
+#include "ros/program/param_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "palpate/scene/scene.h"
-#include "params.h"
+#include "ros/node/params.h"
 #include "support/input_error.h"
 #include "support/source_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A record of a run names all that the scene reads, and differs where another run would.
-#include "run_record.h"
+#include "ros/record/run_record.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "build_info.h"
-#include "message_bytes.h"
-#include "params.h"
-#include "sha256.h"
+#include "ros/node/params.h"
+#include "ros/record/build_info.h"
+#include "ros/record/sha256.h"
+#include "ros/replay/message_bytes.h"
 #include "support/contains.h"
 #include "support/source_folder.h"
 #include "support/temp_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stamps.h"
+#include "ros/messages/stamps.h"
 
 #include <gtest/gtest.h>
 

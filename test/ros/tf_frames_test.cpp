@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tf_frames.h"
+#include "ros/input/tf_frames.h"
 
 #include <gtest/gtest.h>
 #include <tf2/exceptions.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames in tf of instruments whose links have the same names.
-#include "tool_frames.h"
+#include "ros/input/tool_frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How rviz shows a scene: what the camera sees, which displays there are, what is said in words.
-#include "view.h"
+#include "ros/pictures/view.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -10,9 +10,9 @@
 #include <set>
 #include <string>
 
-#include "rviz_config.h"
+#include "ros/pictures/rviz_config.h"
+#include "ros/pictures/state_text.h"
 #include "sim/slab_scene.h"
-#include "state_text.h"
 #include "support/contains.h"
 
 namespace palpate::node::view_test {
