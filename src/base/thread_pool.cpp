@@ -114,6 +114,17 @@ struct ThreadPool::Team {
     }
   }
 
+  /// Of the thread that takes no part in loops.
+  void doTasks() {
+    while (!stop.load()) {
+      {
+        std::unique_lock<std::mutex> lock(mutex);
+        woken.wait(lock, [&] { return stop.load() || num_tasks.load() > 0; });
+      }
+      if (!stop.load()) doTask();
+    }
+  }
+
   std::uint64_t begin() {
     const std::uint64_t n = ++number;
     if (asleep.load() == 0) return n;
@@ -123,12 +134,13 @@ struct ThreadPool::Team {
   }
 };
 
-ThreadPool::ThreadPool(int threads) {
-  if (threads <= 1) return;
+ThreadPool::ThreadPool(int threads, bool for_tasks) {
+  if (threads <= 1 && !for_tasks) return;
   team_ = std::make_unique<Team>(static_cast<std::size_t>(threads));
   for (std::size_t part = 1; part < team_->parts; ++part) {
     team_->helpers.emplace_back([team = team_.get(), part] { team->help(part); });
   }
+  if (for_tasks) team_->helpers.emplace_back([team = team_.get()] { team->doTasks(); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -167,7 +179,7 @@ void ThreadPool::BackgroundTask::cancel() {
 int ThreadPool::size() const { return team_ ? static_cast<int>(team_->parts) : 1; }
 
 void ThreadPool::run(std::size_t count, const Loop& loop) {
-  if (!team_ || team_->at_work.exchange(true, std::memory_order_acquire)) {
+  if (!team_ || team_->parts == 1 || team_->at_work.exchange(true, std::memory_order_acquire)) {
     if (count > 0) loop.call(loop.body, 0, count);
     return;
   }

@@ -254,7 +254,10 @@ void describe(keys::FieldVisitor& v, SolverConfig& solver) {
       solver.linear_tolerance, keys::Range::closed(1.0e-14, 0.9));
   v.integer({"max_linear_iterations", "", "Iterations of the linear solver in a Newton iteration."},
             solver.max_linear_iterations, keys::Range::closed(1, 100000));
-  v.integer({"threads", "", "Threads that share the work; the results are the same bits for any."},
+  v.integer({"threads", "",
+             "Threads that share the work; the results are the same bits for any. The node takes "
+             "at most one less than the "
+             "host has cores."},
             solver.threads, keys::Range::closed(1, 256));
   v.number(
       {"deadline", "",

@@ -154,7 +154,9 @@ void assembleModels(const Scene& scene, const Progress& progress, SceneParts* pa
 
 SceneParts assembleScene(const Scene& scene, const Progress& progress) {
   SceneParts parts;
-  if (scene.solver.threads > 1) parts.pool = std::make_unique<ThreadPool>(scene.solver.threads);
+  if (scene.solver.threads > 1 || scene.solver.thread_for_tasks) {
+    parts.pool = std::make_unique<ThreadPool>(scene.solver.threads, scene.solver.thread_for_tasks);
+  }
   readInstruments(scene, progress, &parts);
   checkSegments(scene, parts);
   assembleAnatomy(scene, progress, &parts);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -51,6 +52,26 @@ TEST(ThreadPool, ServesTwoThreadsAtOnceAndLoopsWithinLoops) {
     }
   });
   for (int v : inner) ASSERT_EQ(v, 1);
+}
+
+TEST(ThreadPool, RunsTasksInAThreadThatTakesNoPartInLoops) {
+  ThreadPool pool(1, true);
+  EXPECT_EQ(pool.size(), 1);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::thread::id of_task;
+  std::atomic<bool> done{false};
+  ThreadPool::BackgroundTask task(&pool);
+  task.begin([&] {
+    of_task = std::this_thread::get_id();
+    done = true;
+  });
+  while (!done) std::this_thread::yield();  // without a thread for tasks, for ever
+  pool.forRanges(100, [&](std::size_t begin, std::size_t end) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_EQ(end - begin, 100u);
+  });
+  task.wait();
+  EXPECT_NE(of_task, caller);
 }
 
 // As where next meshes are made beside the cycles: more of them than there are helpers, and with

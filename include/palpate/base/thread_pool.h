@@ -12,8 +12,9 @@ namespace palpate {
 /// loops in sequence.
 class ThreadPool {
  public:
-  /// `threads` >= 1 counts the calling thread.
-  explicit ThreadPool(int threads = 1);
+  /// `threads` >= 1 counts the calling thread. `for_tasks`: one more, which runs background tasks
+  /// and no loops.
+  explicit ThreadPool(int threads = 1, bool for_tasks = false);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -35,8 +36,9 @@ class ThreadPool {
   struct Team;
 
  public:
-  /// One background task at a time, run by a thread of the team instead of its parts of loops, so
-  /// that the number of busy threads stays. Without a free thread, wait() runs the task.
+  /// One background task at a time, run by the thread for tasks, or by one of the team instead of
+  /// its parts of loops, so that the number of busy threads stays. Without a free thread, wait()
+  /// runs the task.
   class BackgroundTask {
    public:
     explicit BackgroundTask(ThreadPool* pool);  ///< May be null. @pre Outlives this.
@@ -65,7 +67,7 @@ class ThreadPool {
   };
   void run(std::size_t count, const Loop& loop);
 
-  std::unique_ptr<Team> team_;  // null for one thread
+  std::unique_ptr<Team> team_;  // null for one thread in all
 };
 
 }  // namespace palpate

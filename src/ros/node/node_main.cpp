@@ -3,10 +3,12 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "blas_check.h"
@@ -44,6 +46,14 @@ constexpr double kToEnd = 0.7, kToStep = 0.3;  // [s]
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted while loading") {}
 };
+
+/// Leaves a core to the force loop, to ROS and to other programs: a team that shares its last core
+/// with them waits for whole time slices. Results are the same bits for any number of threads.
+void limitThreads(scene::SolverConfig* solver) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  solver->threads = std::min(solver->threads, std::max(1, cores - 1));
+  solver->thread_for_tasks = solver->threads == 1;
+}
 
 /// Makes it, and says on the way what takes so long. Meshing can take minutes the first time.
 std::unique_ptr<sim::Simulator> makeSimulator(const scene::Scene& scene, Diagnostics* diagnostics) {
@@ -111,6 +121,7 @@ int run(bool sends_realtime) {
   scene::Scene scene = readScene(start::sceneFile(params.scene), set);
   const palpate::RunRecord record = recordOf(scene, params.initial_state, ros::Time::now());
   scene::driveByHands(&scene);
+  limitThreads(&scene.solver);
   for (const std::string& name : separateFrames(&scene)) {
     ROS_WARN(
         "instrument %s has a frame in tf that another instrument has, too: give one a tf_prefix",
