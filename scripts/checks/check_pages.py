@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says how old the measured pages of docs/results/ are: each names the commits that made it. Fails if one names
-none, or a commit that HEAD does not come from, and if a relative link between pages leads nowhere.
+none, or a commit that HEAD does not come from, if a relative link between pages leads nowhere, and if a page names a
+source file that is not there.
 
 That a page is of a tree with changes that are in no commit, and how many commits have since changed what decides its
 figures, is information: a page takes up to an hour of a quiet machine and is made anew before a release, not with
@@ -147,11 +148,23 @@ def check_links(root):
     return problems
 
 
+def check_names(root):
+    """Source files that pages to be read name, and that are not there."""
+    problems = []
+    for page in sorted([*root.glob("*.md"), *root.glob("docs/*.md")]):
+        text = page.read_text(encoding="utf-8")
+        written = set(re.findall(r"^`([\w/.]+)`:$", text, re.M))  # files that the page says how to write
+        for name in re.findall(r"`((?:src|include|test|scripts|config|cmake)/[\w/.]+\.\w+)`", text):
+            if name not in written and not (root / name).exists():
+                problems.append(f"{page.relative_to(root)}: there is no {name}")
+    return problems
+
+
 def main():
     release = "--release" in sys.argv[1:]
     places = [a for a in sys.argv[1:] if a != "--release"]
     root = pathlib.Path(places[0] if places else pathlib.Path(__file__).parents[2]).resolve()
-    problems = check_lists(root) + check_links(root)
+    problems = check_lists(root) + check_links(root) + check_names(root)
     for page in PAGES:
         try:
             problem, said = check(root, page)

@@ -50,7 +50,7 @@ class Build:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).resolve()
-        self.flags, self.search = {}, {}
+        self.flags, self.search, self.unit = {}, {}, {}
         root = pathlib.Path.cwd()
         for entry in json.loads((self.folder / "compile_commands.json").read_text()):
             source = pathlib.Path(entry["directory"], entry["file"]).resolve()
@@ -60,6 +60,7 @@ class Build:
                     name = str(part.relative_to(root))
                     self.flags[name] = flags
                     self.search[name] = [pathlib.Path(f[2:]).resolve() for f in flags if f.startswith("-I")]
+                    self.unit[name] = str(source) if part != source else ""
 
     @staticmethod
     def parts(source):
@@ -192,11 +193,11 @@ def chosen(build, includes, arguments):
 
 
 def batches(sources, build):
-    """Lists of sources with the same flags, at least one list a processor. Sources of one room go
-    to different lists: they are who uses the same names in namespaces without a name."""
+    """Lists of sources with the same flags, at least one list a processor: those that the build compiles as one
+    together, for they share headers and no names. Others of one room go to different lists."""
     groups = {}
     for source in sources:
-        groups.setdefault(tuple(build.flags[source[0]]), []).append(source)
+        groups.setdefault((tuple(build.flags[source[0]]), build.unit[source[0]]), []).append(source)
     size = max(1, min(BATCH, -(-len(sources) // (os.cpu_count() or 1))))
     lists = []
     for group in groups.values():

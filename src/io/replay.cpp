@@ -12,6 +12,7 @@ Replay::Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const 
                sim::Cycles cycles)
     : simulator_(simulator), lockstep_(simulator, cycles), trajectory_(std::move(trajectory)) {
   std::vector<InstrumentJoints> instruments;
+  instruments.reserve(static_cast<std::size_t>(simulator->numInstruments()));
   for (int i = 0; i < simulator->numInstruments(); ++i) {
     instruments.push_back(
         {simulator->scene().instruments[i].name, simulator->instrument(i).jointNames()});

@@ -161,6 +161,13 @@ class Pages(unittest.TestCase):
             status, said = self.check()
             self.assertEqual((status, said.count(f"docs/other.md: {link} leads")), (1, 1), said)
 
+    def test_a_source_that_is_not_there_fails(self):
+        self.write("docs/one.md", "See `src/fem/one.cpp`. Write\n\n`src/fem/new.cpp`:\n")
+        self.assertEqual(self.check()[0], 0)
+        self.write("docs/one.md", "See `src/fem/gone.cpp`.\n")
+        status, said = self.check()
+        self.assertEqual((status, said.count("docs/one.md: there is no src/fem/gone.cpp")), (1, 1), said)
+
 
 if __name__ == "__main__":
     if shutil.which("git") is None:

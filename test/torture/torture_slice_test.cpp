@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Up to eight random scenes of each category, judged by all that does not depend on how fast the
+// Up to four random scenes of each category, judged by all that does not depend on how fast the
 // machine is. The full run is scripts/page.sh torture.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace palpate::torture::torture_slice_test {
 namespace {
 
-constexpr int kEach = 8, kMostTets = 600;
+constexpr int kEach = 4, kMostTets = 600;
 constexpr int kAgain = 10;  // every so manieth by two threads
 constexpr int kCut = 3;     // and with cycles that are cut
 

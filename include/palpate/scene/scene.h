@@ -142,9 +142,8 @@ struct SkipConfig : tissue::SkipSwitches {
 
 struct SolverConfig : solver::StepSettings {
   int threads = 1;
-  bool thread_for_tasks =
-      false;  ///< One more, for background tasks (ThreadPool). No key: who runs the scene decides.
-  double deadline = 2.0;  ///< Of a live step, as part of 1/rates.simulation; 0: none.
+  bool thread_for_tasks = false;  ///< One more, for background tasks; no key, the node's.
+  double deadline = 2.0;          ///< Of a live step, as part of 1/rates.simulation; 0: none.
   SkipConfig skip;
 };
 

@@ -56,8 +56,7 @@ struct InstrumentResult {
   /// `spatial` expressed in the control frame.
   Wrench body() const { return haptics::bodyWrench(spatial, X_WC.linear()); }
   int contacts = 0;
-  double max_penetration =
-      0.0;  ///< Largest penetration [m]; over all steps of an input in Lockstep.
+  double max_penetration = 0.0;  ///< Largest [m]; in Lockstep of all steps of an input.
 };
 
 struct StepResult {

@@ -20,8 +20,7 @@ struct StepReport : tissue::StepFigures {
   double imbalance = 0.0;        ///< [N], see docs.
   int nodes = 0;                 ///< Nodes of all organs' present meshes.
   int mesh_changes = 0;          ///< Mesh adaptations in the cycle.
-  std::uint64_t state_hash =
-      0;  ///< StateHash of positions, velocities and wrenches after the cycle.
+  std::uint64_t state_hash = 0;  ///< StateHash of positions, velocities and wrenches.
   tissue::SkipCounters skipped;
 
   /// Whether the final state is a valid solution, if not to full accuracy.

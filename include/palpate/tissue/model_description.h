@@ -54,8 +54,7 @@ struct OrganDescription {
   /// Material outside of all regions.
   std::function<material::Solid()> solid;
 
-  std::string element =
-      fem::elementNames().front();  ///< Name of the finite element: one of fem::elementNames().
+  std::string element = fem::elementNames().front();  ///< One of fem::elementNames().
   solver::RayleighDamping damping;
   contact::FrictionTable friction;  ///< Friction with obstacles.
   AdaptSettings adapt;              ///< For models with mesh adaptation.

@@ -37,8 +37,7 @@ struct Outcome {
   std::vector<Failure> failures;
   bool whole = true;  ///< Not left off.
   int cycles = 0, unsolved = 0, inverted = 0, touching = 0;
-  int curled =
-      0;  ///< Cycles told converged in which quadratic elements were inside out at a corner.
+  int curled = 0;    ///< Converged cycles with quadratic elements inverted at a corner.
   int put_back = 0;  ///< Cycles that an organ was put back to rest in, rolled back or frozen.
   std::ptrdiff_t points = 0;
   double load_s = 0.0, run_s = 0.0, median_ms = 0.0, longest_ms = 0.0;
