@@ -85,6 +85,7 @@ class Speaker:
         self.api = xmlrpc.server.SimpleXMLRPCServer(("localhost", 0), logRequests=False)
         self.api.register_function(lambda *_: (1, "", ["TCPROS", "localhost", port]), "requestTopic")
         threading.Thread(target=self.api.serve_forever, daemon=True).start()
+        self.sending = threading.Lock()  # a message in two parts must not let another one in
         self.address = "http://localhost:%d/" % self.api.server_address[1]
         self.announced = announced
         if announced:
@@ -99,7 +100,8 @@ class Speaker:
         self.connection.sendall(self.header)
 
     def send(self, body):
-        self.connection.sendall(struct.pack("<I", len(body)) + body)
+        with self.sending:
+            self.connection.sendall(struct.pack("<I", len(body)) + body)
 
     def close(self):
         if self.announced:
