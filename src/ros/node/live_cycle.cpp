@@ -6,18 +6,12 @@
 
 #include <algorithm>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "ros/messages/stamps.h"
+#include "step_cores.h"
 
 namespace palpate::node {
-namespace {
-
-int numCores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
-
-}  // namespace
-
 LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels)
     : simulator_(*simulator),
       inputs_(*inputs),
@@ -29,7 +23,7 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       targets_(inputs->size()),
       tools_(*simulator),
       stepper_(simulator),
-      scene_facts_(advice::sceneFacts(*simulator, numCores())),
+      scene_facts_(advice::sceneFacts(*simulator, stepCores())),
       picture_(1.0 / simulator->scene().rates.markers),
       unwatched_(1.0 / simulator->scene().rates.markers) {}
 

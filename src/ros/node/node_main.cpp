@@ -8,7 +8,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "blas_check.h"
@@ -35,6 +34,7 @@
 #include "shipped.h"
 #include "simulation_loop.h"
 #include "state_folder.h"
+#include "step_cores.h"
 
 namespace palpate::node {
 namespace {
@@ -47,11 +47,9 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted while loading") {}
 };
 
-/// Leaves a core to the force loop, to ROS and to other programs: a team that shares its last core
-/// with them waits for whole time slices. Results are the same bits for any number of threads.
+/// Results are the same bits for any number of threads.
 void limitThreads(scene::SolverConfig* solver) {
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  solver->threads = std::min(solver->threads, std::max(1, cores - 1));
+  solver->threads = std::min(solver->threads, stepCores());
   solver->thread_for_tasks = solver->threads == 1;
 }
 
