@@ -4,7 +4,7 @@
 #   scripts/data/scene_pictures.sh [--out FOLDER] [--rate R] [SCENE ...]
 #
 #   --out FOLDER  for NAME.png, NAME.log and sheet.png, all pictures on one (build/scene_pictures)
-#   --rate R      speed of playing (0.3): drawing without a graphics card takes the processor from the simulation
+#   --rate R      speed of playing (0.15): drawing without a graphics card takes the processor from the simulation
 #   SCENE         names from config/scenes; all of them where none is given
 #
 # Exit status 1 if a scene gave no picture. From the environment: PALPATE_NO_INSTALL=1 installs nothing,
@@ -14,7 +14,7 @@ cd "$(dirname "$0")/../.."
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:$PATH
 
 out=build/scene_pictures
-rate=0.3
+rate=0.15
 scenes=()
 while [ $# -gt 0 ]; do
   case $1 in
