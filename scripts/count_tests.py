@@ -31,7 +31,7 @@ def count(said, log):
     """(passed, [failed name and status], [(skipped name, reason)])"""
     outputs = blocks(log)
     passed, failed, skipped = 0, [], []
-    for name, status in re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+) \.\.+ *(Passed|\*\*\*[\w() ]+?)  ", said, re.M):
+    for name, status in re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+) \.\.+ *(Passed|\*\*\*[\w():, ]+?) +[\d.]+ sec", said, re.M):
         output = outputs.get(name, "")
         found = cases(output)
         if status == "Passed" and found:
