@@ -21,11 +21,11 @@ namespace palpate::contact {
 /// tissue: a softer one lets multipliers oscillate.
 ///
 /// Multipliers integrate the penetration over steps, which excites a mass m on the contact
-/// stiffness k; steps of h damp it by k h^2 / 2 m (backward Euler) or (k h^2 / m)^2 / 4 (BDF2). So
-/// changes are scaled by (k / (k + m / h^2))^2 / 2, with m thirty nodal masses for the tissue
-/// below. Only resting contact must have no penetration: an increase is scaled by exp(-w / 0.5 mm)
-/// with the displacement w in the step relative to the body, and multipliers decay by exp(-(u / 0.3
-/// mm)^2) with slip u, so that none remains where the tool has left.
+/// stiffness k. Steps of h damp this motion by k h^2 / 2 m (backward Euler) or (k h^2 / m)^2 / 4
+/// (BDF2). So changes are scaled by (k / (k + m / h^2))^2 / 2, with m thirty nodal masses for the
+/// tissue below. Only resting contact must have no penetration. So an increase is scaled by exp(-w
+/// / 0.5 mm), w: displacement in the step relative to the body. Multipliers decay by exp(-(u / 0.3
+/// mm)^2) with the slip u: none remains where the tool has left.
 std::unique_ptr<Response> makeAugmentedResponse(const ResponseSettings& settings);
 
 }  // namespace palpate::contact

@@ -16,8 +16,9 @@ struct HandSettings {
   double guide_damping = 0.0;    ///< [N s/m]
 };
 
-/// A mass on springs and dampers towards the intended position, under the rendered force:
-/// m a = k (p_meant - p) + b (v_meant - v) - c v + F, with F constant over a tick. Reads no clock.
+/// A mass on springs and dampers towards the intended position, under the rendered force F:
+/// m a = k (p_meant - p) + b (v_meant - v) - c v + F.
+/// F is constant over a tick. Reads no clock.
 class SimulatedHand {
  public:
   /// @throws std::invalid_argument for a mass that is not > 0, or another value < 0.

@@ -58,8 +58,8 @@ class Minimizer {
   /// x, as start of the next load step. x is unchanged where the solve fails.
   virtual SolveStatus predict(const Potential& potential, const Points& move, Points* x) = 0;
 
-  /// Computes the tangent step d, 3 x n [m], under an added force `push`, 3 x n [N]: A d = push -
-  /// g. Adds its cost to `report`. Returns false on failure or where not supported.
+  /// Solves A d = push - g for the step d, 3 x n [m]. `push`: an added force, 3 x n [N].
+  /// Adds the cost to `report`. Returns false on failure or where not supported.
   virtual bool tangentStep(const Potential& /*potential*/, const Points& /*x*/,
                            const Points& /*push*/, double /*linear_tolerance*/, Points* /*d*/,
                            NewtonReport* /*report*/) {
