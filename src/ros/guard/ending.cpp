@@ -93,7 +93,6 @@ void Ending::catchSignals() {
 void Ending::started() { is_started = true; }
 
 void Ending::catchShutdownRequests() {
-  ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", shutdownRequested);
 }
 

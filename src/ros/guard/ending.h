@@ -22,7 +22,7 @@ class Ending {
   /// Starts the thread that limit() needs. Before a crash: nothing can be started after one.
   static void watch();
   /// The shutdown that `rosnode kill` and a second node of this name request asks as well. Call
-  /// after the first NodeHandle.
+  /// before ROS starts, whose own answer it is instead of.
   static void catchShutdownRequests();
 
   /// Safe in any thread and in a signal's handler; says nothing.

@@ -9,15 +9,17 @@
 #include <ros/xmlrpc_manager.h>
 #include <sys/socket.h>
 
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 namespace palpate::node {
 namespace {
 
 using XmlRpc::XmlRpcValue;
+
+constexpr char kTaskMethod[] = "palpateTask";
 
 // The name of a caller, and what it says.
 XmlRpcValue call(const std::string& caller, const std::vector<XmlRpcValue>& arguments) {
@@ -72,19 +74,18 @@ bool askSelf(const std::string& method, const std::vector<XmlRpcValue>& argument
   return answered && manager->validateXmlrpcResponse(method, response, *answer);
 }
 
-bool runInSlaveThread(const std::function<void()>& task) {
-  constexpr char kMethod[] = "palpateTask";
-  std::atomic<bool> ran{false};  // anybody may ask while the function is there
-  const auto run = [&](XmlRpcValue&, XmlRpcValue& result) {
-    if (!ran.exchange(true)) task();
+SlaveThreadTask::SlaveThreadTask(std::function<void()> task) : task_(std::move(task)) {
+  ros::XMLRPCManager::instance()->bind(kTaskMethod, [this](XmlRpcValue&, XmlRpcValue& result) {
+    if (!ran_.exchange(true)) task_();
     result = ros::xmlrpc::responseInt(1, "", 0);
-  };
-  const auto& manager = ros::XMLRPCManager::instance();
+  });
+}
+
+SlaveThreadTask::~SlaveThreadTask() { ros::XMLRPCManager::instance()->unbind(kTaskMethod); }
+
+bool SlaveThreadTask::run() {
   XmlRpcValue answer;
-  manager->bind(kMethod, run);
-  const bool answered = askSelf(kMethod, {}, &answer);
-  manager->unbind(kMethod);
-  return answered && ran;
+  return askSelf(kTaskMethod, {}, &answer) && ran_;
 }
 
 bool keepQuestionsLocal() {

@@ -65,6 +65,13 @@ int runProgram(int argc, char** argv, const char* name, const About& about,
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   std::optional<ros::NodeHandle> alive;  // so that the last words get out
   bool sends_realtime = false;
+  Ending::catchShutdownRequests();
+  // Who answers the ROS graph's questions takes what anybody sends it: endless nesting is an
+  // endless recursion, and less than that may take long.
+  std::optional<SlaveThreadTask> in_slave_thread(std::in_place, [&] {
+    if (sends_realtime) becomeRealtimeInTurns();
+    Crash::catchHere();
+  });
   {
     // ROS starts its threads now, that which sends what is published among them.
     const RealtimeScope starting;
@@ -72,13 +79,8 @@ int runProgram(int argc, char** argv, const char* name, const About& about,
     sends_realtime = starting.isRealtime();
   }
   Ending::started();
-  Ending::catchShutdownRequests();
-  // Who answers the ROS graph's questions takes what anybody sends it: endless nesting is an
-  // endless recursion, and less than that may take long.
-  runInSlaveThread([&] {
-    if (sends_realtime) becomeRealtimeInTurns();
-    Crash::catchHere();
-  });
+  in_slave_thread->run();
+  in_slave_thread.reset();
   markSendingThread();
   if (!keepQuestionsLocal()) {
     ROS_WARN("other machines can ask this node, though it is known on this one only");
