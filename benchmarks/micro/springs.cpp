@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "palpate/tissue/model_list.h"
-#include "tissue/springs/spring_elasticity.h"
-#include "tissue/springs/tet_network.h"
+#include "tissue/models/springs/spring_elasticity.h"
+#include "tissue/models/springs/tet_network.h"
 
 namespace palpate {
 namespace {

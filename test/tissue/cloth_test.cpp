@@ -12,9 +12,9 @@
 #include "palpate/springs/spring_grids.h"
 #include "palpate/springs/springs_file.h"
 #include "support/temp_folder.h"
-#include "tissue/cloth/rolled_shape.h"
-#include "tissue/cloth/sheet_elasticity.h"
-#include "tissue/cloth/sheet_network.h"
+#include "tissue/models/cloth/rolled_shape.h"
+#include "tissue/models/cloth/sheet_elasticity.h"
+#include "tissue/models/cloth/sheet_network.h"
 
 namespace palpate::tissue::cloth_test {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Against Eigen's factors of the whole matrix, and where there is no solution.
-#include "tissue/honeycomb/dense_saddle.h"
+#include "tissue/models/honeycomb/dense_saddle.h"
 
 #include <gtest/gtest.h>
 

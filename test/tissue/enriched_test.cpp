@@ -9,8 +9,8 @@
 #include "model_variants.h"
 #include "palpate/mesh/surface_points.h"
 #include "support/contains.h"
-#include "tissue/enriched/fine_surface.h"
-#include "tissue/enriched/learned_detail.h"
+#include "tissue/models/enriched/fine_surface.h"
+#include "tissue/models/enriched/learned_detail.h"
 
 namespace palpate::tissue::enriched_test {
 namespace {

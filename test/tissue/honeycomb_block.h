@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "tissue/honeycomb/cell_waves.h"
-#include "tissue/honeycomb/corner_map.h"
-#include "tissue/honeycomb/wave_mixing.h"
+#include "tissue/models/honeycomb/cell_waves.h"
+#include "tissue/models/honeycomb/corner_map.h"
+#include "tissue/models/honeycomb/wave_mixing.h"
 
 namespace palpate::test {
 

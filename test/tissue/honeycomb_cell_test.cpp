@@ -7,7 +7,7 @@
 #include <random>
 
 #include "honeycomb_block.h"
-#include "tissue/honeycomb/side_feedback.h"
+#include "tissue/models/honeycomb/side_feedback.h"
 
 namespace palpate::tissue::honeycomb_cell_test {
 namespace {

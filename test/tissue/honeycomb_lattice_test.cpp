@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "honeycomb_block.h"
-#include "tissue/honeycomb/side_feedback.h"
+#include "tissue/models/honeycomb/side_feedback.h"
 
 namespace palpate::tissue::honeycomb_lattice_test {
 namespace {

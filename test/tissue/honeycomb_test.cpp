@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "model_variants.h"
-#include "tissue/honeycomb/honeycomb_organ.h"
-#include "tissue/honeycomb/side_feedback.h"
+#include "tissue/models/honeycomb/honeycomb_organ.h"
+#include "tissue/models/honeycomb/side_feedback.h"
 
 namespace palpate::tissue::honeycomb_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hybrid_block.h"
-#include "tissue/hybrid/hybrid_elasticity.h"
+#include "tissue/models/hybrid/hybrid_elasticity.h"
 
 namespace palpate::tissue::hybrid_loop_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "hybrid_block.h"
 #include "support/contains.h"
-#include "tissue/tensor_mass/tensor_mass_elasticity.h"
+#include "tissue/models/tensor_mass/tensor_mass_elasticity.h"
 
 namespace palpate::tissue::hybrid_test {
 namespace {

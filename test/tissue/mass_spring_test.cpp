@@ -8,7 +8,7 @@
 #include "model_variants.h"
 #include "palpate/springs/springs_file.h"
 #include "support/temp_folder.h"
-#include "tissue/springs/tet_network.h"
+#include "tissue/models/springs/tet_network.h"
 
 namespace palpate::tissue::mass_spring_test {
 namespace {

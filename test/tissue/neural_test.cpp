@@ -6,7 +6,7 @@
 
 #include "model_variants.h"
 #include "support/contains.h"
-#include "tissue/neural/tool_press.h"
+#include "tissue/models/neural/tool_press.h"
 
 namespace palpate::tissue::neural_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "model_variants.h"
 #include "support/contains.h"
 #include "support/random.h"
-#include "tissue/sampled/sampled_body.h"
+#include "tissue/models/sampled/sampled_body.h"
 
 namespace palpate::tissue::sampled_elasticity_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/random.h"
-#include "tissue/springs/spring_elasticity.h"
+#include "tissue/models/springs/spring_elasticity.h"
 
 namespace palpate::tissue::spring_elasticity_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "tissue/springs/spring_integrators.h"
+#include "tissue/models/springs/spring_integrators.h"
 
 namespace palpate::tissue::spring_integrators_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.h"
-#include "tissue/tensor_mass/tensor_mass_elasticity.h"
+#include "tissue/models/tensor_mass/tensor_mass_elasticity.h"
 
 namespace palpate::tissue::tensor_mass_test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "hybrid_elasticity.h"
 #include "hybrid_steps.h"
-#include "tissue/cells/make_cells.h"
 #include "tissue/fem/make_organs.h"
 #include "tissue/model_library.h"
+#include "tissue/models/cells/make_cells.h"
 
 namespace palpate::tissue {
 namespace {

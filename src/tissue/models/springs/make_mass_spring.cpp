@@ -8,8 +8,8 @@
 #include "spring_elasticity.h"
 #include "spring_steps.h"
 #include "tet_network.h"
-#include "tissue/cells/make_cells.h"
 #include "tissue/model_library.h"
+#include "tissue/models/cells/make_cells.h"
 
 namespace palpate::tissue {
 namespace {

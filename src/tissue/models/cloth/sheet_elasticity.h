@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "tissue/cells/unchanging_elasticity.h"
-#include "tissue/springs/spring_forces.h"
+#include "tissue/models/cells/unchanging_elasticity.h"
+#include "tissue/models/springs/spring_forces.h"
 
 namespace palpate::tissue {
 

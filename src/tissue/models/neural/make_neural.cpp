@@ -7,8 +7,8 @@
 
 #include "neural_organ.h"
 #include "palpate/enrichment/surrogate_file.h"
-#include "tissue/fem/make_fem.h"
 #include "tissue/model_library.h"
+#include "tissue/models/fem/make_fem.h"
 
 namespace palpate::tissue {
 namespace {

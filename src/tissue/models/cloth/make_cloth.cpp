@@ -17,7 +17,7 @@
 #include "tissue/fem/fem_organ.h"
 #include "tissue/fem/make_organs.h"
 #include "tissue/model_library.h"
-#include "tissue/springs/spring_steps.h"
+#include "tissue/models/springs/spring_steps.h"
 
 namespace palpate::tissue {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "palpate/springs/spring_network.h"
 #include "spring_forces.h"
-#include "tissue/cells/cell_elasticity.h"
+#include "tissue/models/cells/cell_elasticity.h"
 
 namespace palpate::tissue {
 

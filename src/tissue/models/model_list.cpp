@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "fem/make_fem.h"
-#include "model_library.h"
 #include "palpate/base/error.h"
+#include "tissue/model_library.h"
 
 namespace palpate::tissue {
 namespace {

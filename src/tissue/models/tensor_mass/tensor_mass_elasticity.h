@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tissue/cells/cell_elasticity.h"
+#include "tissue/models/cells/cell_elasticity.h"
 
 namespace palpate::tissue {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "make_fem.h"
 
-#include "adaptive_tissue.h"
-#include "make_organs.h"
 #include "palpate/fem/elasticity.h"
+#include "tissue/fem/adaptive_tissue.h"
+#include "tissue/fem/make_organs.h"
 
 namespace palpate::tissue {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "loop_step.h"
-#include "tissue/tensor_mass/tensors.h"
+#include "tissue/models/tensor_mass/tensors.h"
 
 namespace palpate::tissue {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "palpate/contact/contact_potential.h"
 #include "palpate/fem/energy_term.h"
-#include "tissue/cells/cell_elasticity.h"
+#include "tissue/models/cells/cell_elasticity.h"
 #include "touched_surface.h"
 
 namespace palpate::tissue {

@@ -2,8 +2,8 @@
 #include "make_tensor_mass.h"
 
 #include "tensor_mass_elasticity.h"
-#include "tissue/cells/make_cells.h"
 #include "tissue/model_library.h"
+#include "tissue/models/cells/make_cells.h"
 
 namespace palpate::tissue {
 
