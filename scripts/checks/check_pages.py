@@ -113,7 +113,7 @@ def check_commit(root, page, commit, dirty):
 def check_lists(root):
     """A room that nobody has sorted into MECHANICS or OTHER, and one that is gone."""
     text = (root / "scripts/rooms.txt").read_text(encoding="utf-8")
-    rooms = {line.split("#")[0].split(":")[0].strip() for line in text.splitlines()} - {""}
+    rooms = {line.split("#")[0].split(":")[0].strip() for line in text.splitlines() if not line.startswith(" ")} - {""}
     listed = set(MECHANICS + OTHER)
     here = "scripts/checks/check_pages.py"
     return ([f"room {r} is in neither MECHANICS nor OTHER of {here}" for r in sorted(rooms - listed)]

@@ -36,8 +36,12 @@ class Rooms:
     def __init__(self, text):
         self.order, self.public, self.all, self.line, self.folders = [], {}, {}, {}, {}
         for number, line in enumerate(text.splitlines(), 1):
+            goes_on = line.startswith(" ")
             line = line.split("#")[0].strip()
             if not line:
+                continue
+            if goes_on:
+                self.folders.setdefault(self.order[-1], []).extend(line.split())
                 continue
             name, libraries = line.split(":")
             public, private, folders = (libraries + ";;").split(";")[:3]
@@ -188,7 +192,7 @@ def check(root):
     return problems + check_page(root, rooms, sorted(present, key=rooms.order.index)), count
 
 
-SELF_TEST_ROOMS = "base:\nmesh: ; CGAL ; . kernels\nfem:\nstart:\nros: ; * ; guard node/live node\ncli: ; CLI11\n"
+SELF_TEST_ROOMS = "base:\nmesh: ; CGAL ; . kernels\nfem:\nstart:\nros: ; * ; guard\n node/live node\ncli: ; CLI11\n"
 SELF_TEST_PAGE = ("| `base` | \n| `mesh` | \n| `fem` | \n| `start` (src only) | \n| `ros` | \n| `cli` | \n"
                   "| `mesh/kernels` | \n| `ros/guard` | \n| `ros/node/live` | \n| `ros/node` | \n")
 SELF_TEST_FILES = {  # all that is allowed

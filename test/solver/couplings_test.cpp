@@ -16,7 +16,7 @@
 #include "palpate/solver/stiffness_factor.h"
 #include "solver/kept_stiffness.h"
 #include "support/random.h"
-#include "tissue/fem/sparse_assembly.h"
+#include "tissue/methods/prescribed/sparse_assembly.h"
 
 namespace palpate::solver::couplings_test {
 namespace {

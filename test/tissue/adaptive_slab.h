@@ -7,7 +7,7 @@
 
 #include "palpate/fem/elasticity.h"
 #include "slab.h"
-#include "tissue/fem/adaptive_tissue.h"
+#include "tissue/adaptation/adaptive_tissue.h"
 
 namespace palpate::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tissue/fem/adaptive_tissue.h"
+#include "tissue/adaptation/adaptive_tissue.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "palpate/tissue/fem/fem_tissue.h"
 #include "support/contains.h"
 #include "support/hollow.h"
-#include "tissue/fem/adaptive_tissue.h"
+#include "tissue/adaptation/adaptive_tissue.h"
 
 namespace palpate::tissue::cavity_pressure_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tissue/fem/critical_step.h"
+#include "tissue/methods/explicit/critical_step.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much work a cycle may take that does not converge.
-#include "tissue/fem/cycle_budget.h"
+#include "tissue/methods/implicit/cycle_budget.h"
 
 #include <gtest/gtest.h>
 

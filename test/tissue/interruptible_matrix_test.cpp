@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eigen's BiCGSTAB that can be asked to end.
-#include "tissue/fem/interruptible_matrix.h"
+#include "tissue/methods/prescribed/interruptible_matrix.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/fem/surface_compliance.h"
+#include "tissue/methods/linear/surface_compliance.h"
 
 namespace palpate::tissue::linear_method_test {
 namespace {

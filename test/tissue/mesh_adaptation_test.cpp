@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is made beside the cycles for a mesh that is taken into use later.
-#include "tissue/fem/mesh_adaptation.h"
+#include "tissue/adaptation/mesh_adaptation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tissue/fem/method_choice.h"
+#include "tissue/methods/method_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/fem/method_choice.h"
+#include "tissue/methods/method_choice.h"
 
 namespace palpate::tissue::method_facts_test {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "liver_slab.h"
 #include "support/contains.h"
-#include "tissue/fem/prescribed_contact.h"
-#include "tissue/fem/sparse_assembly.h"
+#include "tissue/methods/prescribed/prescribed_contact.h"
+#include "tissue/methods/prescribed/sparse_assembly.h"
 
 namespace palpate::tissue::prescribed_newton_test {
 namespace {

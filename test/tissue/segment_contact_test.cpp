@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tool that is a segment, and the displacements that it prescribes (contact.model prescribed).
-#include "tissue/fem/segment_contact.h"
+#include "tissue/methods/prescribed/segment_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "palpate/mesh/selection.h"
 #include "palpate/tissue/fem/islands.h"
 #include "support/contains.h"
-#include "tissue/fem/adaptive_tissue.h"
+#include "tissue/adaptation/adaptive_tissue.h"
 
 namespace palpate::tissue::surroundings_test {
 namespace {

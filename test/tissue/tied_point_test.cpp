@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A held point of a triangle, against the system with multipliers.
-#include "tissue/fem/tied_point.h"
+#include "tissue/methods/prescribed/tied_point.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tissue/fem/tool_distance.h"
+#include "tissue/adaptation/tool_distance.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tissue/fem/fem_organs.h"
-#include "tissue/fem/make_organs.h"
+#include "tissue/groups/fem_organs.h"
+#include "tissue/groups/make_organs.h"
 
 namespace palpate::tissue {
 

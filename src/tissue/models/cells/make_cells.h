@@ -6,7 +6,7 @@
 #include <string>
 
 #include "palpate/tissue/model_description.h"
-#include "tissue/fem/fem_organ.h"
+#include "tissue/organ/fem_organ.h"
 
 namespace palpate::tissue {
 

@@ -14,10 +14,10 @@
 #include "rolled_shape.h"
 #include "sheet_elasticity.h"
 #include "sheet_network.h"
-#include "tissue/fem/fem_organ.h"
-#include "tissue/fem/make_organs.h"
+#include "tissue/groups/make_organs.h"
 #include "tissue/model_library.h"
 #include "tissue/models/springs/spring_steps.h"
+#include "tissue/organ/fem_organ.h"
 
 namespace palpate::tissue {
 namespace {

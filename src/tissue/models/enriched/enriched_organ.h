@@ -7,7 +7,7 @@
 
 #include "fine_surface.h"
 #include "learned_detail.h"
-#include "tissue/fem/fem_organ.h"
+#include "tissue/organ/fem_organ.h"
 
 namespace palpate::tissue {
 

@@ -6,8 +6,8 @@
 
 #include "enriched_organ.h"
 #include "palpate/contact/contact_models.h"
-#include "tissue/fem/fem_organs.h"
-#include "tissue/fem/make_organs.h"
+#include "tissue/groups/fem_organs.h"
+#include "tissue/groups/make_organs.h"
 #include "tissue/model_library.h"
 
 namespace palpate::tissue {

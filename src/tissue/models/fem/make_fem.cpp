@@ -2,8 +2,8 @@
 #include "make_fem.h"
 
 #include "palpate/fem/elasticity.h"
-#include "tissue/fem/adaptive_tissue.h"
-#include "tissue/fem/make_organs.h"
+#include "tissue/adaptation/adaptive_tissue.h"
+#include "tissue/groups/make_organs.h"
 
 namespace palpate::tissue {
 

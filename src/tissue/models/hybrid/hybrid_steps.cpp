@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/solver/minimizer_list.h"
+#include "tissue/methods/method_list.h"
 
 namespace palpate::tissue {
 namespace {

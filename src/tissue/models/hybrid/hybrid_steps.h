@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "hybrid_elasticity.h"
-#include "tissue/fem/step_method.h"
+#include "tissue/body/step_method.h"
 
 namespace palpate::tissue {
 

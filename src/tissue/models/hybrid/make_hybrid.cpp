@@ -8,7 +8,7 @@
 
 #include "hybrid_elasticity.h"
 #include "hybrid_steps.h"
-#include "tissue/fem/make_organs.h"
+#include "tissue/groups/make_organs.h"
 #include "tissue/model_library.h"
 #include "tissue/models/cells/make_cells.h"
 

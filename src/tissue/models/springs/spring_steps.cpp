@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tissue/fem/critical_step.h"
+#include "tissue/methods/explicit/critical_step.h"
 
 namespace palpate::tissue {
 namespace {

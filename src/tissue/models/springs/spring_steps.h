@@ -6,8 +6,8 @@
 #include "moving_region.h"
 #include "spring_forces.h"
 #include "spring_integrators.h"
-#include "tissue/fem/explicit_contact.h"
-#include "tissue/fem/step_method.h"
+#include "tissue/body/step_method.h"
+#include "tissue/methods/explicit/explicit_contact.h"
 
 namespace palpate::tissue {
 
