@@ -6,7 +6,7 @@
 namespace palpate::fem {
 
 BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& pairs) {
-  // All columns of a row together, in any order and repeatedly: first how many, then which.
+  // Collects the columns of each row, unsorted and with repetitions: count first, then fill.
   std::vector<int> start(static_cast<std::size_t>(num_nodes) + 1, 0);
   for (int i = 0; i < num_nodes; ++i) start[i + 1] = 1;
   for (const auto& [i, j] : pairs) {
@@ -23,7 +23,7 @@ BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& 
 
   row_start_.assign(num_nodes + 1, 0);
   diagonal_.resize(num_nodes);
-  // Each column once, then ascending: rows are short, and most of their entries are repetitions.
+  // Removes repetitions before sorting: rows are short and mostly repetitions.
   std::vector<int> seen_in(static_cast<std::size_t>(num_nodes), -1);
   for (int i = 0; i < num_nodes; ++i) {
     for (int k = start[i]; k < start[i + 1]; ++k) {
@@ -36,7 +36,7 @@ BlockMatrix::BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& 
     diagonal_[i] = find(i, i);
   }
   values_.assign(9 * column_.size(), 0.0);
-  // Row after row, the blocks (i, j) with i ascending are met in the order of row j's columns.
+  // Rows are visited in order, so blocks (i, j) with ascending i fill row j in column order.
   transposed_.resize(column_.size());
   next.assign(row_start_.begin(), row_start_.end() - 1);
   for (std::size_t slot = 0; slot < column_.size(); ++slot) {
@@ -61,7 +61,7 @@ BlockMatrix BlockMatrix::sideBySide(const std::vector<const BlockMatrix*>& parts
   return all;
 }
 
-// By halves, without a branch that nobody can predict.
+// Branch-free binary search.
 int BlockMatrix::find(int i, int j) const {
   const int* first = column_.data() + row_start_[i];
   for (int count = row_start_[i + 1] - row_start_[i]; count > 1;) {

@@ -13,7 +13,7 @@
 namespace palpate::fem {
 namespace {
 
-// Each edge once in each direction.
+// Whether each edge occurs once in each direction.
 bool areClosed(const Eigen::MatrixXi& faces) {
   std::map<std::pair<int, int>, int> edges;
   for (Eigen::Index t = 0; t < faces.cols(); ++t) {
@@ -54,7 +54,7 @@ double CavityPressure::excess(double volume) const {
   return pressureAt(volume) - (content_.balanced ? factor_ * content_.pressure : 0.0);
 }
 
-// The pressure is linear in V: the work from V_0 on is that of the mean of both ends.
+// The pressure is linear in V, so the work from V_0 is the mean of both ends times V - V_0.
 double CavityPressure::value(const Points& x) const {
   const double V = volume(x), from = sealed_volume_.value_or(0.0);
   return -0.5 * (excess(from) + excess(V)) * (V - from);
@@ -67,7 +67,7 @@ double CavityPressure::addGradient(const Points& x, Points* g) const {
 }
 
 void CavityPressure::addHessian(const Points& x, Tangent tangent, Stiffness* K) const {
-  // Indefinite, and left out where safety is asked for.
+  // This term is indefinite; only the exact tangent contains it.
   if (tangent == Tangent::kExact) addVolumeHessian(x, faces_, excess(volume(x)), K);
   if (!resistsVolume() || !sealed_volume_) return;
   slope_.setZero(3, static_cast<Eigen::Index>(nodes_.size()));
@@ -90,7 +90,7 @@ double CavityPressure::largestSquare(const Points& X, const Eigen::VectorXd& mas
     for (const int i : nodes_) rank_one += slope.col(i).squaredNorm() / masses[i];
     rank_one *= content_.volume_stiffness / volume(X);
   }
-  // Rows of the second derivative [Gershgorin 1931], by the norms of their blocks.
+  // Row sums of the second derivative's block norms bound its eigenvalues [Gershgorin 1931].
   Eigen::VectorXd row = Eigen::VectorXd::Zero(X.cols());
   for (const FacePoint& q : faceRule(faces_.rows())) {
     for (Eigen::Index t = 0; t < faces_.cols(); ++t) {

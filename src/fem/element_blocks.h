@@ -6,8 +6,8 @@
 
 namespace palpate::fem {
 
-/// out += the upper blocks K_ab = V (d2psi/dF2 : g_a (x) g_b), row after row, of the 9 x 9 tangent
-/// at an integration point.
+/// Adds the upper blocks K_ab = V (d2psi/dF2 : g_a (x) g_b) of the 9 x 9 tangent at an integration
+/// point, row after row.
 template <int N>
 void addElementBlocks(const Mat9& tangent, const RestPoint<N>& point, double* out) {
   const Eigen::Matrix<double, 3, N>& g = point.gradients;

@@ -8,8 +8,8 @@
 namespace palpate::fem {
 namespace {
 
-// Bulk modulus that averaged pressures leave to the single tetrahedra, in units of mu. Without any,
-// volumes can alternate between neighbours at no cost; a fixed part of kappa would lock again near
+// Bulk modulus that linear tetrahedra keep when pressures are averaged, in units of mu. Without it,
+// volumes alternate between neighbours at no cost. A fixed part of kappa would lock again near
 // incompressibility.
 constexpr double kElementModulus = 0.5;
 
@@ -23,7 +23,7 @@ std::unique_ptr<Elasticity> make(const TetMesh& mesh, const Composition& composi
   return std::make_unique<SolidElasticity<N>>(mesh, composition, pool, treatment);
 }
 
-// Every element. To add one: write its header and source, add it here.
+// All elements. To add one, write its header and source and list it here.
 struct Entry {
   const char* name;
   decltype(&make<4>) make;

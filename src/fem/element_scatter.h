@@ -11,8 +11,8 @@
 
 namespace palpate::fem {
 
-/// Sums what elements of N nodes computed into nodes and matrix blocks: each node and each block
-/// gathers its contributions in ascending order of elements, so that threads never change a bit.
+/// Sums results of elements with N nodes into nodes and matrix blocks. Each node and block sums in
+/// ascending order of elements, so results are bitwise independent of threads.
 template <int N>
 class ElementScatter {
  public:
@@ -24,10 +24,10 @@ class ElementScatter {
 
   const BlockMatrix& pattern() const { return pattern_; }
 
-  /// Lists what goes where; before the first call of a function below.
+  /// Lists the sources of each node and block. @pre called before the functions below.
   void prepare(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements);
 
-  /// g.col(i) = sum of the element vectors at node i. `local`: node after node.
+  /// g.col(i) = sum of the element vectors at node i. `local`: a column per element.
   void gatherNodes(const Vectors& local, ThreadPool* pool, Points* g) const;
   /// K = sum of the element matrices.
   void gatherBlocks(const Blocks& local, ThreadPool* pool, BlockMatrix* K) const;
@@ -37,8 +37,8 @@ class ElementScatter {
     int index;        // of the block in `local`
     bool transposed;  // the element holds the block's transpose
   };
-  Sources<int> node_sources_;           // of each node: vectors in `local`
-  Sources<BlockSource> block_sources_;  // of each block of the upper triangle
+  Sources<int> node_sources_;           // vectors in `local` of each node
+  Sources<BlockSource> block_sources_;  // blocks in `local` of each block of the upper triangle
   std::vector<int> upper_slot_, lower_slot_;
   BlockMatrix pattern_;
 };

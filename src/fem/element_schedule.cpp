@@ -8,7 +8,7 @@
 namespace palpate::fem {
 namespace {
 
-// Slab of each node: equally many nodes in each, up to one.
+// Slab of each node, with equal numbers of nodes up to one.
 std::vector<int> slabs(const Points& X) {
   const Vec3 size = X.rowwise().maxCoeff() - X.rowwise().minCoeff();
   int axis = 0;

@@ -8,25 +8,24 @@
 
 namespace palpate::fem {
 
-/// Elements of one solid that follow one another.
+/// Consecutive elements of one solid.
 struct ElementRun {
   int solid;
   std::vector<int> elements;
 };
 
-/// An order in which threads may add up what elements share, with results that do not depend on
-/// how many threads there are: phases follow one another; the parts of one phase touch no common
-/// node, and each part is worked through in its order.
+/// Order of summation over elements whose result is independent of the number of threads. Phases
+/// are sequential. Parts of a phase share no node, and each part is summed in its order.
 struct ElementSchedule {
   using Part = std::vector<ElementRun>;
   std::vector<std::vector<Part>> phases;
 
-  /// One part after another.
+  /// All runs, part after part.
   std::vector<ElementRun> runs() const;
 };
 
-/// The nodes are cut into `kScheduleParts` slabs along the mesh's longest side. First come the
-/// elements inside of one slab, then those inside of a pair, then the rest.
+/// Cuts the nodes into `kScheduleParts` slabs along the mesh's longest side. First come the
+/// elements within one slab, then those within a pair of slabs, then the rest.
 ElementSchedule scheduleElements(const mesh::TetMesh& mesh, const Composition& composition);
 
 constexpr int kScheduleParts = 4;

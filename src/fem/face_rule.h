@@ -9,9 +9,9 @@
 
 namespace palpate::fem {
 
-/// An integration point of a triangle with 3 or 6 nodes (corners, middles of the edges 01 12 20).
+/// An integration point of a triangle with 3 or 6 nodes (corners, mid-edge nodes of 01 12 20).
 struct FacePoint {
-  double weight;                    ///< Of the reference triangle, whose area is 1/2.
+  double weight;                    ///< For the reference triangle, of area 1/2.
   Eigen::VectorXd N, dN_dr, dN_ds;  ///< Shape functions and their derivatives.
 
   template <class Nodes>

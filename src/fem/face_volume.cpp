@@ -8,7 +8,7 @@ namespace palpate::fem {
 
 double volumeUnder(const Points& x, const Eigen::MatrixXi& faces) {
   if (faces.cols() == 0) return 0.0;
-  const Vec3 origin = x.col(faces(0, 0));  // near the faces, against cancellation
+  const Vec3 origin = x.col(faces(0, 0));  // near the faces, to limit cancellation
   double volume = 0.0;
   for (const FacePoint& q : faceRule(faces.rows())) {
     for (Eigen::Index t = 0; t < faces.cols(); ++t) {

@@ -8,14 +8,14 @@
 
 namespace palpate::fem {
 
-// The volume under faces, 3 x k or 6 x k, whose derivative is the integral of N_a dx/dr x dx/ds
-// where they are closed or their rim is held [Bonet, Wood 2008, sec. 8.5.2 for the second one].
+// Volume under faces, 3 x k or 6 x k. Its derivative is the integral of N_a dx/dr x dx/ds if they
+// are closed or their rim is held [Bonet, Wood 2008, sec. 8.5.2 for the second derivative].
 
-/// From a point of the faces [m^3].
+/// Volume [m^3], measured from a point of the faces.
 double volumeUnder(const Points& x, const Eigen::MatrixXi& faces);
-/// g += s times the first derivative, 3 x n.
+/// Adds s times the first derivative to g, 3 x n.
 void addVolumeGradient(const Points& x, const Eigen::MatrixXi& faces, double s, Points* g);
-/// K += s times the symmetric part of the second one.
+/// Adds s times the symmetric part of the second derivative to K.
 void addVolumeHessian(const Points& x, const Eigen::MatrixXi& faces, double s, Stiffness* K);
 
 }  // namespace palpate::fem

@@ -8,7 +8,7 @@
 namespace palpate::fem {
 namespace {
 
-// k_n along n, k_t across it.
+// The matrix k_n n n^T + k_t (I - n n^T).
 Mat3 across(double normal, double tangential, const Vec3& n) {
   return tangential * Mat3::Identity() + (normal - tangential) * n * n.transpose();
 }
@@ -29,7 +29,7 @@ Foundation::Foundation(const Points& X, const Eigen::MatrixXi& faces,
       }
     }
   }
-  // Corners of straight quadratic faces have no area but rounding.
+  // Corners of straight quadratic faces have zero area up to rounding.
   const double least = 1e-9 * area.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < X.cols(); ++i) {
     if (!(area[i] > least)) continue;

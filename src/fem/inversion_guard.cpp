@@ -35,22 +35,22 @@ Mat3 cross(const Vec3& v) {
   return m;
 }
 
-// Columns: the derivative of the determinant by the three edges.
+// Columns: derivatives of the determinant by the three edges.
 Mat3 cofactors(const Mat3& e) {
   Mat3 c;
   c << e.col(1).cross(e.col(2)), e.col(2).cross(e.col(0)), e.col(0).cross(e.col(1));
   return c;
 }
 
-// By the edges, with edge i from corner 0 to corner i + 1, to by the corners.
+// Converts derivatives by edges into derivatives by corners; edge i is corner i + 1 - corner 0.
 Eigen::Matrix<double, 3, 4> byCorners(const Mat3& by_edges) {
   Eigen::Matrix<double, 3, 4> g;
   g << -by_edges.rowwise().sum(), by_edges;
   return g;
 }
 
-// Adds what couples the edges to corners a and b, skew as all derivatives of a triple product: of a
-// by b, of b by corner 0, where both begin, and of 0 by a.
+// Adds the skew second derivative of the triple product by the corners a and b, and its parts for
+// corner 0, where both edges begin.
 void addPair(int a, int b, const Mat3& skew, Eigen::Matrix<double, 12, 12>* H) {
   const auto add = [&](int i, int j) {
     H->block<3, 3>(3 * i, 3 * j) += skew;
@@ -61,8 +61,8 @@ void addPair(int a, int b, const Mat3& skew, Eigen::Matrix<double, 12, 12>* H) {
   add(0, a);
 }
 
-// Into eight: at the corners, and around the octahedron's diagonal between the middles of edges
-// 01 and 23.
+// Eight linear tetrahedra: at the corners, and around the octahedron's diagonal between the
+// mid-edge nodes of 01 and 23.
 constexpr int kLinearParts[8][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
                                     {4, 9, 6, 7}, {4, 9, 7, 8}, {4, 9, 8, 5}, {4, 9, 5, 6}};
 
@@ -121,7 +121,7 @@ void InversionGuard::forFlat(const Points& x, const Visit& visit) const {
   }
 }
 
-// The volume is a sixth of the determinant.
+// The volume is the determinant over 6.
 double InversionGuard::value(const Points& x) const {
   double sum = 0.0;
   forFlat(x, [&](Eigen::Index e, const Mat3&, double J) {

@@ -9,9 +9,9 @@
 namespace palpate::fem {
 namespace {
 
-constexpr int kParts = 6;  // of an edge
+constexpr int kParts = 6;  // subdivisions of an edge
 
-// So little that det F is nowhere less than half of what it is in the middle: (1 - kNear)^3.
+// Change of F [-] up to which det F is at least (1 - kNear)^3 of that at the centre.
 constexpr double kNear = 0.2;
 
 bool areNear(const Mat3 (&corners)[4], const Mat3& middle) {
@@ -26,8 +26,8 @@ bool areNear(const Mat3 (&corners)[4], const Mat3& middle) {
 }  // namespace
 
 double jacobianWithin(const Mat3 (&F)[4]) {
-  // At point q the weights are a for its own corner and b for the others, so that the sum of F over
-  // the points is that over the corners.
+  // At point q, w is a for its own corner and b for the others. So the sum of F over the points
+  // equals that over the corners.
   const Eigen::Vector4d w = Tetrahedron<10>::point(0);
   const double a = w[0], b = w[1];
   const Mat3 sum = F[0] + F[1] + F[2] + F[3];

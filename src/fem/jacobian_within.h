@@ -5,11 +5,10 @@
 
 namespace palpate::fem {
 
-/// Smallest det F that is found in a quadratic tetrahedron, of which `F` is at the points of
-/// Tetrahedron<10>. F is linear in the barycentric coordinates where the edges are straight at
-/// rest, so that det F is cubic and can go through zero between points where it is 1: it is taken
-/// on a grid of sixths, or only at the corners where these differ little. Whether it is positive
-/// everywhere needs more [Johnen, Remacle, Geuzaine 2013, sec. 3]; what is found is there.
+/// Least det F found in a quadratic tetrahedron, with `F` at the points of Tetrahedron<10>. F is
+/// linear for edges straight at rest, so det F is cubic and may be negative between points with det
+/// F = 1. Evaluated on a grid of sixths, or only at the corners for small differences. A proof of
+/// positivity needs more [Johnen, Remacle, Geuzaine 2013, sec. 3]; a value found here does occur.
 double jacobianWithin(const Mat3 (&F)[4]);
 
 }  // namespace palpate::fem

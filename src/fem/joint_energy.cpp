@@ -40,8 +40,8 @@ double JointEnergy::gradient(const Points& x, Points* g) {
   return sum;
 }
 
-// With pressures at nodes s B^T M B is made of rows that are sqrt(s) times as large: one factor
-// serves all bodies.
+// For nodal pressures, rows scaled by sqrt(s) give s B^T M B, so one factorisation serves all
+// bodies.
 void JointEnergy::hessian(const Points& x, Tangent tangent, Stiffness* K) {
   double* to = K->blocks().values();
   Eigen::Index first_entry = 0;

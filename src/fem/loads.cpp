@@ -49,7 +49,7 @@ double FollowerPressure::addGradient(const Points& x, Points* g) const {
 }
 
 void FollowerPressure::addHessian(const Points& x, Tangent tangent, Stiffness* K) const {
-  if (tangent != Tangent::kExact) return;  // indefinite; left out where safety is asked for
+  if (tangent != Tangent::kExact) return;  // indefinite; only the exact tangent contains it
   addVolumeHessian(x, faces_, factor_ * pressure_, K);
 }
 

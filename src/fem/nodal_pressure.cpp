@@ -78,7 +78,7 @@ void NodalPressure::numberPressures(const Composition& composition) {
   const auto solidOf = [&](Eigen::Index e) {
     return composition.solid_of.empty() ? 0 : composition.solid_of[static_cast<std::size_t>(e)];
   };
-  // Of (node, solid), in that order.
+  // Number of each pair (node, solid), in that order.
   const auto num_solids = static_cast<std::size_t>(composition.solids.size());
   std::vector<int> number(num_solids * static_cast<std::size_t>(of_.nodes.maxCoeff() + 1), -1);
   const auto numberOf = [&](Eigen::Index e, int a) -> int& {
@@ -135,7 +135,7 @@ void NodalPressure::buildRows() {
   }
 }
 
-// The corner of element `e` whose pressure is `n`.
+// Corner of element `e` with the pressure `n`.
 int NodalPressure::ownCorner(int e, int n) const {
   const auto corners = pressure_.col(e);
   return static_cast<int>(std::find(corners.begin(), corners.end(), n) - corners.begin());

@@ -13,10 +13,9 @@
 
 namespace palpate::fem {
 
-/// Volumetric energy of tetrahedra by pressures that live at their corners, so that the element
-/// does not lock. With theta_q the dilatation at integration point q, V_q its volume, N_n the
-/// linear shape functions of the corners and c_n = sum_q N_n(q) V_q theta_q the volume change
-/// around corner n, the energy is 1/2 c^T M c:
+/// Volumetric energy of tetrahedra by pressures at their corners, which avoids locking. theta_q is
+/// the dilatation at integration point q, V_q its volume, N_n the linear shape function of corner
+/// n. With the volume change c_n = sum_q N_n(q) V_q theta_q, the energy is 1/2 c^T M c:
 ///
 /// kAveraged   M = diag(kappa/V_n), V_n = sum_q N_n(q) V_q: each corner has the mean dilatation of
 ///             what is around it. Of linear tetrahedra [Bonet, Burton 1998]; of quadratic ones the
@@ -24,43 +23,43 @@ namespace palpate::fem {
 /// kStabilised M^-1 = integral of N_m N_n/kappa + (N_m - mean)(N_n - mean)/mu: linear pressures,
 ///             stabilised by their difference from the mean [Dohrmann, Bochev 2004].
 ///
-/// Where solids meet, a corner has one pressure for each of them: pressure jumps there.
+/// Corners between solids have one pressure per solid, since pressure jumps there.
 class NodalPressure {
  public:
   enum class Kind { kAveraged, kStabilised };
 
-  /// `kappa`: the bulk modulus that takes part, of each solid [Pa]; one that is zero stays out.
+  /// `kappa`: bulk modulus of each solid for these pressures [Pa]; solids with 0 take no part.
   template <int N>
   NodalPressure(Kind kind, const std::vector<double>& kappa, const RestShape<N>& shape,
                 const Composition& composition)
       : NodalPressure(kind, kappa, elementsOf(shape), composition) {}
 
-  /// Takes the dilatations theta_q, those of an element side by side; all that follows is about
-  /// them.
+  /// Sets the dilatations theta_q, all of an element consecutively, for the functions below.
   void setDilatations(const std::vector<double>& theta, ThreadPool* pool);
-  /// The same in parts: all volume changes c_n become zero, the caller adds N_n(q) V_q theta_q to
-  /// those of the corners, and then the pressures follow.
+  /// Begins setting by parts: zeroes all c_n. The caller adds N_n(q) V_q theta_q to them and calls
+  /// updatePressures().
   double* clearVolumeChanges();
   void updatePressures() { metric_->apply(c_, &p_); }
   const Eigen::VectorXd& pressures() const { return p_; }
-  /// Number of the pressure at corner `a` of element `e`.
+  /// Index of the pressure at corner `a` of element `e`.
   int cornerPressure(int e, int a) const { return pressure_(a, e); }
-  /// Entry of node `b` of that element in the row of that pressure.
+  /// Entry of node `b` of element `e` in the row of the pressure at corner `a`.
   int rowEntry(int e, int a, int b) const { return entry_(numNodes() * a + b, e); }
-  /// Sets the entry of each row's own node to minus the sum of the others: a shift of all nodes
-  /// changes no volume. The entries were zero.
+  /// Sets the entry of each row's own node to minus the sum of the others, by translation
+  /// invariance.
+  /// @pre these entries are zero.
   void completeRows(ThreadPool* pool, VolumeStiffness* stiffness) const;
   double energy() const { return 0.5 * c_.dot(p_); }
   void addEnergyBySolid(Eigen::VectorXd* energies) const;
   /// Pressure [Pa], positive in tension, at barycentric `w` of element `e`.
   double at(std::size_t e, const Eigen::Vector4d& w) const;
 
-  /// With rows of zeros.
+  /// VolumeStiffness with the pattern, rows zero.
   VolumeStiffness makeStiffness() const;
-  /// Before the first call of gatherRows(): lists what goes where.
+  /// Lists the sources of each row. @pre called before gatherRows().
   void prepareRows();
-  /// Rows of B from the gradients V_q d theta_q/dx: a column an element, 3 numbers a node, point
-  /// after point.
+  /// Rows of B from the gradients V_q d theta_q/dx: one column per element, 3 numbers per node,
+  /// point after point.
   void gatherRows(const Eigen::MatrixXd& gradients, ThreadPool* pool,
                   VolumeStiffness* stiffness) const;
 
@@ -84,16 +83,15 @@ class NodalPressure {
   int numPoints() const { return static_cast<int>(of_.volumes.rows()); }
 
   Elements of_;
-  Eigen::Matrix4Xi pressure_;   // of the element's corners
-  Eigen::MatrixXi entry_;       // in the row of corner a of node b, [numNodes() a + b]
+  Eigen::Matrix4Xi pressure_;   // of the corners of each element
+  Eigen::MatrixXi entry_;       // of node b in the row of corner a, [numNodes() a + b]
   std::vector<int> solid_;      // of each pressure
-  std::vector<int> own_entry_;  // of each pressure: that of its node in its row
-  Sources<int> elements_;       // around each pressure
+  std::vector<int> own_entry_;  // entry of each pressure's node in its row
+  Sources<int> elements_;       // elements around each pressure
   std::shared_ptr<const PressureMetric> metric_;
   std::shared_ptr<VolumeStiffness::Pattern> pattern_;
-  Sources<int>
-      row_sources_;        // of each entry of the pattern: (4 element + corner) numNodes() + node
-  Eigen::VectorXd c_, p_;  // [m^3], [Pa]
+  Sources<int> row_sources_;  // per entry of the pattern: (4 element + corner) numNodes() + node
+  Eigen::VectorXd c_, p_;     // volume changes [m^3], pressures [Pa]
 };
 
 }  // namespace palpate::fem

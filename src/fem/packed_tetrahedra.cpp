@@ -26,7 +26,7 @@ bool sameBits(const Points& a, const Points& b) {
          std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-// Part of its length by which the middle of an edge that is called straight may be off.
+// Largest distance of a straight edge's mid-edge node from the midpoint, over the edge length [-].
 constexpr double kStraight = 1e-9;
 
 bool isStraight(const mesh::TetMesh& mesh) {
@@ -41,7 +41,7 @@ bool isStraight(const mesh::TetMesh& mesh) {
   return true;
 }
 
-// In which its nodes are packed.
+// Packed order of the element's nodes.
 template <int N>
 std::array<int, N> orderOf(const RestShape<N>& shape, int e) {
   std::array<int, N> order;
@@ -53,8 +53,8 @@ std::array<int, N> orderOf(const RestShape<N>& shape, int e) {
   return order;
 }
 
-// Of the barycentric coordinate of corner `k`: of that corner's shape function, at the integration
-// point next to it, over what a quadratic one has beside it, d N_k/d w_k.
+// Gradient of the barycentric coordinate of corner `k`. For quadratic elements it is grad N_k over
+// d N_k/d w_k at the nearest integration point.
 template <int N>
 Vec3 weightGradient(const RestShape<N>& shape, int e, int k) {
   const int q = N == 4 ? 0 : k;

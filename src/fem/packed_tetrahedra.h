@@ -17,17 +17,17 @@
 
 namespace palpate::fem {
 
-/// Tetrahedra of N nodes whose laws have vector kernels, packed for these. What is computed at one
-/// x is kept for the next call at the same x.
+/// Tetrahedra of N nodes packed for vector kernels. Results at one x are kept for the next call at
+/// the same x.
 template <int N>
 class PackedTetrahedra {
  public:
-  /// All solids have laws with kernels, and no edge is bent.
+  /// Whether all solids have laws with kernels and all edges are straight.
   static bool fits(const mesh::TetMesh& mesh, const Composition& composition);
 
-  /// Of a body that fits. `element_kappa`: the part of each solid's bulk modulus that the elements
-  /// have [Pa]; `pressure` has the rest, if there is one. `history` has the points of
-  /// `schedule.runs()`, `pattern` is that of the matrix. All pointers must outlive this.
+  /// For a body that fits(). `element_kappa`: the elements' part of each solid's bulk modulus [Pa];
+  /// `pressure`, if not null, has the rest. `history` has the points of `schedule.runs()`,
+  /// `pattern` is that of the matrix. All pointers must outlive this.
   PackedTetrahedra(const ElementSchedule& schedule, const RestShape<N>& shape,
                    const Composition& composition, const std::vector<double>& element_kappa,
                    NodalPressure* pressure, const PronyHistory* history, const BlockMatrix& pattern,
@@ -37,21 +37,21 @@ class PackedTetrahedra {
   double gradient(const Points& x, Points* g);
   void hessian(const Points& x, Stiffness* K);
   double minJacobian(const Points& x);
-  /// Of the distortional energy of all viscous points, as PronyHistory::stressesAtEnd().
+  /// Distortional stresses of all viscous points, as for PronyHistory::stressesAtEnd().
   void distortionalStresses(const Points& x, SymmetricBatch* S);
-  /// The pressures were changed by somebody else.
+  /// Discards results at x after another change of the pressures.
   void forget() { at_x_ = false; }
-  /// A step was begun, or the viscous memory is another one.
+  /// Discards results that depend on the step or the viscous memory.
   void forgetMemory() { energy_at_x_ = gradient_at_x_ = false; }
 
  private:
   void pack(const std::vector<int>& elements, const RestShape<N>& shape,
             const BlockMatrix& pattern);
   void packPressures(int e, const std::array<int, N>& order, int lane, TetPressures<N>* packed);
-  /// visit(run) on all runs, in an order that the number of threads does not change.
+  /// Calls visit(run) for all runs, in an order independent of the number of threads.
   template <class Visit>
   void forRuns(const Visit& visit) const;
-  /// Brings the pressures to x, and J where there are any.
+  /// Updates the pressures, and J where there are any, to x.
   void moveTo(const Points& x);
   double sumEnergies() const;
   TetArrays<N> arrays();
@@ -65,9 +65,9 @@ class PackedTetrahedra {
   std::vector<TetBatch<N>> batches_;
   std::vector<TetBlocks<N>> blocks_;
   std::vector<TetPressures<N>> pressures_;
-  std::vector<std::vector<std::vector<TetRun>>> phases_;  // runs of the parts of the phases
+  std::vector<std::vector<std::vector<TetRun>>> phases_;  // runs of each part of each phase
   std::vector<double> J_, energy_;
-  Points x_;  // where all this is
+  Points x_;  // positions of the kept results
   Points gradient_;
   bool at_x_ = false, energy_at_x_ = false, gradient_at_x_ = false;
 };

@@ -16,7 +16,7 @@ double sumOf(const std::vector<double>& volumes, mesh::MeshChange::Range range) 
   return sum;
 }
 
-// L_q at w: the linear field that is 1 at the rule's point q and 0 at the other three.
+// L_q at w: linear, 1 at the rule's point q and 0 at the other three.
 double fieldOf(int q, const Eigen::Vector4d& w) {
   const Eigen::Vector4d point = Quadratic::point(0);
   return (w[q] - point[1]) / (point[0] - point[1]);
@@ -48,9 +48,9 @@ void PointChange::addConstants(const mesh::MeshChange& change,
   }
 }
 
-// The linear field with the values f_q at the points of an element is sum_q L_q(w) f_q. The rule of
-// four points integrates a product of two such fields exactly, so that the nearest to those of
-// parts i, of the volumes V_i, has at point p the value sum_i V_i/V sum_q L_p(w_iq) f_iq.
+// Element values f_q define the linear field sum_q L_q(w) f_q. The rule of four points integrates
+// products of two such fields exactly. So the nearest field to those of parts i, with volumes V_i,
+// has the value sum_i V_i/V sum_q L_p(w_iq) f_iq at point p.
 void PointChange::addLinearFields(const mesh::MeshChange& change,
                                   const std::vector<double>& old_volumes) {
   std::size_t pair = 0;

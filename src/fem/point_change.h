@@ -8,14 +8,13 @@
 
 namespace palpate::fem {
 
-/// What becomes of values at the integration points of a body when its mesh changes. Those of an
-/// element are a constant, or with four points a linear field. Parts of an element have that field;
-/// an element of several parts has, of all constants or linear fields, the nearest to theirs in the
-/// mean square. So the integral over the body stays, what was split and is joined again is what it
-/// was, and no mean square grows.
+/// Transfer of values at integration points to a changed mesh. Values of an element are a constant,
+/// or with four points a linear field. Parts of an element keep its field; a union gets the nearest
+/// constant or linear field in the mean square. So the integral over the body is preserved,
+/// splitting and joining restores the values, and no mean square grows.
 class PointChange {
  public:
-  /// A point of the old mesh, and its part in a value.
+  /// A point of the old mesh and its weight.
   struct Source {
     int element, point;
     double weight;
@@ -24,16 +23,16 @@ class PointChange {
     const Source *first, *last;
     const Source* begin() const { return first; }
     const Source* end() const { return last; }
-    /// The value is that of the one source, to the bit.
+    /// Whether the value is a bitwise copy of a single source.
     bool isCopy() const { return last == first + 1; }
   };
 
-  /// `old_volumes` of the old elements.
-  /// @throws std::invalid_argument if the change is not one of elements with so many points.
+  /// `old_volumes`: volumes of the old elements.
+  /// @throws std::invalid_argument for a change of elements with another number of points.
   PointChange(const mesh::MeshChange& change, int points_per_element,
               const std::vector<double>& old_volumes);
 
-  /// Of the value at point `q` of new element `e`, which is the sum of theirs.
+  /// Weighted sources of the value at point `q` of new element `e`.
   Sources sources(int e, int q) const {
     const std::size_t i = static_cast<std::size_t>(e) * points_per_element_ + q;
     return {sources_.data() + begin_[i], sources_.data() + begin_[i + 1]};
@@ -45,7 +44,7 @@ class PointChange {
 
   int points_per_element_;
   std::vector<Source> sources_;
-  std::vector<std::size_t> begin_ = {0};  // of each point, and the end
+  std::vector<std::size_t> begin_ = {0};  // first source of each point, and the end
 };
 
 }  // namespace palpate::fem

@@ -11,7 +11,7 @@
 namespace palpate::fem {
 namespace {
 
-// The numbers of a batch.
+// All numbers of a batch.
 using Values = Eigen::Array<double, 6 * kBatchSize, 1>;
 Eigen::Map<const Values> values(const SymmetricBatch& batch) {
   return Eigen::Map<const Values>(batch.component[0]);

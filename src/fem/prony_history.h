@@ -19,45 +19,44 @@ namespace palpate::fem {
 ///     (1 - sum g_i) S + sum Q_i,   Q_i <- exp(-x_i) Q_i + g_i (1 - exp(-x_i))/x_i (S - S_begin)
 ///
 /// [Holzapfel 2000, sec. 6.10, after Simo 1987; Taylor, Pister, Goudreau 1970 for the recursion],
-/// exact for an S that changes linearly over the step. It is the gradient of factor * psi + 1/2 H :
-/// (C - I) with what this class gives, so that a viscous step, too, minimises a potential.
+/// exact for S linear over the step. It is the gradient of factor * psi + 1/2 H : (C - I), with
+/// factor and H from this class. So a viscous step also minimises a potential.
 ///
-/// A point that is flat or inside out has no S, see kNoStress.
+/// S is zero at points with det F <= kNoStress.
 ///
-/// The points of viscous solids lie in batches of eight, component by component, as kernels want
-/// them; solids that are not viscous take no room.
+/// Points of viscous solids are in batches of eight, component by component, as kernels read them.
 class PronyHistory {
  public:
-  /// Points follow one another as the elements of `runs`, each element's together; a run begins a
+  /// Points are in the order of `runs`, all points of an element consecutively; a run begins a
   /// batch. `pool` may be null and must outlive the memory.
   PronyHistory(const Composition& composition, const std::vector<ElementRun>& runs,
                int num_elements, int points_per_element, ThreadPool* pool);
 
-  /// No solid of the body is viscous: nothing below is to be called but factor().
+  /// Whether no solid is viscous; then only factor() may be called.
   bool empty() const { return !viscous_; }
   bool isViscous(int solid) const { return !state_.terms[solid].empty(); }
 
-  /// Begins a step of `h` [s]; infinity: whatever can relax has.
+  /// Begins a step of `h` [s]; infinite h: full relaxation.
   void beginStep(double h);
-  /// Of the distortional energy, of each solid.
+  /// Factor of the distortional energy of each solid.
   const std::vector<double>& factors() const { return state_.factor; }
   double factor(int solid) const { return state_.factor[solid]; }
-  /// H at integration point `q` of element `e`, symmetric [Pa]; zero where it is not viscous.
+  /// H at integration point `q` of element `e`, symmetric [Pa]; zero if not viscous.
   Mat3 stress(int e, int q) const;
-  /// The same of all batches.
+  /// H of all batches.
   const SymmetricBatch* stresses() const { return state_.H.data(); }
-  /// That of the first point of `e`; -1: it is not viscous.
+  /// Batch of the first point of `e`; -1: not viscous.
   int batchOf(int e) const;
 
-  /// Where all S at the end of a step are put, before endStep() or relax().
+  /// Destination of S at the end of a step, to be written before endStep() or relax().
   SymmetricBatch* stressesAtEnd() { return S_end_.data(); }
   void setStressAtEnd(int e, int q, const Mat3& S);
   /// Ends the step.
   void endStep();
-  /// The points have had these stresses for ever.
+  /// Sets the state that constant stresses would reach after infinite time.
   void relax();
 
-  /// As Elasticity::goOnFrom(); `old_volumes` of the old elements.
+  /// As Elasticity::goOnFrom(); `old_volumes`: volumes of the old elements.
   void goOnFrom(const PronyHistory& old, const mesh::MeshChange& change,
                 const std::vector<double>& old_volumes);
   void save(StateWriter* out) const;
@@ -67,7 +66,7 @@ class PronyHistory {
   struct Term {
     double g, tau, decay, gain;  // exp(-x), g (1 - exp(-x))/x
   };
-  /// All that changes; a copy costs next to nothing.
+  /// All variable data; copies share memory.
   struct State {
     std::vector<std::vector<Term>> terms;  // of each solid
     std::vector<double> factor;
@@ -79,9 +78,9 @@ class PronyHistory {
  private:
   struct Batch {
     int solid;
-    int first_Q;  // of its terms' Q, which follow one another
+    int first_Q;  // first Q of the terms, which are consecutive
   };
-  // Where a point is in all arrays but Q.
+  // Position of a point in all arrays but Q.
   struct Slot {
     int batch, lane;
   };
@@ -91,14 +90,14 @@ class PronyHistory {
   void setTerms(double h);
   int numTensors(int batch) const;
   const SymmetricBatch& tensors(int batch, int k) const;
-  /// tensor(e, q, k) for all of all points, in this order; of one that is not viscous k = 0, 1.
+  /// Sets all tensors by tensor(e, q, k), in this order; for elastic points k = 0, 1.
   template <class TensorAt>
   void setAll(const TensorAt& tensor);
 
   int points_per_element_;
   ThreadPool* pool_;
   bool viscous_ = false;
-  std::vector<int> first_slot_;  // of each element, 8 batch + lane; -1: not viscous
+  std::vector<int> first_slot_;  // 8 batch + lane of each element; -1: not viscous
   std::vector<Batch> batches_;
   State state_;
   std::vector<SymmetricBatch> S_end_;

@@ -11,8 +11,9 @@
 namespace palpate::fem {
 namespace {
 
-constexpr double kNoneToSpeakOf = 1e-10;  // of the largest on the diagonal
-constexpr double kIsEigenvector = 1e-10;  // likewise: what A v may be off v times its eigenvalue
+constexpr double kNoneToSpeakOf = 1e-10;  // negligible eigenvalue over the largest diagonal entry
+constexpr double kIsEigenvector = 1e-10;  // tolerance of an eigenvector: |A v - lambda v| over the
+                                          // largest diagonal entry
 
 bool isPositive(const Mat9& A, double scale) {
   const Mat9 shifted = A + kNoneToSpeakOf * scale * Mat9::Identity();
@@ -25,7 +26,7 @@ void projectByAll(Mat9* A) {
        eigen.eigenvectors().transpose();
 }
 
-// Columns: what stretches, in three ways, and what flips and twists.
+// Columns: three stretch modes, then flip and twist modes.
 Mat9 modesOf(const material::PrincipalStretches& p) {
   Mat9 modes;
   for (int i = 0; i < 3; ++i) {
@@ -37,8 +38,8 @@ Mat9 modesOf(const material::PrincipalStretches& p) {
   return modes;
 }
 
-// By modes that are eigenvectors but for the stretches, which mix; false, leaving A, if they are
-// not.
+// Projects by modes that are eigenvectors, but for the coupled stretch modes. Returns false and
+// leaves A if they are not.
 bool projectByKnown(const Mat9& modes, double tolerance, Mat9* A) {
   const Mat9 moved = *A * modes;
   const auto d = modes.leftCols<3>();
@@ -65,7 +66,7 @@ bool projectByKnown(const Mat9& modes, double tolerance, Mat9* A) {
 }  // namespace
 
 Projected projectToPositiveSemidefinite(const Mat3& F, Mat9* A) {
-  if (!A->allFinite()) return Projected::kNothing;  // for the caller's own checks
+  if (!A->allFinite()) return Projected::kNothing;  // left to the caller's checks
   const double scale = A->diagonal().cwiseAbs().maxCoeff();
   if (isPositive(*A, scale)) return Projected::kNothing;
   const Mat9 modes = modesOf(material::principalStretches(F));

@@ -5,16 +5,15 @@
 
 namespace palpate::fem {
 
-/// How it went: nothing was negative, the eigenvectors were known, or all were computed.
+/// Result: no negative eigenvalue, projection by known eigenvectors, or by a full decomposition.
 enum class Projected { kNothing, kByKnown, kByAll };
 
-/// Clamps the negative eigenvalues of `A`, the symmetric tangent d2 psi / d vec F^2 at F, to zero;
-/// leaves every bit where a Cholesky factorisation shows that there is none to speak of.
+/// Clamps the negative eigenvalues of `A`, the symmetric tangent d2 psi / d vec F^2 at F, to zero.
+/// Leaves A bitwise unchanged if a Cholesky factorisation finds none that matters.
 ///
-/// Of isotropic laws the eigenvectors are known by the principal stretches of F: three lie in the
-/// span of the stretch modes, the others are the flip and twist modes [Smith, de Goes, Kim 2019,
-/// sect. 4]. That they are ones is looked at; of any other A all eigenvectors are computed, which
-/// takes several times as long.
+/// For isotropic laws the principal stretches of F give the eigenvectors: three span the stretch
+/// modes, the others are flip and twist modes [Smith, de Goes, Kim 2019, sect. 4]. The code
+/// verifies this; any other A gets a full decomposition, which takes several times as long.
 Projected projectToPositiveSemidefinite(const Mat3& F, Mat9* A);
 
 }  // namespace palpate::fem

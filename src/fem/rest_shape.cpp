@@ -27,10 +27,10 @@ Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const mesh::TetMesh& mesh,
   return nodes;
 }
 
-// Where the shape must not turn inside out: corners, and the middles of curved edges.
+// Refuses elements inverted at corners, or with curved edges also at mid-edge nodes.
 template <int N>
 void refuseInverted(const Eigen::Matrix<double, 3, N>& X, Eigen::Index element) {
-  constexpr int kPlaces = N == 4 ? 1 : N;  // linear ones have one determinant
+  constexpr int kPlaces = N == 4 ? 1 : N;  // linear elements have a constant determinant
   for (int k = 0; k < kPlaces; ++k) {
     Eigen::Vector4d w = Eigen::Vector4d::Zero();
     if (k < 4) {
@@ -54,7 +54,7 @@ Eigen::Matrix<double, 3, N> RestShape<N>::gradientsAt(const Eigen::Matrix<double
                                                       const Eigen::Vector4d& w,
                                                       double* determinant) {
   const Eigen::Matrix<double, N, 4> by_weight = Tetrahedron<N>::derivatives(w);
-  // w0 = 1 - w1 - w2 - w3 leaves three coordinates.
+  // w0 = 1 - w1 - w2 - w3 leaves three independent coordinates.
   const Eigen::Matrix<double, N, 3> d =
       by_weight.template rightCols<3>().colwise() - by_weight.col(0);
   const Mat3 jacobian = X * d;

@@ -19,21 +19,21 @@ struct RestPoint {
   double volume;                          ///< [m^3]
 };
 
-/// Elements of N nodes in their rest shape.
+/// Elements of N nodes in their rest configuration.
 template <int N>
 struct RestShape {
   static constexpr int kPoints = Tetrahedron<N>::kPoints;
   using Nodes = Eigen::Matrix<int, N, Eigen::Dynamic>;
 
-  /// @throws std::invalid_argument for a mesh of other elements, or one that is inverted or has no
-  /// volume, with its number.
+  /// @throws std::invalid_argument for other elements, or an inverted or degenerate one, with its
+  /// number.
   RestShape(const mesh::TetMesh& mesh, const Composition& composition);
 
   Nodes nodes;                                            ///< Of each element.
   std::vector<std::array<RestPoint<N>, kPoints>> points;  ///< Of each element.
   std::vector<double> volumes;                            ///< Of each element [m^3].
   Eigen::VectorXd masses;                                 ///< Lumped, of each node, > 0 [kg].
-  Eigen::VectorXd load_weights;  ///< Integral of density N_a, of each node [kg].
+  Eigen::VectorXd load_weights;  ///< Integral of density N_a at each node [kg].
 
   /// grad N_a at barycentric `w` of element `e`, in the reference frame.
   static Eigen::Matrix<double, 3, N> gradientsAt(const Eigen::Matrix<double, 3, N>& X,

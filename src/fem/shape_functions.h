@@ -5,9 +5,8 @@
 
 namespace palpate::fem {
 
-/// Shape functions of tetrahedra with N nodes in the barycentric coordinates w = (w0 .. w3), sum 1,
-/// of the corners, and an integration rule. Nodes: corners, then the middles of the edges 01 12 20
-/// 03 13 23.
+/// Shape functions of tetrahedra with N nodes by the barycentric coordinates w = (w0 .. w3), sum 1,
+/// and an integration rule. Nodes: corners, then mid-edge nodes of 01 12 20 03 13 23.
 template <int N>
 struct Tetrahedron;
 
@@ -17,15 +16,15 @@ struct Tetrahedron<4> {
   static constexpr int kPoints = 1;
   static Eigen::Vector4d point(int) { return Eigen::Vector4d::Constant(0.25); }
   static Eigen::Vector4d values(const Eigen::Vector4d& w) { return w; }
-  /// d N_a / d w_k, as if the w were independent.
+  /// d N_a / d w_k, with the w as independent.
   static Eigen::Matrix4d derivatives(const Eigen::Vector4d&) { return Eigen::Matrix4d::Identity(); }
-  /// Part of the element's mass at each node.
+  /// Fraction of the element's mass at each node.
   static Eigen::Vector4d massFractions() { return Eigen::Vector4d::Constant(0.25); }
 };
 
 /// Quadratic; four points, of order 2 [Zienkiewicz, Taylor, Zhu 2005, table 5.4]. Masses in
-/// proportion to the diagonal of the consistent matrix [Hinton, Rock, Zienkiewicz 1976], of which
-/// all are positive.
+/// proportion to the diagonal of the consistent mass matrix [Hinton, Rock, Zienkiewicz 1976], all
+/// positive.
 template <>
 struct Tetrahedron<10> {
   static constexpr int kPoints = 4;

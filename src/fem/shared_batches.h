@@ -26,12 +26,12 @@ inline void setTensorAt(const Mat3& T, SymmetricBatch* batch, int lane) {
   }
 }
 
-/// Tensors at points whose copies share them, until one of the copies is rewritten: it goes on in
-/// memory of its own, which it keeps for the next time. For copies in one thread.
+/// Copy-on-write tensors at points. A copy that is rewritten gets its own memory and keeps it for
+/// later. For copies in one thread.
 class SharedBatches {
  public:
   SharedBatches() : SharedBatches(0) {}
-  /// All zero.
+  /// All tensors zero.
   explicit SharedBatches(std::size_t count)
       : now_(std::make_shared<std::vector<SymmetricBatch>>(count)) {}
   SharedBatches(const SharedBatches& other) : now_(other.now_) {}
@@ -46,8 +46,8 @@ class SharedBatches {
   const SymmetricBatch* data() const { return now_->data(); }
 
   struct Rewrite {
-    const SymmetricBatch* before;  ///< What was there.
-    SymmetricBatch* now;           ///< To be written, all of it; perhaps the same place.
+    const SymmetricBatch* before;  ///< Previous values.
+    SymmetricBatch* now;           ///< Destination, to be written completely; may equal `before`.
   };
   Rewrite rewrite() {
     if (now_.use_count() == 1) return {now_->data(), now_->data()};

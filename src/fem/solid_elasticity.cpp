@@ -15,7 +15,7 @@
 namespace palpate::fem {
 namespace {
 
-// Tetrahedra: packed ones are so quick that waking a thread for fewer costs more than it gains.
+// Least number of tetrahedra for threads: for fewer packed ones, waking a thread costs more.
 template <int N>
 constexpr int kWorthThreads = N == 4 ? 1500 : 300;
 

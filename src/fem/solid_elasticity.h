@@ -17,8 +17,8 @@
 
 namespace palpate::fem {
 
-/// Who carries the volumetric energy kappa/2 theta^2: of kappa, the integration points have the
-/// lesser of kappa and `element_modulus` mu, and nodal pressures have the rest.
+/// Split of the volumetric energy kappa/2 theta^2: integration points have the lesser of kappa and
+/// `element_modulus` mu, nodal pressures the rest of kappa.
 struct VolumeTreatment {
   double element_modulus = std::numeric_limits<double>::infinity();  ///< In units of mu.
   NodalPressure::Kind kind = NodalPressure::Kind::kAveraged;
@@ -28,8 +28,8 @@ struct VolumeTreatment {
   }
 };
 
-/// Isoparametric tetrahedra of N nodes: at each integration point F = sum_a x_a (x) g_a, g_a =
-/// grad N_a at rest [Bonet, Wood 2008, sec. 9.2]. They may have pressures at their corners.
+/// Isoparametric tetrahedra of N nodes: at each integration point F = sum_a x_a (x) g_a, g_a = grad
+/// N_a at rest [Bonet, Wood 2008, sec. 9.2], optionally with pressures at the corners.
 template <int N>
 class SolidElasticity final : public Elasticity {
  public:
@@ -63,9 +63,9 @@ class SolidElasticity final : public Elasticity {
  private:
   static constexpr int kPoints = RestShape<N>::kPoints;
   static constexpr int kBatch = 32 / kPoints;  // elements
-  /// Deformation gradients of elements of one solid, and what these add to the law; on the stack.
+  /// Deformation gradients of elements of one solid and their terms of the law; on the stack.
   struct Batch {
-    int count;            // of elements
+    int count;            // number of elements
     const int* elements;  // ascending
     const material::Material* law;
     Mat3 F[kBatch * kPoints];
@@ -82,18 +82,18 @@ class SolidElasticity final : public Elasticity {
 
   Mat3 deformation(const Points& x, std::size_t e,
                    const Eigen::Matrix<double, 3, N>& gradients) const;
-  /// visit(batch) on all elements, a few of one solid at a time.
+  /// Calls visit(batch) for all elements, in small batches of one solid.
   template <class Visit>
   void forBatches(const Points& x, const Visit& visit) const;
-  /// Scratch memory, which packed elements do not need.
+  /// Allocates scratch memory, which packed elements do not need.
   void allocate();
-  /// Pressures at x, which the functions below take from there.
+  /// Updates the nodal pressures to x for the functions below.
   void updatePressure(const Points& x);
   void computeEnergies(const Points& x);
   PointState state(const Points& x, int e, const Eigen::Vector4d& w) const;
-  /// Hands the stresses at x of all viscous points to the history.
+  /// Passes the stresses at x of all viscous points to the history.
   void remember(const Points& x);
-  /// What is kept of energies and stresses is of another memory.
+  /// Discards results that depend on the viscous memory.
   void memoryChanged();
 
   TetMesh mesh_;
@@ -103,18 +103,18 @@ class SolidElasticity final : public Elasticity {
   RestShape<N> shape_;
   ElementScatter<N> scatter_;
   std::vector<ElementRun> groups_;           // elements of each solid
-  std::unique_ptr<NodalPressure> pressure_;  // null: the elements have all of kappa
+  std::unique_ptr<NodalPressure> pressure_;  // null: elements have all of kappa
   std::unique_ptr<PronyHistory> history_;
   std::unique_ptr<PackedTetrahedra<N>> packed_;  // null where there are no kernels
 
-  std::vector<double> energies_, dilatations_;  // scratch, of elements and of points
+  std::vector<double> energies_, dilatations_;  // scratch for elements and points
   typename ElementScatter<N>::Vectors forces_;
   typename ElementScatter<N>::Blocks blocks_;
-  Eigen::MatrixXd volume_gradients_;  // as NodalPressure::gatherRows() takes them
+  Eigen::MatrixXd volume_gradients_;  // for NodalPressure::gatherRows()
 };
 
-// F = sum over the nodes of x (x) grad N. Numbers in registers: a matrix of Eigen's is written and
-// read again in halves of other sizes, for which a processor waits, four times as long in all.
+// F = sum over the nodes of x (x) grad N, in registers. An Eigen matrix is stored and reloaded in
+// other widths, which stalls store forwarding: four times as long in all.
 template <int N>
 Mat3 SolidElasticity<N>::deformation(const Points& x, std::size_t e,
                                      const Eigen::Matrix<double, 3, N>& gradients) const {

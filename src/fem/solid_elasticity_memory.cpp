@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body remembers of its steps.
+// Viscous state of a body: steps, saving, mesh changes.
 #include <limits>
 #include <stdexcept>
 

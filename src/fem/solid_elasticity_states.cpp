@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body is like at single points.
+// Deformation and stress at single points.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <limits>
@@ -54,7 +54,7 @@ PointState SolidElasticity<N>::state(const Points& x, int e, const Eigen::Vector
   if (!composition_.frames.empty()) Q = composition_.frames[e];
   gradients = Q.transpose() * gradients;
   const Mat3 F = deformation(x, static_cast<std::size_t>(e), gradients);
-  int nearest = 0;  // integration point, whose viscous memory is taken
+  int nearest = 0;  // integration point with the viscous memory to use
   for (int q = 1; q < kPoints; ++q) {
     const auto distance = [&](int k) { return (Tetrahedron<N>::point(k) - w).squaredNorm(); };
     if (distance(q) < distance(nearest)) nearest = q;

@@ -6,13 +6,12 @@
 
 namespace palpate::fem {
 
-/// What is summed into what: the sources of target k are begin(k) .. end(k), in the order in which
-/// they were listed.
+/// Sources of each sum: target k has begin(k) .. end(k), in the order of listing.
 template <class Source>
 class Sources {
  public:
   Sources() = default;
-  /// Source s belongs to target `targets[s]` in [0, num_targets).
+  /// Source s contributes to target `targets[s]` in [0, num_targets).
   Sources(const std::vector<int>& targets, const std::vector<Source>& sources, int num_targets)
       : start_(static_cast<std::size_t>(num_targets) + 1, 0), sources_(sources.size()) {
     for (int k : targets) ++start_[k + 1];

@@ -9,22 +9,22 @@
 
 namespace palpate::fem {
 
-/// The blocks above the diagonal of a block matrix, close together in memory while elements are
-/// added to them. For matrices that no shift of all nodes sees: their diagonal follows.
+/// Blocks above the diagonal of a block matrix, contiguous for assembly. For translation-invariant
+/// matrices, whose diagonal follows from the other blocks.
 class UpperBlocks {
  public:
   explicit UpperBlocks(const BlockMatrix& pattern);
 
-  /// Where the 9 values of block (i, j), i < j, begin.
+  /// Offset of the 9 values of block (i, j), i < j.
   int offset(const BlockMatrix& pattern, int i, int j) const {
     return 9 * index_[static_cast<std::size_t>(pattern.find(i, j))];
   }
   double* clear();
-  /// K = the blocks, their transposed ones below, and minus the sums of rows on the diagonal.
+  /// K = the blocks, their transposes below the diagonal, and minus the row sums on the diagonal.
   void expand(ExpandRow expand_row, ThreadPool* pool, BlockMatrix* K) const;
 
  private:
-  std::vector<int> index_;  // of each slot off the diagonal: its block, or that of its transposed
+  std::vector<int> index_;  // block of each slot off the diagonal, or of its transpose
   std::vector<double> values_;
 };
 

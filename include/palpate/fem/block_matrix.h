@@ -9,16 +9,15 @@
 
 namespace palpate::fem {
 
-/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column a node. Both triangles are
-/// stored, row after row (block compressed rows), columns ascending. The pattern never changes
-/// after construction, so a symbolic analysis of it holds for ever.
+/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column per node. Both triangles are
+/// stored in block compressed rows, columns ascending. The pattern is constant after construction,
+/// so its symbolic analysis stays valid.
 class BlockMatrix {
  public:
   BlockMatrix() = default;
   /// Pattern: the diagonal and, for each pair (i, j), the blocks (i, j) and (j, i). Values zero.
   BlockMatrix(int num_nodes, const std::vector<std::pair<int, int>>& pairs);
-  /// The patterns of `parts` along the diagonal, in their order: those of a part follow one another
-  /// as its own do. Values zero.
+  /// Block-diagonal matrix with the patterns of `parts`, in their order. Values zero.
   static BlockMatrix sideBySide(const std::vector<const BlockMatrix*>& parts);
 
   int numNodes() const { return static_cast<int>(row_start_.size()) - 1; }
@@ -26,7 +25,7 @@ class BlockMatrix {
   int rowBegin(int i) const { return row_start_[i]; }
   int rowEnd(int i) const { return row_start_[i + 1]; }
   int column(int slot) const { return column_[slot]; }
-  /// Of slot after slot.
+  /// Column of each slot.
   const int* columns() const { return column_.data(); }
   /// Slot of the diagonal block of row i.
   int diagonal(int i) const { return diagonal_[i]; }
@@ -39,28 +38,28 @@ class BlockMatrix {
   Eigen::Map<const Mat3> block(int slot) const {
     return Eigen::Map<const Mat3>(values_.data() + 9 * slot);
   }
-  /// Of block after block, 9 each.
+  /// 9 values per block, in slot order.
   double* values() { return values_.data(); }
   const double* values() const { return values_.data(); }
-  /// += M on block (i, j), which is in `slot`. Those off the diagonal are remembered.
+  /// Adds M to block (i, j), whose slot is `slot`. Slots off the diagonal are recorded in added().
   void addTo(int slot, int i, int j, const Mat3& M) {
     block(slot) += M;
     if (i != j) added_.push_back(slot);
   }
-  /// Slots off the diagonal that addTo() wrote to since forgetAdded(), some of them more than once.
+  /// Slots off the diagonal that addTo() wrote since forgetAdded(), with repetitions.
   const std::vector<int>& added() const { return added_; }
   void forgetAdded() { added_.clear(); }
 
-  /// Forgets what was added, too.
+  /// Sets all values to zero and clears added().
   void setZero();
-  /// Every value times `s`.
+  /// Multiplies all values by `s`.
   void scale(double s);
 
-  /// y = A x, both 3 x n.
+  /// Computes y = A x, both 3 x n.
   void multiply(const Points& x, Points* y) const;
 
-  /// Rows and columns of components with free(c, i) == 0 become those of s I, s the mean diagonal;
-  /// the rest is untouched. A solve with a zero right side there returns zero there.
+  /// Replaces rows and columns of components with free(c, i) == 0 by those of s I, s the mean
+  /// diagonal. A solve with zero right-hand side there returns zero there.
   void constrain(const Eigen::Matrix3Xd& free);
 
  private:

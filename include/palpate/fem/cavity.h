@@ -9,42 +9,41 @@
 
 namespace palpate::fem {
 
-/// What fills a cavity, and how it presses.
+/// Pressure law of a cavity's content.
 struct CavityContent {
-  double pressure = 0.0;          ///< Of its rest [Pa].
-  double volume_stiffness = 0.0;  ///< Pressure by relative change of volume, K [Pa].
-  /// The walls are at rest under `pressure`: only what differs from it acts.
+  double pressure = 0.0;          ///< Pressure at rest [Pa].
+  double volume_stiffness = 0.0;  ///< K, pressure per relative volume change [Pa].
+  /// Whether the walls are at rest under `pressure`; only the difference then acts.
   bool balanced = false;
 };
 
-/// Pressure of a content on faces of a body, normal to them as they are deformed:
+/// Pressure of a cavity's content on the faces of a body, normal to the deformed faces:
 ///
 ///   p = p_0 - K (V - V_0)/V_0,   energy K/(2 V_0) (V - V_0)^2 - p_0 (V - V_0)
 ///
-/// V the volume that closed faces enclose, V_0 what it was when the content was sealed in; until
-/// then p = p_0. The derivative of V by node a is minus the integral of N_a dx/dr x dx/ds over its
-/// faces, which are outward from the body, into the cavity [Bonet, Wood 2008, sec. 8.5.2]. The
-/// second derivative is that of -p V, which reaches no further than a face, and
-/// K/V_0 dV/dx (dV/dx)^T, a Stiffness::addRankOne().
+/// V is the volume enclosed by closed faces, V_0 its value at seal(); before seal(), p = p_0.
+/// dV/dx_a is minus the integral of N_a dx/dr x dx/ds over the faces, which point out of the body
+/// [Bonet, Wood 2008, sec. 8.5.2]. The stiffness is that of -p V, within each face, and the
+/// rank-one update K/V_0 dV/dx (dV/dx)^T.
 class CavityPressure final : public EnergyTerm {
  public:
   /// `faces`: 3 x k or 6 x k, at rest in X.
   /// @throws std::invalid_argument for a volume stiffness where the faces enclose no volume.
   CavityPressure(const Points& X, Eigen::MatrixXi faces, const CavityContent& content);
 
-  /// Its pressure of rest times `factor`.
+  /// Multiplies the pressure at rest by `factor`.
   void setFactor(double factor) { factor_ = factor; }
-  /// From here on the content is that which fills the cavity at x, 3 x n.
+  /// Sets V_0 to the volume at x, 3 x n.
   void seal(const Points& x) { sealed_volume_ = volume(x); }
-  /// V_0, once it is sealed [m^3].
+  /// V_0 [m^3]; empty before seal().
   const std::optional<double>& sealedVolume() const { return sealed_volume_; }
   void setSealedVolume(const std::optional<double>& volume) { sealed_volume_ = volume; }
 
-  /// V [m^3]; of open faces what is under them, to the negative side.
+  /// V [m^3]; of open faces the volume below them, negative.
   double volume(const Points& x) const;
   /// p [Pa].
   double pressure(const Points& x) const { return pressureAt(volume(x)); }
-  /// Whether it does anything to a body that is at rest.
+  /// Whether the pressure acts on a body at rest.
   bool actsAtRest() const { return !content_.balanced && content_.pressure != 0.0; }
   bool isClosed() const { return closed_; }
   bool resistsVolume() const { return content_.volume_stiffness > 0.0; }
@@ -54,12 +53,12 @@ class CavityPressure final : public EnergyTerm {
   void addHessian(const Points& x, Tangent tangent, Stiffness* K) const override;
   bool conservative() const override { return closed_; }
 
-  /// Bound of the square of the frequencies of its stiffness at X alone on these masses, n [1/s^2].
+  /// Bound of the squared frequencies of its stiffness at X alone, for n nodal masses [1/s^2].
   double largestSquare(const Points& X, const Eigen::VectorXd& masses) const;
 
  private:
   double pressureAt(double volume) const;
-  /// What acts of it.
+  /// Pressure that acts: without the balanced part [Pa].
   double excess(double volume) const;
 
   Eigen::MatrixXi faces_;
@@ -67,7 +66,7 @@ class CavityPressure final : public EnergyTerm {
   bool closed_;
   double factor_ = 1.0;
   std::optional<double> sealed_volume_;
-  std::vector<int> nodes_, place_;  // of the faces; of each node of the body among them, or -1
+  std::vector<int> nodes_, place_;  // nodes of the faces; index of each body node in nodes_, or -1
   mutable Points slope_;            // dV/dx of nodes_ [m^2]
 };
 

@@ -11,21 +11,20 @@
 
 namespace palpate::fem {
 
-/// What a body is made of, tetrahedron by tetrahedron.
+/// Material of each tetrahedron of a body.
 struct Composition {
-  /// One solid everywhere.
+  /// A single solid for all tetrahedra.
   static Composition uniform(material::Material law, double density = 1000.0) {
     return {{{std::move(law), density, {}}}, {}, {}};
   }
 
   std::vector<material::Solid> solids;  ///< At least one.
-  std::vector<int> solid_of;  ///< Of each tetrahedron, into `solids`; empty: all solids[0].
-  /// Material frame to reference frame of each tetrahedron: first column the fibre, second the
-  /// sheet, unit and orthogonal; the identity where the law is not frame indifferent. Empty where
-  /// no solid needs fibres.
+  std::vector<int> solid_of;  ///< Index of each tetrahedron's solid in `solids`; empty: all 0.
+  /// Rotation of each tetrahedron from material to reference frame: columns fibre, sheet, their
+  /// normal. The identity where the law is not frame indifferent; empty if no solid needs fibres.
   std::vector<Mat3> frames;
 
-  /// Least shear modulus at rest of all solids [Pa].
+  /// Least shear modulus at rest over all solids [Pa].
   double softestShearModulus() const {
     double softest = std::numeric_limits<double>::infinity();
     for (const material::Solid& s : solids) softest = std::min(softest, material::moduli(s.law).mu);

@@ -14,24 +14,24 @@ namespace palpate::fem {
 class Couplings {
  public:
   struct Block {
-    int i, j;  ///< Row and column, not the same.
+    int i, j;  ///< Row and column, different.
     Mat3 values;
   };
 
   bool empty() const { return blocks_.empty(); }
   /// Blocks in the order of add(); equal pairs are summed, and transposes are implied.
   const std::vector<Block>& blocks() const { return blocks_; }
-  /// The pairs i < j, ascending, each once.
+  /// Pairs i < j, ascending, without repetition.
   std::vector<std::pair<int, int>> pairs() const;
 
   void add(int i, int j, const Mat3& values) { blocks_.push_back({i, j, values}); }
   void clear() { blocks_.clear(); }
 
-  /// y += A x, both 3 x n.
+  /// Computes y += A x, both 3 x n.
   void addProduct(const Points& x, Points* y) const;
-  /// A *= s.
+  /// Multiplies all blocks by s.
   void scale(double s);
-  /// Rows and columns of components with free(c, i) == 0 become zero.
+  /// Sets rows and columns of components with free(c, i) == 0 to zero.
   void constrain(const Eigen::Matrix3Xd& free);
 
  private:

@@ -21,13 +21,13 @@ class ElasticEnergy {
 
   /// A matrix with the body's pattern, all zero.
   virtual Stiffness makeMatrix() const = 0;
-  /// W(x) [J]; +infinity where there is none (J <= 0).
+  /// W(x) [J]; +infinity for inverted elements (J <= 0) of laws that need J > 0.
   virtual double energy(const Points& x) = 0;
   /// W(x) and its gradient dW/dx, 3 x n [N]: minus the elastic forces. `g` is overwritten.
   virtual double gradient(const Points& x, Points* g) = 0;
   /// d2W/dx2 [N/m] into `K`, which has the body's pattern and is overwritten.
   virtual void hessian(const Points& x, Tangent tangent, Stiffness* K) = 0;
-  /// Whether the energy also depends on what the body went through.
+  /// Whether the energy also depends on the deformation history.
   virtual bool viscous() const = 0;
 };
 

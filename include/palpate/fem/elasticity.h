@@ -21,7 +21,7 @@ using mesh::TetMesh;
 /// Deformation and stress at a point.
 struct PointState {
   Mat3 F;              ///< Deformation gradient.
-  Mat3 cauchy_stress;  ///< [Pa], in world, with its viscous part.
+  Mat3 cauchy_stress;  ///< Cauchy stress [Pa] in the world frame, with its viscous part.
 };
 
 /// Viscous state of a body, for restoreViscousState() of the same body.
@@ -41,7 +41,7 @@ class Elasticity : public ElasticEnergy {
   /// Least det F anywhere in the elements [-]; of quadratic ones between integration points too.
   /// Single-threaded: not for every cycle.
   virtual double minJacobianWithin(const Points& x) { return minJacobian(x); }
-  /// At each of `places`, in the body's mesh.
+  /// Deformation and stress at each of `places`, given in the body's mesh.
   virtual std::vector<PointState> states(const Points& x,
                                          const std::vector<mesh::Location>& places) = 0;
   /// W(x) of each solid of the composition [J].
@@ -67,9 +67,9 @@ class Elasticity : public ElasticEnergy {
   virtual std::unique_ptr<ViscousState> saveViscousState() const = 0;
   virtual void restoreViscousState(const ViscousState* state) = 0;
 
-  /// Goes on from what `old` remembers, the same body on another mesh, of which this one's came by
-  /// `change`: parts of an element have what it had, an element of several parts their mean by
-  /// volume, or with several integration points the linear field nearest to theirs.
+  /// Takes the viscous state of `old`, the same body before its mesh changed by `change`. Parts of
+  /// an element inherit its values. A union takes the mean by volume, or with several integration
+  /// points the nearest linear field in the mean square.
   /// @throws std::invalid_argument for a body of other elements or solids.
   virtual void goOnFrom(const Elasticity& old, const mesh::MeshChange& change) = 0;
 
@@ -79,7 +79,7 @@ class Elasticity : public ElasticEnergy {
   virtual void restore(StateReader* in) = 0;
 };
 
-/// Names that makeElasticity() knows; the first is the default.
+/// Names of elements for makeElasticity(); the first is the default.
 std::vector<std::string> elementNames();
 /// Whether an element has 10 nodes. @throws std::invalid_argument for an unknown one.
 bool isQuadratic(const std::string& element);
@@ -87,8 +87,8 @@ bool isQuadratic(const std::string& element);
 TetMesh meshFor(const std::string& element, const TetMesh& mesh);
 
 /// Body of `element` at rest in `mesh`. `pool` may be null (one thread) and must outlive the body.
-/// @throws std::invalid_argument for an unknown element, a mesh that the element cannot use (with
-/// the number of an inverted tetrahedron), or a law with fibres where there are no frames.
+/// @throws std::invalid_argument for an unknown element, an unsuitable or inverted mesh (with the
+/// number of the tetrahedron), or a law with fibres without frames.
 std::unique_ptr<Elasticity> makeElasticity(const std::string& element, const TetMesh& mesh,
                                            const Composition& composition,
                                            ThreadPool* pool = nullptr);

@@ -8,24 +8,23 @@
 
 namespace palpate::fem {
 
-/// Keeps elements from being turned inside out: an energy per rest volume of each tetrahedron
+/// Prevents inversion of elements by an energy per rest volume of each tetrahedron
 ///
 ///   k b(J),   b = -(J0 - J)^2 ln(J / J0)   for J < J0,
 ///
-/// of its det F = J. It is twice continuously differentiable at J0, where it begins, and rises
-/// without bound towards 0 [the barrier of Li et al. 2020, Incremental Potential Contact, eq. 6,
-/// with volumes for distances]; under J0 / 10 it goes on as its parabola there, so that an element
-/// that is inverted is brought back. Quadratic tetrahedra are eight small ones. Switched off, as at
-/// first, it costs nothing.
+/// of its det F = J. The energy is C2 at J0 and grows without bound towards J = 0 [the barrier of
+/// Li et al. 2020, Incremental Potential Contact, eq. 6, with volumes for distances]. Below J0 / 10
+/// the tangent parabola at J0 / 10 replaces the barrier, so inverted elements are restored.
+/// Quadratic tetrahedra count as eight linear ones. Initially off, without cost.
 class InversionGuard final : public EnergyTerm {
  public:
-  /// J0: tissue that keeps its volume is never so flat.
+  /// J0 [-]; nearly incompressible tissue stays above.
   static constexpr double kLeast = 0.1;
 
   /// `stiffness`: k [Pa].
   InversionGuard(const mesh::TetMesh& mesh, double stiffness);
 
-  /// From now on it keeps these tetrahedra only, of a mesh that is not quadratic.
+  /// Restricts the guard to these tetrahedra of a linear mesh.
   void keepOnly(const std::vector<int>& tets);
   /// The smallest J at x, 3 x n [m].
   double least(const Points& x) const;
@@ -38,12 +37,12 @@ class InversionGuard final : public EnergyTerm {
 
  private:
   Mat3 edges(const Points& x, Eigen::Index e) const;
-  /// visit(element, edges, J) of those flatter than J0.
+  /// Calls visit(element, edges, J) for elements with J < J0.
   template <class Visit>
   void forFlat(const Points& x, const Visit& visit) const;
 
   Eigen::Matrix4Xi tets_;
-  Eigen::VectorXd volumes_;  // at rest, times six [m^3]
+  Eigen::VectorXd volumes_;  // 6 times the rest volume [m^3]
   double stiffness_;
   bool active_ = false;
 };

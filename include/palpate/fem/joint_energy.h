@@ -7,18 +7,17 @@
 
 namespace palpate::fem {
 
-/// The elastic energies of several bodies as that of one, sum_k s_k W_k(x_k), over their points one
-/// body after another. The matrix has the bodies' patterns along its diagonal and nothing between
-/// them: what acts between bodies becomes couplings.
+/// Sum of the elastic energies of several bodies, sum_k s_k W_k(x_k), over their concatenated
+/// nodes. The matrix is block-diagonal; interactions between bodies become couplings.
 class JointEnergy final : public ElasticEnergy {
  public:
-  /// They must outlive this.
+  /// The bodies must outlive this.
   explicit JointEnergy(const std::vector<ElasticEnergy*>& bodies);
 
-  /// s of body k, 1 at first: damping in proportion to stiffness enlarges it.
+  /// Sets s_k of body k, initially 1; stiffness-proportional damping enlarges s_k.
   void setScale(std::size_t k, double scale) { bodies_[k].scale = scale; }
   int numNodes() const { return num_nodes_; }
-  /// The first node of body k.
+  /// First node of body k.
   int firstNode(std::size_t k) const { return bodies_[k].first_node; }
 
   Stiffness makeMatrix() const override;

@@ -13,17 +13,17 @@ namespace palpate::fem {
 /// Faces of `surface` whose three corners are all in `nodes` (ascending).
 Eigen::MatrixXi selectFaces(const Eigen::MatrixXi& surface, const std::vector<int>& nodes);
 
-/// Nodal forces, 3 x n [N], of a traction [Pa] on the area that `faces` have in `X`, by the faces'
-/// own shape functions.
+/// Nodal forces, 3 x n [N], of a traction [Pa] on `faces` at X, by the shape functions of the
+/// faces.
 Points tractionForces(const Points& X, const Eigen::MatrixXi& faces, const Vec3& traction);
 
-/// Forces that do not change with the deformation: energy -f . x.
+/// Forces independent of the deformation: energy -f . x.
 class DeadLoad final : public EnergyTerm {
  public:
   explicit DeadLoad(Points forces) : forces_(std::move(forces)) {}
 
   void setForces(const Points& forces) { forces_ = forces; }
-  /// The forces act times `factor`.
+  /// Multiplies the forces by `factor`.
   void setFactor(double factor) { factor_ = factor; }
   Points forces() const { return factor_ * forces_; }
 

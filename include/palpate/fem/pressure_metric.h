@@ -9,8 +9,8 @@
 
 namespace palpate::fem {
 
-/// M in the energy 1/2 c^T M c of the volume changes c [m^3] that belong to pressure nodes; their
-/// pressures are M c [Pa]. M is either diagonal or the inverse of a sparse matrix.
+/// M in the energy 1/2 c^T M c of the volume changes c [m^3] of pressure nodes; the pressures are M
+/// c [Pa]. M is diagonal or the inverse of a sparse matrix.
 class PressureMetric {
  public:
   /// M = diag(weights), [Pa/m^3].
@@ -18,18 +18,18 @@ class PressureMetric {
   /// M = compliance^-1; `compliance` symmetric positive definite [m^3/Pa].
   static PressureMetric inverseOf(const Eigen::SparseMatrix<double>& compliance);
 
-  /// Those of several bodies along the diagonal: diagonal if all are, else the inverse of a
-  /// compliance, which is factorised anew. `parts`: at least one.
+  /// Block-diagonal metric of several bodies. Diagonal if all are, else the inverse of a
+  /// compliance, which is factorised anew. @pre at least one part.
   static PressureMetric sideBySide(const std::vector<const PressureMetric*>& parts);
 
   Eigen::Index size() const { return weights_.size(); }
   bool isDiagonal() const { return compliance_.size() == 0; }
-  /// p = M c.
+  /// Computes p = M c.
   void apply(const Eigen::VectorXd& c, Eigen::VectorXd* p) const;
 
-  /// The diagonal of M, or the inverse of the compliance's diagonal: enough for a preconditioner.
+  /// Diagonal of M, or the inverse of the compliance's diagonal, for preconditioners.
   const Eigen::VectorXd& weights() const { return weights_; }
-  /// Empty where M is diagonal.
+  /// Compliance M^-1 [m^3/Pa]; empty for a diagonal M.
   const Eigen::SparseMatrix<double>& compliance() const { return compliance_; }
 
  private:

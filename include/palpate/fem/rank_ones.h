@@ -16,7 +16,7 @@ class RankOnes {
  public:
   struct Term {
     std::vector<int> nodes;
-    Points a;  ///< Of each of them.
+    Points a;  ///< Vector of each node, 3 x k.
     double c;
   };
 
@@ -28,19 +28,19 @@ class RankOnes {
   /// Removes all terms, but keeps their buffers.
   void clear() { count_ = 0; }
 
-  /// y += A x, both 3 x n.
+  /// Computes y += A x, both 3 x n.
   void addProduct(const Points& x, Points* y) const;
-  /// A *= s.
+  /// Multiplies all terms by s.
   void scale(double s);
-  /// Rows and columns of components with free(c, i) == 0 become zero.
+  /// Sets components with free(c, i) == 0 to zero in all terms.
   void constrain(const Eigen::Matrix3Xd& free);
 
   void save(StateWriter* out) const;
-  /// @throws std::invalid_argument for nodes that are not among `num_nodes`.
+  /// @throws std::invalid_argument for nodes outside [0, num_nodes).
   void restore(StateReader* in, int num_nodes);
 
  private:
-  std::vector<Term> terms_;  // of which the first count_ are there
+  std::vector<Term> terms_;  // the first count_ are in use
   std::size_t count_ = 0;
 };
 

@@ -13,23 +13,23 @@
 
 namespace palpate::fem {
 
-/// The stiffness that the volumes around pressure nodes add to a body: B^T M B, of which row p of B
-/// is the gradient of volume change p. Its assembled pattern would reach over two rings of
-/// elements; kept as rows, it is applied for about the price of the elements' own matrix.
+/// Stiffness B^T M B of nodal pressures; row p of B is the gradient of volume change p. Its
+/// assembled pattern would couple two rings of elements. Stored as rows, a product costs about as
+/// much as with the elements' matrix.
 struct VolumeStiffness {
   struct Pattern {
-    std::vector<int> start;  ///< Row p has the entries start[p] .. start[p + 1].
-    std::vector<int> node;   ///< Of each entry, ascending in a row.
+    std::vector<int> start;  ///< Row p has the entries start[p] .. start[p + 1] - 1.
+    std::vector<int> node;   ///< Node of each entry, ascending in a row.
   };
   std::shared_ptr<const Pattern> pattern;
   std::shared_ptr<const PressureMetric> metric;
-  Eigen::Matrix3Xd rows;  ///< One column an entry [m^2].
-  double factor = 1.0;    ///< Multiplies M.
+  Eigen::Matrix3Xd rows;  ///< One column per entry [m^2].
+  double factor = 1.0;    ///< Factor of M.
 
   Eigen::Index numRows() const { return static_cast<Eigen::Index>(pattern->start.size()) - 1; }
-  /// c = B x, x 3 x n.
+  /// Computes c = B x, x 3 x n.
   void multiplyRows(const Points& x, Eigen::VectorXd* c) const;
-  /// y += B^T p, 3 x n.
+  /// Computes y += B^T p, 3 x n.
   void addTransposed(const Eigen::VectorXd& p, Points* y) const;
 };
 
@@ -40,9 +40,9 @@ class Stiffness {
  public:
   Stiffness() = default;
   explicit Stiffness(BlockMatrix pattern) : blocks_(std::move(pattern)) {}
-  /// `volume` without rows yet: they are set to zero.
+  /// The rows of `volume` are set to zero.
   Stiffness(BlockMatrix pattern, VolumeStiffness volume);
-  /// The patterns of `parts` along the diagonal, in their order, all zero.
+  /// Block-diagonal stiffness with the patterns of `parts`, in their order, all zero.
   static Stiffness sideBySide(const std::vector<const Stiffness*>& parts);
 
   int numNodes() const { return blocks_.numNodes(); }
@@ -79,11 +79,11 @@ class Stiffness {
   /// += H, dense, symmetric, 3 k x 3 k, over `nodes`, k of them.
   void add(const Eigen::Ref<const Eigen::VectorXi>& nodes,
            const Eigen::Ref<const Eigen::MatrixXd>& H);
-  /// += c a a^T, c > 0, `a` 3 x k over `nodes`, k of them.
+  /// Adds the rank-one update c a a^T, c > 0, `a` 3 x k over k `nodes`.
   void addRankOne(const std::vector<int>& nodes, const Points& a, double c) {
     for (int& i : rank_ones_.add(nodes, a, c).nodes) i = node_map_.of(i);
   }
-  /// += H of the point sum_a weights[a] x[nodes[a]]: weights[a] weights[b] H between each two.
+  /// Adds H of the point sum_a weights[a] x[nodes[a]], by weights[a] weights[b] H to blocks (a, b).
   template <int k>
   void addPoint(const Eigen::Matrix<int, k, 1>& nodes, const Eigen::Matrix<double, k, 1>& weights,
                 const Mat3& H) {
@@ -102,16 +102,16 @@ class Stiffness {
   }
   void setZero();
 
-  /// y = K x, both 3 x n.
+  /// Computes y = K x, both 3 x n.
   void multiply(const Points& x, Points* y) const;
-  /// K *= s.
+  /// Multiplies K by s.
   void scale(double s);
-  /// Diagonal blocks (i, i) of K without its rank ones; with a metric that is not diagonal an
-  /// approximation.
+  /// Diagonal blocks (i, i) of K without rank-one updates; approximate for a metric that is not
+  /// diagonal.
   void diagonal(std::vector<Mat3>* blocks) const;
   /// As BlockMatrix::constrain().
   void constrain(const Eigen::Matrix3Xd& free);
-  /// The same of all but the volumes.
+  /// BlockMatrix::constrain() of all parts but the volume stiffness.
   void constrainBlocks(const Eigen::Matrix3Xd& free) {
     blocks_.constrain(free);
     couplings_.constrain(free);
@@ -119,7 +119,7 @@ class Stiffness {
   }
 
   void save(StateWriter* out) const;
-  /// @throws std::invalid_argument for the values of another pattern.
+  /// @throws std::invalid_argument for a different pattern.
   void restore(StateReader* in);
 
  private:

@@ -9,18 +9,17 @@
 
 namespace palpate::fem {
 
-/// Which components of which nodes move freely: 1, or are held: 0. 3 x n, of a body at rest in X.
+/// Mask of components, 3 x n: 1 free, 0 held.
 using FreeMask = Eigen::Matrix3Xd;
 
-/// A node that something holds in one direction, such as a spring.
+/// A node held in one direction, for example by a spring.
 struct HeldDirection {
   int node;
   Vec3 direction;  ///< Unit.
 };
 
-/// Rigid motions that neither the held components nor what `held` names stop, in words
-/// ("translation along x, rotation about z"); empty if the body is held. A motion that mixes
-/// several is named by its largest part.
+/// Names of rigid motions that neither held components nor `held` prevent ("translation along x,
+/// rotation about z"); empty if there are none. A mixed motion is named by its largest component.
 std::string freeRigidMotions(const Points& X, const FreeMask& free,
                              const std::vector<HeldDirection>& held = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: += of three numbers that lie side by side, as a pair and one.
+// For kernels only: adds three consecutive numbers as a pair and a single.
 
 #include "tet_batch.h"
 
@@ -11,14 +11,14 @@ namespace {
 typedef double Pair __attribute__((vector_size(16)));
 typedef double PairInMemory __attribute__((vector_size(16), aligned(8), may_alias));
 
-// Two numbers and one, each time the same way: a processor passes a number that was just stored on
-// to the next load only if both are of the same place and width.
+// Pair, then single, always in the same widths: store-to-load forwarding needs the same address and
+// width.
 inline void addThree(Pair xy, double z, double* at) {
   *reinterpret_cast<PairInMemory*>(at) += xy;
   at[2] += z;
 }
 
-// To the nodes of a batch: force[3 a + component][element] at node a.
+// Adds forces of a batch to its nodes: force[3 a + component][element] at node a.
 template <int N>
 inline void addForces(const double (*force)[kBatchSize], const TetBatch<N>& batch, int count,
                       double* g) {
@@ -30,8 +30,7 @@ inline void addForces(const double (*force)[kBatchSize], const TetBatch<N>& batc
   }
 }
 
-// Into the rows of the nodes' pressures: the gradients of an element's volume with respect to the
-// other three nodes.
+// Adds the gradients of an element's volume by the other three nodes to the rows of the pressures.
 inline void addRows(const double (*dilatation)[kBatchSize], const int (*row)[kBatchSize], int count,
                     double* rows) {
   for (int e = 0; e < count; ++e) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: the nine numbers of a 3 x 3 block, column after column or row after row.
+// For kernels only: the nine numbers of a 3 x 3 block, column-major or row-major.
 
 #if defined(__AVX512F__)
 #include <immintrin.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: vectors and matrices whose components are registers, one element a lane.
+// For kernels only: vectors and matrices of registers, one element per lane.
 
 #include "palpate/base/lanes.h"
 

@@ -18,7 +18,7 @@ inline double* jacobians(const Arrays& arrays, int batch, int q, int lane) {
   return arrays.J + kBatchSize * (kPoints * static_cast<long>(batch) + q) + lane;
 }
 
-// H at point q of the k-th batch of a run.
+// Viscous stress H at point q of the k-th batch of a run.
 inline Symmetric viscousStress(const Arrays& arrays, const TetRun& run, int k, int q, int lane,
                                const MemorySlots& places) {
   const double* H = arrays.viscous[run.first_memory + kPoints * k].component[0] + q;
@@ -81,7 +81,7 @@ struct Loops {
     }
   }
 
-  // Of the 10 nodes from t_k(q) = V/4 P(q) grad w_k.
+  // Forces of the 10 nodes from t_k(q) = V/4 P(q) grad w_k.
   static inline void storeForces(const Vec (*t)[4], int lane, double (*force)[kBatchSize]) {
     for (int i = 0; i < 3; ++i) {
       Lanes sum[4];
@@ -97,7 +97,7 @@ struct Loops {
     }
   }
 
-  // V/4 A grad w_k of all corners.
+  // V/4 A grad w_k for all corners.
   static inline void onGradients(const Mat& A, Lanes volume, const Vec* g, Vec* t) {
     t[0] = Vec{};
     for (int k = 0; k < 3; ++k) {
@@ -190,7 +190,7 @@ struct Loops {
     }
   }
 
-  // As the linear elements' stresses.
+  // Stresses, as for linear elements.
   template <class Law>
   static void stresses(const Law law, const Arrays& arrays, const TetRun& run, const double* x,
                        SymmetricBatch* S) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: quadratic tetrahedra whose edges are straight at rest, at the four points of
-// their rule. With w_k(q) the barycentric coordinates of point q, kNear for k = q and kFar else,
-// and x_kl the node between corners k and l (x_kk the corner itself), the derivatives d x/d w_k at
-// q are
+// For kernels only: quadratic tetrahedra with edges straight at rest, at the four points of their
+// rule. w_k(q) is the barycentric coordinate of point q: kNear for k = q, else kFar. x_kl is the
+// node between corners k and l, x_kk the corner. The derivatives dx/dw_k at q are
 //
 //   y_k(q) = sum_l 4 w_l x_kl - x_k = (4 kFar - 1) x_k + 4 kFar sum_{l != k} x_kl + kMore x_kq,
 //
-// kMore = 4 (kNear - kFar), so that F(q) = sum_k y_k(q) (x) grad w_k needs one node more at each
-// point. Forces and stiffnesses go back the same way: node (k, l) gets kOnEdge, a corner kOnCorner,
-// of what its ends have at every point, and kMore of what k has at point l and l at point k.
+// with kMore = 4 (kNear - kFar), so F(q) = sum_k y_k(q) (x) grad w_k needs one more node per point.
+// Forces and stiffnesses are the transpose: node (k, l) gets kOnEdge, a corner kOnCorner, times its
+// ends' sums over all points, plus kMore times k's value at point l and l's at point k.
 
 #include "lane_vectors.h"
 #include "tet_batch.h"
@@ -22,9 +21,9 @@ constexpr double kFar = 0.1381966011250105, kNear = 0.5854101966249685;  // see 
 constexpr double kMore = 4.0 * (kNear - kFar);
 constexpr double kOnCorner = 4.0 * kFar - 1.0, kOnEdge = 4.0 * kFar;
 
-/// Node between two corners.
+/// Node between two corners; a corner with itself: that corner.
 constexpr int kBetween[4][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}};
-/// Corners that a node is between.
+/// The two corners that a node lies between.
 constexpr int kEnds[10][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {0, 1},
                               {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
@@ -73,12 +72,12 @@ inline Mat deformation(const Quadratic& e, int q) {
   return F;
 }
 
-/// Of the corners at point q.
+/// Pressures of the corners, interpolated to point q.
 struct CornerPressures {
   Lanes far_sum, p[4];
   Lanes at(int q) const { return far_sum + (kNear - kFar) * p[q]; }
 };
-/// Of a batch; nothing of `batches` is touched where there is no pressure.
+/// Corner pressures of a batch; does not read `batches` without pressure.
 inline CornerPressures cornerPressures(const TetPressures<10>* batches, int batch, int lane,
                                        const double* pressure) {
   CornerPressures at{};
@@ -88,8 +87,8 @@ inline CornerPressures cornerPressures(const TetPressures<10>* batches, int batc
   return at;
 }
 
-/// Where the viscous memory of point 0 of each element of a batch begins: the points of an element
-/// follow one another, two elements share a SymmetricBatch.
+/// First memory slot of point 0 of each element of a batch. Points of an element are consecutive;
+/// two elements share a SymmetricBatch.
 struct MemorySlots {
   int at[kBatchSize];
 };

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: the element matrices of quadratic tetrahedra. At each point q the matrix of a
-// linear one, G_kl(q) between corners, goes to nodes a and b by their ends (quadratic_points.h):
+// For kernels only: element matrices of quadratic tetrahedra. At each point q, the matrix G_kl(q)
+// of a linear tetrahedron between corners contributes to nodes a and b by their ends
+// (quadratic_points.h):
 //
 //   K_ab = sum of k in a, l in b:  c_a c_b sum_q G_kl(q) + c_a kMore G_kl(k_b)
 //                                  + c_b kMore G_kl(l_a) + [l_a = k_b] kMore^2 G_kl(l_a),
 //
-// c_a = kOnCorner or kOnEdge, l_a the other end of a, k_b that of b.
+// with c_a = kOnCorner or kOnEdge, l_a the other end of a, k_b that of b.
 
 #include "add_in_pairs.h"
 #include "palpate/base/lanes.h"
@@ -17,13 +18,13 @@
 namespace palpate::fem {
 namespace {
 
-/// Of G_kl, k <= l, in a list; those with k > l are their transposed.
+/// Index of G_kl, k <= l, in a list; G_lk is its transpose.
 constexpr int kPair[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}};
 
-/// The matrices between corners of a batch's elements at all points, and their sums.
+/// Matrices between the corners of a batch's elements at all points, and their sums.
 class CornerBlocks {
  public:
-  /// `onIdentity(m, n)`: the factor of I for the gradients m and n, without the volume.
+  /// `onIdentity(m, n)`: factor of I for the gradients m and n, without the volume.
   template <class Point, class OnIdentity>
   void set(int q, int lane, const Point& point, Lanes volume, const Mat& F, const Mat& cof,
            const Vec* g, const OnIdentity& onIdentity) {
@@ -57,7 +58,7 @@ class CornerBlocks {
     }
   }
 
-  /// The blocks between all pairs of nodes, where they belong.
+  /// Adds the blocks between all pairs of nodes to the matrix values.
   void addTo(const TetBlocks<10>& blocks, int count, double* to) const {
     int pair = 0;
     for (int a = 0; a < 10; ++a) {
@@ -85,7 +86,7 @@ class CornerBlocks {
     for (int c = 0; c < 9; ++c) store(at_[q][9 * kPair[k][l] + c] + lane, G.col[c / 3].v[c % 3]);
   }
 
-  /// K += s G_kl of one of the arrays.
+  /// Adds s G_kl of one of the arrays to K.
   static void add(double s, const double (*G)[kBatchSize], int k, int l, int lane, Mat* K) {
     const double(*at)[kBatchSize] = G + 9 * kPair[k][l];
     for (int j = 0; j < 3; ++j) {
@@ -117,8 +118,7 @@ class CornerBlocks {
   alignas(64) double sum_[90][kBatchSize];
 };
 
-/// The gradients of the volume changes around the corners n with respect to all nodes, from
-/// r_k(q) = V/4 cof F(q) grad w_k.
+/// Gradients of the corners' volume changes by all nodes, from r_k(q) = V/4 cof F(q) grad w_k.
 inline void storeDilatations(const Vec (*r)[4], int lane, double (*dilatation)[30][kBatchSize]) {
   for (int i = 0; i < 3; ++i) {
     Lanes sum[4];
@@ -139,7 +139,7 @@ inline void storeDilatations(const Vec (*r)[4], int lane, double (*dilatation)[3
   }
 }
 
-/// Into the rows of the corners' pressures, of all nodes but the corner itself.
+/// Adds the gradients by all nodes but the corner itself to the rows of the corners' pressures.
 inline void addDilatations(const double (*dilatation)[30][kBatchSize],
                            const TetPressures<10>& pressures, int count, double* rows) {
   for (int e = 0; e < count; ++e) {

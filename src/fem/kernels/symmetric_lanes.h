@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: symmetric tensors whose components are registers, one element a lane.
+// For kernels only: symmetric tensors of registers, one element per lane.
 
 #include "lane_vectors.h"
 #include "tet_batch.h"
@@ -30,7 +30,7 @@ inline Mat times(const Mat& F, const Symmetric& H) {
   }
   return P;
 }
-// 1/2 H : (F^T F - I) from F and F H.
+// 1/2 H : (F^T F - I), from F and F H.
 inline Lanes viscousEnergy(const Symmetric& H, const Mat& F, const Mat& FH) {
   const Lanes on_C = dot(F.col[0], FH.col[0]) + dot(F.col[1], FH.col[1]) + dot(F.col[2], FH.col[2]);
   return 0.5 * (on_C - (H.xx + H.yy + H.zz));

@@ -8,56 +8,56 @@ namespace palpate::fem {
 
 constexpr int kBatchSize = 8;
 
-/// Integration points of an element.
+/// Number of integration points of an element.
 template <int N>
 constexpr int kTetPoints = N == 4 ? 1 : 4;
 
-/// Nodes of a linear element ascend; those of a quadratic one, whose edges are straight at rest,
-/// come as in TetMesh. Unused elements of a last batch repeat the one before.
+/// Linear elements have ascending nodes; quadratic ones, with edges straight at rest, the order of
+/// TetMesh. Unused lanes of the last batch repeat the previous element.
 template <int N>
 struct alignas(64) TetBatch {
-  int node[N][kBatchSize];            ///< 3 x node: where its coordinates begin.
+  int node[N][kBatchSize];            ///< 3 x node: offset of its coordinates.
   double gradient[3][3][kBatchSize];  ///< [k][c]: d w_{k+1} / dX_c of the barycentric coordinates
-                                      ///< [1/m]; of w_0 minus the sum.
+                                      ///< [1/m]; that of w_0 is minus the sum.
   double volume[kBatchSize];          ///< [m^3]
 };
 
-/// Where an element's matrix goes: offsets into the values of the blocks (a, b), a < b, row after
-/// row; ~offset where node a is the higher one: then the transposed block is there. The diagonal
-/// blocks follow from them: a shift of all nodes changes no force.
+/// Offsets of an element's blocks (a, b), a < b, in the matrix values, row after row; ~offset if
+/// node a has the higher number, for the transposed block. Diagonal blocks follow by translation
+/// invariance.
 template <int N>
 struct alignas(64) TetBlocks {
   int offset[N * (N - 1) / 2][kBatchSize];
 };
 
-/// What an element has to do with the pressures at its corners.
+/// Pressures at the corners of an element.
 template <int N>
 struct alignas(64) TetPressures {
-  int corner[4][kBatchSize];         ///< Pressure of each corner.
+  int corner[4][kBatchSize];         ///< Index of each corner's pressure.
   int row[4 * (N - 1)][kBatchSize];  ///< 3 x entry of node a in the row of corner k's pressure,
-                                     ///< [(N-1) k + l], a the l-th of the other nodes.
+                                     ///< [(N-1) k + l], with a the l-th other node.
 };
 
-/// Symmetric tensors at eight points, such as stresses: xx yy zz xy yz zx.
+/// Symmetric tensors at eight points, for example stresses: xx yy zz xy yz zx.
 struct alignas(64) SymmetricBatch {
   double component[6][kBatchSize];
 };
 
-/// Det F of a point up to which S = F^-1 P is taken to be zero: towards 0 it grows without bound,
-/// and what an element that is inside out had of it would pull without bound in the steps after.
+/// For det F at or below this, S = F^-1 P is taken as zero. S is unbounded towards det F = 0, and
+/// viscous memory of inverted elements would cause unbounded forces in later steps.
 constexpr double kNoStress = 1e-3;
 
-/// Laws that the kernels know.
+/// Material laws with kernels.
 enum class TetLaw { kNeoHookean, kStableNeoHookean };
 
-/// Elements of one solid, one batch after another.
+/// Consecutive batches of elements of one solid.
 struct TetRun {
   TetLaw law;
-  double mu, kappa;  ///< [Pa]; kappa is what the elements themselves have.
+  double mu, kappa;  ///< [Pa]; kappa is the elements' own part.
   int first_batch, num_elements;
   int solid;
-  int first_memory;  ///< Of its batches of viscous memory, in which the points of an element follow
-                     ///< one another; -1: the solid is not viscous.
+  int first_memory;  ///< First batch of viscous memory; points of an element are consecutive. -1:
+                     ///< not viscous.
 };
 
 template <int N>
@@ -68,29 +68,29 @@ struct TetArrays {
   double* J;                         ///< [batch][point][element]
   double* energy;                    ///< [batch] [J]
   const SymmetricBatch* viscous;     ///< H of viscous runs [Pa], see PronyHistory.
-  const double* factor;  ///< Of the distortional energy of each solid, if it is viscous.
+  const double* factor;  ///< Factor of the distortional energy of each solid; 1 if not viscous.
 };
 
 template <int N>
 struct TetKernels {
   using Arrays = TetArrays<N>;
-  /// J at x, and += N_n V (J - 1) of all points into the volume changes of the corners' pressures.
+  /// J at x, and += N_n V (J - 1) of all points to the volume changes of the corners' pressures.
   void (*deform)(const Arrays&, const TetRun&, const double* x, double* volume_changes);
-  /// Energies at x, without those of pressures.
+  /// Energies at x, without that of nodal pressures.
   void (*energy)(const Arrays&, const TetRun&, const double* x);
-  /// The same, and += the gradient into g; `pressure` [Pa] of the pressure nodes.
+  /// The energies, and += the gradient to g; `pressure` [Pa] of the pressure nodes.
   void (*gradient)(const Arrays&, const TetRun&, const double* x, const double* pressure,
                    double* g);
-  /// += element matrices into the blocks above the diagonal, += N_n V dJ/dx into `rows`.
+  /// Adds element matrices to the blocks above the diagonal and N_n V dJ/dx to `rows`.
   void (*hessian)(const Arrays&, const TetRun&, const double* x, const double* pressure,
                   double* blocks, double* rows);
-  /// Second Piola-Kirchhoff stress of the distortional energy, factor 1, at x [Pa] into the batches
-  /// S of a viscous run.
+  /// Second Piola-Kirchhoff stress of the distortional energy, factor 1, at x [Pa] to the batches S
+  /// of a viscous run.
   void (*stress)(const Arrays&, const TetRun&, const double* x, SymmetricBatch* S);
 };
 
-/// A row of blocks: `lower` of them as the transposed of upper[9 index], minus the sum's symmetric
-/// part, `higher` of them as they are.
+/// Expands a row of blocks: `lower` transposed blocks of upper[9 index], minus the sum's symmetric
+/// part, then `higher` blocks unchanged.
 using ExpandRow = void (*)(const int* index, int lower, int higher, const double* upper,
                            double* row);
 

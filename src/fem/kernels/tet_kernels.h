@@ -6,7 +6,7 @@
 
 namespace palpate::fem {
 
-/// The kernels as built for `isa`, which must be available, for elements of 4 and of 10 nodes.
+/// Kernels compiled for `isa`, which must be available, for elements with 4 or 10 nodes.
 template <int N>
 const TetKernels<N>& tetKernels(Isa isa);
 ExpandRow expandRow(Isa isa);

@@ -4,7 +4,7 @@
 namespace palpate::fem {
 namespace {
 
-/// What one build has.
+/// Kernels of one build.
 struct Build {
   const TetKernels<4>& linear;
   const TetKernels<10>& quadratic;

@@ -3,19 +3,19 @@
 
 #include "palpate/base/lanes.h"
 
-// For kernels only: laws psi(I1, J) + kappa/2 (J - 1)^2 + p J for a register of points, I1 = F : F,
-// as the factors that stand before F, cof F and their products in stress and tangent. The formulas
-// are those of material/neo_hookean.h and material/stable_neo_hookean.h.
+// For kernels only: laws psi(I1, J) + kappa/2 (J - 1)^2 + p J, I1 = F : F, for a register of
+// points. Computes the factors of F, cof F and their products in stress and tangent. Formulas as in
+// material/neo_hookean.h and material/stable_neo_hookean.h.
 
 namespace palpate::fem {
 namespace {
 
 struct LawPoints {
   Lanes psi;  ///< [J/m^3], without p J.
-  Lanes f;    ///< P = f F + c cof F; f is also the factor of the identity in dP/dF.
-  Lanes c;    ///< Also the factor of d cof F/dF.
-  Lanes cc;   ///< Of cof F (x) cof F.
-  Lanes fc;   ///< Of F (x) cof F + cof F (x) F.
+  Lanes f;    ///< P = f F + c cof F; f is also the factor of I in dP/dF.
+  Lanes c;    ///< c is also the factor of d cof F/dF.
+  Lanes cc;   ///< Factor of cof F (x) cof F.
+  Lanes fc;   ///< Factor of F (x) cof F + cof F (x) F.
 };
 
 /// mu/2 (J^(-2/3) I1 - 3), infinite for J <= 0.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: what loops over runs of elements share.
+// For kernels only: common parts of loops over runs of elements.
 
 #include "lane_vectors.h"
 #include "tet_batch.h"
@@ -18,7 +18,7 @@ inline int numBatches(const TetRun& run) {
   return (run.num_elements + kBatchSize - 1) / kBatchSize;
 }
 
-// Whether a run's solid is viscous, as types: who is not has kernels of its own, without memory.
+// Whether a run's solid is viscous, as types: elastic runs have kernels without memory.
 struct Elastic {
   static constexpr bool kViscous = false;
 };
@@ -26,28 +26,27 @@ struct Viscous {
   static constexpr bool kViscous = true;
 };
 
-// visit(law, Elastic or Viscous)
+// Calls visit(law, Elastic or Viscous).
 template <class Arrays, class Visit>
 inline void forKind(const Arrays& arrays, const TetRun& run, const Visit& visit) {
   const auto withLaw = [&](auto law) {
     if (run.first_memory < 0) return visit(law, Elastic{});
-    law.mu *= arrays.factor[run.solid];  // to which the distortional energy is proportional
+    law.mu *= arrays.factor[run.solid];  // the distortional energy is proportional to mu
     visit(law, Viscous{});
   };
   if (run.law == TetLaw::kNeoHookean) return withLaw(NeoHookeanPoints{run.mu, run.kappa});
   withLaw(StableNeoHookeanPoints{run.mu, run.kappa});
 }
 
-// visit(law) with the law's distortional energy.
+// Calls visit(law) with the law of the distortional energy.
 template <class Visit>
 inline void forDistortional(const TetRun& run, const Visit& visit) {
   if (run.law == TetLaw::kNeoHookean) return visit(NeoHookeanPoints{run.mu, 0.0});
   visit(StableNeoHookeanPoints{run.mu, 0.0});
 }
 
-// Second Piola-Kirchhoff stress: with J C^-1 = cof(F)^T cof(F)/J, F^-1 (f F + c cof F) =
-// f I + c/J cof(F)^T cof(F).
-// Zero up to kNoStress.
+// Second Piola-Kirchhoff stress: with J C^-1 = cof(F)^T cof(F)/J, F^-1 (f F + c cof F) = f I + c/J
+// cof(F)^T cof(F). Zero for det F <= kNoStress.
 template <class Law>
 inline void storeDistortional(const Law& law, const Mat& F, int lane, double (*out)[kBatchSize]) {
   const Mat cof = cofactor(F);
@@ -69,8 +68,7 @@ inline double sum(const double* values, int count) {
   return total;
 }
 
-// The kernels of elements of N nodes from their loops, which take the law and whether it is
-// viscous.
+// Kernels of elements with N nodes, from loops over the law and Elastic or Viscous.
 template <int N, class Loops>
 struct Table {
   using Arrays = TetArrays<N>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: the element matrices of linear tetrahedra.
+// For kernels only: element matrices of linear tetrahedra.
 
 #include "lane_vectors.h"
 #include "tet_batch.h"
@@ -9,11 +9,11 @@
 namespace palpate::fem {
 namespace {
 
-// Blocks of an element: sum of its matrix's parts, up to its volume,
-//   K_ab = (f g_a . g_b + g_a . H g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T) + c S(F (g_a x
-//   g_b))
-// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J; the factor
-// of I is given.
+// Block of an element's matrix, up to the volume,
+//   K_ab = (f g_a . g_b + g_a . H g_b) I + cc c_a c_b^T + fc (f_a c_b^T + c_a f_b^T)
+//          + c S(F (g_a x g_b))
+// with f_a = F g_a, c_a = cof(F) g_a and S_ik = e_ikm w_m, the second derivative of J.
+// `on_identity` is the factor of I.
 template <class Point>
 inline Mat block(const Point& point, Lanes volume, Lanes on_identity, const Vec& fa, const Vec& ca,
                  const Vec& fb, const Vec& cb) {
@@ -36,7 +36,7 @@ inline void addSpin(Lanes s, const Vec& w, Mat* K) {
   K->col[1].v[2] -= s * w.v[0];
 }
 
-// A row of four blocks adds up to nothing: a shift of all nodes changes no force.
+// Fourth block of a row, by translation invariance: the four blocks sum to zero.
 inline Mat minusSum(const Mat& A, const Mat& B, const Mat& C) {
   Mat K;
   for (int j = 0; j < 3; ++j) K.col[j] = negative(A.col[j] + B.col[j] + C.col[j]);
