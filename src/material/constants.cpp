@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The one number called `name`, strictly between the bounds; NaN fails too.
+// The single number `name`, strictly between the bounds; refuses NaN.
 double scalarBetween(const Constants& constants, const std::string& name, double low, double high) {
   const std::vector<double>& value = constants.at(name);
   if (value.size() == 1 && value[0] > low && value[0] < high) return value[0];

@@ -26,7 +26,7 @@ bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-// The one number called `name`, if `right` says so.
+// The single number `name`, if `right` accepts it.
 template <class Right>
 double scalar(const Constants& constants, const std::string& name, const std::string& allowed,
               Right&& right) {

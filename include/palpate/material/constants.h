@@ -9,18 +9,18 @@
 
 namespace palpate::material {
 
-/// What a user gives a law: names and numbers, as read from a file. A scalar is a list of one.
+/// Constants of a law as given by the user: names and numbers. A scalar is a list of one.
 using Constants = std::map<std::string, std::vector<double>>;
 
-/// A constant, or what follows from several, that no law can have.
+/// Error of a constant, or of a formula of several constants, that the law does not allow.
 class ConstantError : public std::invalid_argument {
  public:
-  /// `rule` says what is allowed: "must be ...".
+  /// `rule` states the allowed values: "must be ...".
   ConstantError(const std::string& constant, const std::string& given, const std::string& rule)
       : ConstantError(constant + " = " + given + ": " + rule, constant, given, rule) {}
 
-  std::string name;     ///< Of the constant, or a formula.
-  std::string value;    ///< As it was given; empty if it was not.
+  std::string name;     ///< Name of the constant, or a formula.
+  std::string value;    ///< Value as given; empty if missing.
   std::string allowed;  ///< "must be ...".
 
  protected:
@@ -31,7 +31,7 @@ class ConstantError : public std::invalid_argument {
         allowed(std::move(rule)) {}
 };
 
-/// The two moduli that every isotropic law has at rest.
+/// Moduli of an isotropic law at rest.
 struct Moduli {
   double mu;     ///< Shear modulus [Pa].
   double kappa;  ///< Bulk modulus [Pa].
@@ -42,12 +42,12 @@ struct Moduli {
 /// mu = E / (2 (1 + nu)), kappa = E / (3 (1 - 2 nu)).
 Moduli moduliFromYoung(double young_modulus, double poisson_ratio);
 
-/// {"young_modulus", "poisson_ratio", "mu", "kappa"}: what readModuli() knows.
+/// {"young_modulus", "poisson_ratio", "mu", "kappa"}: the names that readModuli() accepts.
 std::vector<std::string> modulusNames();
 
 /// Reads either (young_modulus, poisson_ratio) or (mu, kappa).
 /// @throws ConstantError: young_modulus, mu or kappa not > 0; poisson_ratio not in (-1, 0.5).
-/// std::invalid_argument: both pairs mixed or neither whole.
+/// @throws std::invalid_argument: both pairs mixed, or neither complete.
 Moduli readModuli(const Constants& constants);
 
 }  // namespace palpate::material

@@ -11,8 +11,7 @@
 
 namespace palpate::material {
 
-/// W = a/(2 b) (exp(b x) - 1) of x = I1 - 3: the exponential of Demiray's solid and of the matrix
-/// between the fibres of holzapfel_ogden.
+/// W = a/(2 b) (exp(b x) - 1), x = I1 - 3: Demiray's solid, and the matrix of holzapfel_ogden.
 struct FirstInvariantExponential {
   double a;  ///< Shear modulus at rest [Pa].
   double b;
@@ -26,7 +25,7 @@ struct FirstInvariantExponential {
   }
 };
 
-/// Demiray's solid (Demiray 1972), isochoric-volumetric:
+/// Demiray's solid [Demiray 1972], isochoric-volumetric:
 ///
 ///   psi = a/(2 b) (exp(b (I1bar - 3)) - 1) + kappa/2 (J - 1)^2
 ///

@@ -6,9 +6,9 @@
 
 namespace palpate::material {
 
-// Measures theta(F) of how much a deformation changes the volume, zero at rest and the trace of
-// the strain at first order. Each law names the one of which its volumetric energy kappa/2 theta^2
-// is made; elements against locking average it over neighbours. A measure is a struct with
+// Dilatation measures theta(F): zero at rest, to first order the trace of the strain. Each law
+// names the measure of its volumetric energy kappa/2 theta^2; elements against locking average it
+// over neighbours. A measure is a struct with
 //     static double value(const Mat3& F);
 //     static Mat3 gradient(const Mat3& F);                        d theta / d F
 //     static void addHessian(const Mat3& F, double s, Mat9* K);   K += s d2 theta / d vec F^2

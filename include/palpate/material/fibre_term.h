@@ -7,16 +7,16 @@
 
 namespace palpate::material {
 
-/// The energy that fibres add to a matrix, an exponential of one measure E of their strain:
+/// Energy of fibres, an exponential of one strain measure E:
 ///
 ///   W = k/(2 b) (exp(b E^2) - 1),   E = (C - I) : M,   C = F^T F
 ///
-/// M is symmetric, dimensionless, in the material frame: a a^T makes E = I4 - 1, the squared
-/// stretch of a fibre along a less one, and (a b^T + b a^T)/2 makes E = I8, the shear between a
-/// and b.
+/// M is symmetric, dimensionless, in the material frame. M = a a^T gives E = I4 - 1, the squared
+/// stretch along the fibre a less one. M = (a b^T + b a^T)/2 gives E = I8, the shear between a and
+/// b.
 ///
-/// Where the term resists tension only, nothing is left of it for E <= 0: the stress is continuous
-/// there, and the tangent jumps by k at E = 0, where it is that of the slack side.
+/// A term with tension only is zero for E <= 0. Its stress is continuous there; its tangent jumps
+/// by k at E = 0, where it is zero.
 struct FibreTerm {
   double k;  ///< [Pa], >= 0.
   double b;  ///< > 0.

@@ -17,9 +17,9 @@ namespace palpate::material {
 ///   psi = c/2 (exp(Q) - 1) + kappa/2 (J - 1)^2,   E = (Fbar^T Fbar - I)/2
 ///   Q = bf E11^2 + bt (E22^2 + E33^2 + 2 E23^2) + bfs (2 E12^2 + 2 E13^2)
 ///
-/// E is the isochoric Green strain, Fbar = J^(-1/3) F, so that the exponential holds no volume: for
-/// the incompressible body of the papers that is their full one. The modulus of shear across the
-/// fibres at rest is c bt/2, which is what moduli() gives; that of shear along them c bfs/2.
+/// E is the isochoric Green strain, Fbar = J^(-1/3) F, so the exponential is volume-free; in the
+/// papers' incompressible bodies it is the whole strain. Shear moduli at rest: c bt/2 across the
+/// fibres, as in moduli(), and c bfs/2 along the fibres.
 class Guccione : public IsochoricLaw<Guccione> {
  public:
   static constexpr bool kNeedsFibres = true;
@@ -32,7 +32,7 @@ class Guccione : public IsochoricLaw<Guccione> {
   }
 
   /// c [Pa], bf, bt, bfs; kappa [Pa] or poisson_ratio.
-  /// @throws std::invalid_argument, see OwnConstants; one of the four not > 0.
+  /// @throws std::invalid_argument, see OwnConstants; c, bf, bt or bfs not > 0.
   explicit Guccione(const Constants& constants) {
     const OwnConstants own(constants, {"c", "bf", "bt", "bfs"});
     c_ = own.positive("c");
@@ -41,10 +41,10 @@ class Guccione : public IsochoricLaw<Guccione> {
     kappa_ = own.bulkModulus(0.5 * c_ * t);
   }
 
-  /// Across the fibres.
+  /// Moduli at rest, shear across the fibres.
   Moduli moduli() const { return {0.5 * c_ * b_(1, 1), kappa_}; }
 
-  /// With Q = E : (b o E), o element by element.
+  /// Energy with Q = E : (b o E), o the elementwise product.
   double isochoricEnergy(const Mat3& F) const { return 0.5 * c_ * std::expm1(exponent(F)); }
 
   /// F S, S = c exp(Q) b o E [Pa].
@@ -77,7 +77,7 @@ class Guccione : public IsochoricLaw<Guccione> {
   }
 
   double c_;      // [Pa]
-  Mat3 b_;        // of each strain component
+  Mat3 b_;        // factor of each strain component
   double kappa_;  // [Pa]
 };
 

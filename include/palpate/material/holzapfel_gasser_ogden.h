@@ -18,10 +18,9 @@ namespace palpate::material {
 ///   psi = mu/2 (I1bar - 3) + sum_i k1_i/(2 k2_i) (exp(k2_i E_i^2) - 1) + kappa/2 (J - 1)^2
 ///   E_i = d_i (I1bar - 3) + (1 - 3 d_i) (I4bar_i - 1), a family counting where E_i > 0
 ///
-/// I4bar_i is the squared isochoric stretch along family i, which lies in the x-y plane of the
-/// material frame, `angle` from x (the fibre) towards y (the sheet). The dispersion d_i is 0 for
-/// parallel and 1/3 for equally spread fibres. Every family's constants are an element of the
-/// lists.
+/// I4bar_i is the squared isochoric stretch along family i, in the x-y plane of the material frame,
+/// at `angle` from x (the fibre) towards y (the sheet). The dispersion d_i is 0 for parallel and
+/// 1/3 for isotropic fibres; a family acts for E_i > 0. Each family has one entry in each list.
 class HolzapfelGasserOgden : public IsochoricLaw<HolzapfelGasserOgden> {
  public:
   static constexpr bool kNeedsFibres = true;
@@ -48,7 +47,7 @@ class HolzapfelGasserOgden : public IsochoricLaw<HolzapfelGasserOgden> {
     kappa_ = own.bulkModulus(mu_);
   }
 
-  /// Of the matrix; the fibres add to it as soon as they are stretched.
+  /// Moduli of the matrix at rest; stretched fibres add to them.
   Moduli moduli() const { return {mu_, kappa_}; }
 
   double isochoricEnergy(const Mat3& F) const {

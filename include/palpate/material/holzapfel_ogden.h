@@ -44,7 +44,7 @@ class HolzapfelOgden : public IsochoricLaw<HolzapfelOgden> {
     kappa_ = own.bulkModulus(matrix_.a);
   }
 
-  /// Of the matrix.
+  /// Moduli of the matrix at rest.
   Moduli moduli() const { return {matrix_.a, kappa_}; }
 
   double isochoricEnergy(const Mat3& F) const {

@@ -6,9 +6,8 @@
 
 namespace palpate::material {
 
-/// What an energy W(I1, I2) contributes, I1 = tr C = |F|^2, I2 = (I1^2 - tr C^2)/2 = |cof F|^2,
-/// C = F^T F: its first and second derivatives [Pa]. An energy of I1 alone leaves the others zero
-/// and pays nothing for them.
+/// First and second derivatives [Pa] of an energy W(I1, I2), I1 = tr C = |F|^2, I2 = (I1^2 - tr
+/// C^2)/2 = |cof F|^2, C = F^T F. For an energy of I1 alone, the others are zero and cost nothing.
 struct InvariantDerivatives {
   double w1 = 0.0, w2 = 0.0;
   double w11 = 0.0, w12 = 0.0, w22 = 0.0;
@@ -58,8 +57,8 @@ inline Mat9 invariantTangent(const InvariantDerivatives& d, const Mat3& F) {
   return K;
 }
 
-/// A law W(I1bar, I2bar) of the invariants of Fbar. Law derives from InvariantLaw<Law> and gives,
-/// as functions of x1 = I1bar - 3 and x2 = I2bar - 3,
+/// A law W(I1bar, I2bar) of the invariants of Fbar. Law derives from InvariantLaw<Law> and
+/// provides, by x1 = I1bar - 3 and x2 = I2bar - 3,
 ///
 ///     double energy(double x1, double x2) const;                        W [J/m^3]
 ///     InvariantDerivatives derivatives(double x1, double x2) const;     [Pa]

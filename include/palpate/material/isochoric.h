@@ -8,18 +8,18 @@
 
 namespace palpate::material {
 
-/// A law whose distortional energy is that of the deformation freed from its change of volume,
+/// A law whose distortional energy depends on the isochoric part of F only [Flory 1961],
 ///
 ///   psi = W(Fbar) + kappa/2 (J - 1)^2,   Fbar = J^(-1/3) F,   J = det F
 ///
-/// (the split of Flory 1961). Law derives from IsochoricLaw<Law> and gives W as a function of any
-/// F, with derivatives for which it need not know of the split:
+/// Law derives from IsochoricLaw<Law> and provides W as a function of any F, with derivatives that
+/// ignore the split:
 ///
 ///     double isochoricEnergy(const Mat3& Fbar) const;    W [J/m^3]
 ///     Mat3 isochoricStress(const Mat3& Fbar) const;      dW/dFbar [Pa]
 ///     Mat9 isochoricTangent(const Mat3& Fbar) const;     its second derivative by vec Fbar [Pa]
 ///
-/// The energy is infinite for J <= 0, which a line search never enters, and where W overflows.
+/// The energy is infinite for J <= 0, where line searches reject it, and on overflow of W.
 template <class Law>
 class IsochoricLaw : public FiniteStrainLaw {
  public:
@@ -49,7 +49,7 @@ class IsochoricLaw : public FiniteStrainLaw {
     const Vec9 f = vec(F), c = vec(inverse_transpose), S = s * vec(stress);
     const Vec9 Df = s * s * (K * f);
     const double fDf = f.dot(Df), Sf = S.dot(f);
-    // All that is not d2W or the second derivative of J has the form c u^T + u c^T.
+    // All terms but d2W and the second derivative of J have the form c u^T + u c^T.
     const Vec9 u = (fDf / 18.0 + 2.0 / 9.0 * Sf) * c - 1.0 / 3.0 * (Df + S);
     K *= s * s;
     K += c * u.transpose();

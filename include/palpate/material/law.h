@@ -7,22 +7,22 @@
 
 namespace palpate::material {
 
-/// What most laws are: isotropic, for finite rotations and strains. A law derives from this and
+/// Defaults of most laws: isotropic, for finite rotations and strains. A law derives from this and
 /// hides what differs.
 struct FiniteStrainLaw {
-  /// The volumetric energy is kappa/2 theta^2 with this theta.
+  /// Dilatation measure theta of the volumetric energy kappa/2 theta^2.
   using Dilatation = VolumeRatio;
-  /// The law has directions: F is to be given from the material frame, whose first axis is the
-  /// fibre (and whose second the sheet), to the world.
+  /// Whether the law has directions. F then maps from the material frame to the world frame; the
+  /// first material axis is the fibre, the second the sheet.
   static constexpr bool kNeedsFibres = false;
-  /// psi(R F) = psi(F) for every rotation R.
+  /// Whether psi(R F) = psi(F) for every rotation R.
   static constexpr bool kFrameIndifferent = true;
-  /// What energy, stress, tangent and dilatation take instead of F, where they are asked for more
-  /// than one of them: of a law that decomposes F, the decomposition.
+  /// Argument for several calls of energy, stress, tangent and dilatation at one F: F, or its
+  /// decomposition for laws that decompose it.
   static const Mat3& kinematics(const Mat3& F) { return F; }
 };
 
-// A whole law from its two parts,
+// Complete law from its two parts,
 //     psi(F) = distortional energy(F) + kappa/2 theta(F)^2.
 
 /// psi [J/m^3].

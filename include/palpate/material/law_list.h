@@ -21,9 +21,9 @@
 
 namespace palpate::material {
 
-/// Every material law. To add one: write its header, include it above, add it here. The name
-/// lookup, the dispatch in the assembly, the documentation and the property tests all read this
-/// list. Compiling the laws costs seconds: only who needs a law's own type includes this.
+/// All material laws. To add one: write its header, include it above, list it here. Name lookup,
+/// dispatch in the assembly, documentation and property tests read this list. Compiling the laws
+/// takes seconds: include this only for a law's own type.
 ///
 /// A law is a value type that derives from FiniteStrainLaw (law.h) and has
 ///     static constexpr std::string_view kName;            its name in files
@@ -38,18 +38,18 @@ using LawList = std::variant<StVenantKirchhoff, NeoHookean, StableNeoHookean, Li
                              MooneyRivlin, Yeoh, VerondaWestmann, Demiray, Ogden,
                              HolzapfelGasserOgden, Guccione, HolzapfelOgden>;
 
-/// What a Material holds.
+/// Content of a Material.
 struct ListedLaw {
   LawList law;
 };
 
-/// Calls `visitor` with the law itself, in the type that it has in the list.
+/// Calls `visitor` with the law in its own type.
 template <class Visitor>
 decltype(auto) visitLaw(Visitor&& visitor, const Material& material) {
   return std::visit(std::forward<Visitor>(visitor), material.listed().law);
 }
 
-/// The material's law if it is a `Law`, else null.
+/// The law as a `Law`; null for another law.
 template <class Law>
 const Law* lawIf(const Material& material) {
   return std::get_if<Law>(&material.listed().law);

@@ -9,12 +9,12 @@
 
 namespace palpate::material {
 
-/// Hooke's law in the small strain [Holzapfel 2000, section 6]:
+/// Hooke's law in small strain [Holzapfel 2000, section 6]:
 ///
 ///   psi = mu |dev eps|^2 + kappa/2 (tr eps)^2,   eps = (F + F^T)/2 - I
 ///
-/// For small strains and small rotations: a turned body is stressed. For comparisons with closed
-/// forms; see Corotational for the same stiffness in large rotations.
+/// For small strains and small rotations: rotation causes stress. For comparisons with closed
+/// forms; Corotational has the same stiffness at large rotations.
 class Linear : public FiniteStrainLaw {
  public:
   using Dilatation = SmallStrainTrace;
@@ -36,7 +36,7 @@ class Linear : public FiniteStrainLaw {
   /// 2 mu dev eps [Pa].
   Mat3 distortionalStress(const Mat3& F) const { return 2.0 * moduli_.mu * deviatoricStrain(F); }
 
-  /// The derivative of vec(distortionalStress) by vec(F) [Pa], 9 x 9: the same for every F.
+  /// The derivative of vec(distortionalStress) by vec(F) [Pa], 9 x 9, constant.
   Mat9 distortionalTangent(const Mat3&) const {
     const double mu = moduli_.mu;
     const Mat3 I = Mat3::Identity();

@@ -9,9 +9,9 @@
 
 namespace palpate::material {
 
-struct ListedLaw;  // law_list.h, which has the laws themselves
+struct ListedLaw;  // defined in law_list.h
 
-/// A law of the list in law_list.h, with its constants. They never change, and copies share them.
+/// An immutable law of law_list.h with its constants; copies share it.
 class Material {
  public:
   explicit Material(ListedLaw law);
@@ -21,26 +21,26 @@ class Material {
   std::shared_ptr<const ListedLaw> law_;
 };
 
-/// The names in the list, in its order.
+/// Names of all laws, in the order of the list.
 std::vector<std::string> materialNames();
 
-/// The constants that the law `name` reads; empty for an unknown name.
+/// Names of the constants of law `name`; empty for an unknown law.
 std::vector<std::string> constantNames(const std::string& name);
 
-/// @throws std::invalid_argument for an unknown law (with the nearest known one), an unknown
-/// constant, or what the law's constructor refuses.
+/// @throws std::invalid_argument for an unknown law (with the nearest known name), an unknown
+/// constant, or constants that the law refuses.
 Material makeMaterial(const std::string& name, const Constants& constants);
 
-/// The law's Law::example(); empty for an unknown name.
+/// Law::example(); empty for an unknown name.
 Constants exampleConstants(const std::string& name);
 
-/// The law's name in files.
+/// Name of the law in files.
 std::string lawName(const Material& material);
 
 /// Whether the law needs fibre directions.
 bool needsFibres(const Material& material);
 
-/// psi(R F) = psi(F) for every rotation R: the law is not for small rotations only.
+/// Whether psi(R F) = psi(F) for every rotation R; false for laws of small rotations.
 bool isFrameIndifferent(const Material& material);
 
 /// Moduli of the law at rest.

@@ -20,7 +20,7 @@ inline Vec3 stretchesOf(const Mat3& F) {
   return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
 }
 
-/// xx yy zz xy yz zx of a symmetric tensor.
+/// Components xx yy zz xy yz zx of a symmetric tensor.
 inline Eigen::Matrix<double, 6, 1> components(const Mat3& s) {
   Eigen::Matrix<double, 6, 1> c;
   c << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0);

@@ -10,7 +10,7 @@
 
 namespace palpate::material {
 
-/// Mooney-Rivlin solid with two constants (Mooney 1940, Rivlin 1948), isochoric-volumetric:
+/// Mooney-Rivlin solid with two constants [Mooney 1940, Rivlin 1948], isochoric-volumetric:
 ///
 ///   psi = c10 (I1bar - 3) + c01 (I2bar - 3) + kappa/2 (J - 1)^2
 ///

@@ -15,7 +15,7 @@ namespace palpate::material {
 ///
 ///   psi = mu/2 (J^(-2/3) I1 - 3) + kappa/2 (J - 1)^2,   I1 = tr F^T F,   J = det F
 ///
-/// Infinite energy for J <= 0, which a line search never enters.
+/// Infinite energy for J <= 0, where line searches reject it.
 class NeoHookean : public FiniteStrainLaw {
  public:
   static constexpr std::string_view kName = "neo_hookean";

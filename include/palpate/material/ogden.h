@@ -17,10 +17,10 @@ namespace palpate::material {
 ///
 ///   psi = sum_p mu_p/alpha_p (l_1^alpha_p + l_2^alpha_p + l_3^alpha_p - 3) + kappa/2 (J - 1)^2
 ///
-/// 2 mu = sum_p mu_p alpha_p at rest. Each term must be stable by itself: mu_p alpha_p > 0.
+/// 2 mu = sum_p mu_p alpha_p at rest. Each term must be stable alone: mu_p alpha_p > 0.
 ///
-/// Others write 2 mu'_p/alpha_p^2 in place of mu_p/alpha_p, so that mu = sum_p mu'_p (Abaqus,
-/// CalculiX, Budday et al. 2017): mu_p = 2 mu'_p/alpha_p turns theirs into these.
+/// Another convention has 2 mu'_p/alpha_p^2 instead of mu_p/alpha_p, so that mu = sum_p mu'_p
+/// (Abaqus, CalculiX, Budday et al. 2017). Conversion: mu_p = 2 mu'_p/alpha_p.
 class Ogden : public IsochoricLaw<Ogden> {
  public:
   static constexpr std::string_view kName = "ogden";
@@ -29,9 +29,9 @@ class Ogden : public IsochoricLaw<Ogden> {
     return {{"mu", {1500.0, -400.0}}, {"alpha", {2.2, -3.1}}, {"kappa", {1.0e4}}};
   }
 
-  /// mu [Pa] and alpha, a list each; kappa [Pa] or poisson_ratio.
-  /// @throws std::invalid_argument, see OwnConstants; lists of unequal length; a product
-  /// mu_p alpha_p not > 0.
+  /// Lists mu [Pa] and alpha; kappa [Pa] or poisson_ratio.
+  /// @throws std::invalid_argument, see OwnConstants; lists of unequal length; a product mu_p
+  /// alpha_p not > 0.
   explicit Ogden(const Constants& constants) {
     const OwnConstants own(constants, {"mu", "alpha"});
     const auto lists = own.listsOfEqualLength({"mu", "alpha"});

@@ -8,26 +8,25 @@
 
 namespace palpate::material {
 
-/// The names a law's constants have, and those that say its bulk modulus: kappa, poisson_ratio.
+/// `names` and the alternatives of the bulk modulus: kappa, poisson_ratio.
 std::vector<std::string> withBulkModulus(std::vector<std::string> names);
 
-/// Reads the constants of a law that has its own, and beside them the bulk modulus, which is given
-/// either as kappa [Pa] or by the Poisson ratio that the law has at rest. Each number must be
-/// finite. Every function throws ConstantError.
+/// Reads the own constants of a law and its bulk modulus, given as kappa [Pa] or by the Poisson
+/// ratio at rest. Numbers must be finite. All functions throw ConstantError.
 class OwnConstants {
  public:
-  /// @throws std::invalid_argument unless all of `needed` are given, and either kappa or
-  /// poisson_ratio. Keeps a reference to `constants`.
+  /// @pre `constants` outlives this. @throws std::invalid_argument unless all of `needed` and one
+  /// of kappa and poisson_ratio are given.
   OwnConstants(const Constants& constants, const std::vector<std::string>& needed);
   OwnConstants(Constants&&, const std::vector<std::string>&) = delete;
 
   double number(const std::string& name) const;
   double positive(const std::string& name) const;     ///< > 0
   double notNegative(const std::string& name) const;  ///< >= 0
-  /// number(name), or the default where it is not given.
+  /// number(name), or `default_value` if missing.
   double numberOr(const std::string& name, double default_value) const;
 
-  /// Lists of one or more, one in each place of `names`, all of one length.
+  /// Non-empty lists of equal length, one per name.
   std::vector<std::vector<double>> listsOfEqualLength(const std::vector<std::string>& names) const;
 
   /// kappa, > 0, or 2 mu (1 + nu) / (3 (1 - 2 nu)) with nu = poisson_ratio in (-1, 0.5) [Pa].
@@ -37,9 +36,8 @@ class OwnConstants {
   const Constants& constants_;
 };
 
-/// For what follows from several constants: `what` is a name or a formula, `allowed` completes
-/// "must be ...".
-/// @throws ConstantError unless `right`.
+/// Checks a value derived from several constants: `what` is a name or a formula, `allowed`
+/// completes "must be ...". @throws ConstantError unless `right`.
 void require(bool right, const std::string& what, double value, const std::string& allowed);
 
 }  // namespace palpate::material

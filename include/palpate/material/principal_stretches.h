@@ -8,18 +8,18 @@
 
 namespace palpate::material {
 
-/// F = U diag(s) V^T with rotations U and V and s0 >= s1 >= |s2|: the singular value decomposition
-/// in which only the last value carries the sign of det F. The s are the principal stretches.
+/// Singular value decomposition F = U diag(s) V^T with rotations U, V and s0 >= s1 >= |s2|; s2 has
+/// the sign of det F. The s are the principal stretches.
 struct PrincipalStretches {
   Mat3 U = Mat3::Identity();
   Mat3 V = Mat3::Identity();
   Vec3 s = Vec3::Zero();
 
-  /// F = R S with the rotation R nearest to F, S = V diag(s) V^T. Not unique where s1 + s2 = 0.
+  /// Rotation R of F = R S nearest to F, S = V diag(s) V^T. Not unique for s1 + s2 = 0.
   Mat3 rotation() const { return U * V.transpose(); }
 
-  /// An orthonormal basis of 3 x 3 matrices, as vec(): u_i v_i^T, and for i != j what changes the
-  /// frames of F and not its stretches, (u_i v_j^T + u_j v_i^T)/sqrt 2 and the same with a minus.
+  /// Orthonormal basis of 3 x 3 matrices as vec(): u_i v_i^T, and for i != j the flip and twist
+  /// modes, which change the frames of F but not its stretches.
   Vec9 stretchMode(int i) const { return mode(i, i); }
   Vec9 flipMode(int i, int j) const { return std::sqrt(0.5) * (mode(i, j) + mode(j, i)); }
   Vec9 twistMode(int i, int j) const { return std::sqrt(0.5) * (mode(i, j) - mode(j, i)); }
@@ -31,18 +31,18 @@ struct PrincipalStretches {
   }
 };
 
-/// One-sided Jacobi iteration (Hestenes 1958): turns the columns of F V pairwise until they are
-/// orthogonal to round-off. For every finite F, singular and inverted ones included.
+/// One-sided Jacobi iteration [Hestenes 1958]: rotates pairs of columns of F V until they are
+/// orthogonal to round-off. For every finite F, also singular or inverted.
 inline PrincipalStretches principalStretches(const Mat3& F) {
   constexpr int kPairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
   constexpr int kNeighbours[3][2] = {{0, 1}, {1, 2}, {0, 1}};
-  constexpr int kMaxSweeps = 20;  // a handful are enough
+  constexpr int kMaxSweeps = 20;  // a handful suffices
   constexpr double kOrthogonal = 1e-15;
 
   PrincipalStretches p;
   const double size = F.cwiseAbs().maxCoeff();
   if (!(size > 0.0)) return p;
-  Mat3 A = F / size;  // no overflow in the squares
+  Mat3 A = F / size;  // prevents overflow of squares
   const auto turn = [](Mat3* M, int i, int j, double c, double s) {
     const Vec3 old = M->col(i);
     M->col(i) = c * old - s * M->col(j);
@@ -63,14 +63,14 @@ inline PrincipalStretches principalStretches(const Mat3& F) {
     }
   }
 
-  // Longest column first; a quarter turn swaps two and leaves V a rotation.
+  // Sorts columns by length; a quarter turn swaps two, so V stays a rotation.
   for (const auto& [i, j] : kNeighbours) {
     if (A.col(i).squaredNorm() >= A.col(j).squaredNorm()) continue;
     turn(&A, i, j, 0.0, 1.0);
     turn(&p.V, i, j, 0.0, 1.0);
   }
 
-  // U from what the columns have become, orthogonal whatever is left of the short ones.
+  // U from the columns, orthogonal even for vanishing columns.
   const double longest = A.col(0).norm();
   p.U.col(0) = A.col(0) / longest;
   const Vec3 second = A.col(1) - p.U.col(0).dot(A.col(1)) * p.U.col(0);
@@ -81,9 +81,8 @@ inline PrincipalStretches principalStretches(const Mat3& F) {
   return p;
 }
 
-/// K += s dR/d vec F (9 x 9, symmetric), R = rotation(): the sum over i < j of 2/(s_i + s_j) times
-/// the twist mode's square. R jumps where two stretches sum to zero; there the derivative is that
-/// of a sum of 1e-6.
+/// K += s dR/d vec F (9 x 9, symmetric), R = rotation(): the sum over i < j of 2/(s_i + s_j) m m^T
+/// with the twist mode m. R jumps where two stretches sum to zero; sums below 1e-6 count as 1e-6.
 inline void addRotationDerivative(const PrincipalStretches& p, double s, Mat9* K) {
   constexpr double kSmallestSum = 1e-6;
   for (int i = 0; i < 3; ++i) {

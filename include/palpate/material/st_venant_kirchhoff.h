@@ -13,7 +13,7 @@ namespace palpate::material {
 ///
 ///   psi = lambda/2 (tr E)^2 + mu tr E^2 = kappa/2 (tr E)^2 + mu |dev E|^2,   E = (F^T F - I)/2
 ///
-/// Softens and finally collapses in compression; for comparisons, not for organs.
+/// Softens and collapses in compression; for comparisons, not for organs.
 class StVenantKirchhoff : public FiniteStrainLaw {
  public:
   using Dilatation = GreenStrainTrace;

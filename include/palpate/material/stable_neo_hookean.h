@@ -13,9 +13,8 @@ namespace palpate::material {
 ///
 ///   psi = mu/2 (I1 - 3) - mu (J - 1) + lambda'/2 (J - 1)^2,   I1 = tr F^T F,   J = det F
 ///
-/// lambda' = lambda + mu, so that small strains obey Hooke's law with the given constants; that is
-/// kappa + mu/3, of which kappa is the volumetric part. Defined for every F, inverted elements
-/// included.
+/// lambda' = lambda + mu = kappa + mu/3, so that small strains obey Hooke's law; its part kappa is
+/// volumetric. Defined for every F, also inverted.
 class StableNeoHookean : public FiniteStrainLaw {
  public:
   static constexpr std::string_view kName = "stable_neo_hookean";

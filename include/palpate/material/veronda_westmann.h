@@ -11,19 +11,19 @@
 
 namespace palpate::material {
 
-/// Veronda-Westmann solid, of skin (Veronda and Westmann 1970), isochoric-volumetric:
+/// Veronda-Westmann solid for skin [Veronda, Westmann 1970], isochoric-volumetric:
 ///
 ///   psi = c1 (exp(alpha (I1bar - 3)) - 1) + c2 (I2bar - 3) + kappa/2 (J - 1)^2
 ///
-/// c2 = -c1 alpha/2, as in that paper, where it is not given. mu = 2 (c1 alpha + c2) at rest, which
-/// must be > 0; that is c1 alpha with the paper's c2.
+/// c2 defaults to -c1 alpha/2 as in that paper. mu = 2 (c1 alpha + c2) at rest must be > 0; with
+/// the default it is c1 alpha.
 class VerondaWestmann : public InvariantLaw<VerondaWestmann> {
  public:
   static constexpr std::string_view kName = "veronda_westmann";
   static std::vector<std::string> constantNames() { return withBulkModulus({"c1", "alpha", "c2"}); }
   static Constants example() { return {{"c1", {800.0}}, {"alpha", {1.5}}, {"kappa", {1.0e4}}}; }
 
-  /// c1 [Pa], alpha; c2 [Pa] if it is not the paper's; kappa [Pa] or poisson_ratio.
+  /// c1 [Pa], alpha; optional c2 [Pa]; kappa [Pa] or poisson_ratio.
   /// @throws std::invalid_argument, see OwnConstants; c1, alpha or c1 alpha + c2 not > 0.
   explicit VerondaWestmann(const Constants& constants) {
     const OwnConstants own(constants, {"c1", "alpha"});

@@ -10,12 +10,12 @@
 
 namespace palpate::material {
 
-/// Yeoh solid (Yeoh 1993), a cubic in the first invariant, isochoric-volumetric:
+/// Yeoh solid [Yeoh 1993], a cubic in the first invariant, isochoric-volumetric:
 ///
 ///   psi = c1 x + c2 x^2 + c3 x^3 + kappa/2 (J - 1)^2,   x = I1bar - 3
 ///
-/// mu = 2 c1 at rest. c2 and c3 may have any sign: where the last of them that is not zero is
-/// negative, the body gives way at large stretch.
+/// mu = 2 c1 at rest. c2 and c3 may have any sign; if the last nonzero one is negative, the body
+/// becomes unstable at large stretch.
 class Yeoh : public InvariantLaw<Yeoh> {
  public:
   static constexpr std::string_view kName = "yeoh";
