@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::strerror(error); }
 
-/// A file descriptor that is closed at the end.
+/// A file descriptor that closes on destruction.
 class WriteDescriptor {
  public:
   WriteDescriptor(const std::string& file, int flags)
@@ -42,7 +42,7 @@ class WriteDescriptor {
     }
     return true;
   }
-  /// On file systems that have no such call the data are as safe as they can be.
+  /// Ignores file systems without fsync.
   bool sync() const { return ::fsync(value_) == 0 || errno == EINVAL || errno == ENOTSUP; }
   bool close() {
     const int value = value_;
@@ -54,7 +54,7 @@ class WriteDescriptor {
   int value_;
 };
 
-/// The file that `file` means: behind a link, where that points.
+/// `file`, or the target of a link.
 std::string behindLinks(const std::string& file) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
@@ -63,7 +63,7 @@ std::string behindLinks(const std::string& file) {
   return target.string();
 }
 
-/// Makes a new empty file beside `file` and returns its name.
+/// Makes a new empty file next to `file` and returns its name.
 std::string makePart(const std::string& file) {
   for (int attempt = 0;; ++attempt) {
     const std::string part =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alone in its file, so that a test may have one of its own in its place.
+// In a separate file, so that a test can replace it.
 #include "detect_isas.h"
 
 namespace palpate {

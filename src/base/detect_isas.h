@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// What availableIsas() says, asked of the processor.
+/// Instruction sets that the processor reports, for availableIsas().
 std::vector<Isa> detectIsas();
 
 }  // namespace palpate

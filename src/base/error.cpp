@@ -8,12 +8,11 @@
 namespace palpate {
 namespace {
 
-// A message is read by people, on a terminal that heeds control characters.
+// Limits of messages [bytes]: terminals show them and obey control characters.
 constexpr std::size_t kLongestValue = 200, kLongestText = 4000;
-constexpr std::size_t kLongestName = 100;  // of which a similar one is looked for
+constexpr std::size_t kLongestName = 100;  // limit of names for nearestName() [bytes]
 
-/// `text` without control characters, those that UTF-8 writes in two bytes included, and not longer
-/// than `longest`.
+/// `text` without control characters, also two-byte ones of UTF-8, cut to `longest` bytes.
 std::string readable(std::string text, std::size_t longest, bool keep_lines) {
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -12,7 +12,7 @@ namespace palpate {
 
 std::optional<double> parseAnyNumber(std::string_view text) {
   static const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
-  char few[64];  // nearly every number: no memory is asked for
+  char few[64];  // enough for nearly all numbers, without allocation
   std::string many;
   const char* begin = few;
   if (text.size() < sizeof few) {

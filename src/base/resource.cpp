@@ -51,7 +51,7 @@ std::string withoutComments(const std::string& text) {
   return left.append(text, at, std::string::npos);
 }
 
-/// The <name> of folder/package.xml, or "".
+/// <name> in folder/package.xml, or "".
 std::string packageName(const fs::path& folder) {
   if (!isPackage(folder)) return "";
   std::string text;
@@ -68,7 +68,7 @@ std::string packageName(const fs::path& folder) {
   return name.substr(first, name.find_last_not_of(" \t\r\n") + 1 - first);
 }
 
-/// Depth first, in the order of the names; packages do not lie inside packages.
+/// Depth-first search in the order of names; packages do not nest.
 fs::path crawl(const fs::path& folder, const std::string& package, int depth) {
   if (isPackage(folder)) return packageName(folder) == package ? folder : fs::path();
   if (depth == 0) return {};

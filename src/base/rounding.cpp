@@ -13,13 +13,13 @@
 namespace palpate {
 namespace {
 
-// The C library has variants of these for processors with and without fused multiply-add, and
-// chooses all variants alike. Answers would tell less: most arguments have the same one.
+// The C library has variants of these with and without fused multiply-add, and selects all alike.
+// Results would tell less: most arguments give equal ones.
 constexpr const char* kFunctions[] = {"sin",  "cos",  "tan",   "asin", "acos", "atan",  "atan2",
                                       "exp",  "exp2", "expm1", "log",  "log2", "log1p", "pow",
                                       "cbrt", "sinh", "cosh",  "tanh", "hypot"};
 
-// Of the places of these functions in their libraries.
+// Hash of the functions' addresses in their libraries.
 std::uint64_t chosenFunctions() {
   ContentHash hash(0);
   for (const char* name : kFunctions) {

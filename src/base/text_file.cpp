@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
-/// An open file that is closed at the end.
+/// An open file that closes on destruction.
 class ReadDescriptor {
  public:
-  // Not blocking: a pipe would wait for who writes into it.
+  // O_NONBLOCK: opening a pipe would wait for its writer.
   explicit ReadDescriptor(const std::string& file)
       : value_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
   ~ReadDescriptor() {
@@ -40,7 +40,7 @@ class ReadDescriptor {
                        " MiB, more than any file of this kind");
 }
 
-/// Its size; what is no regular file may have no end, or never begin.
+/// Size of a regular file; others may have no end.
 std::size_t sizeOf(const ReadDescriptor& descriptor, const std::string& file) {
   struct stat status {};
   if (::fstat(descriptor.value(), &status) != 0) {
@@ -64,7 +64,7 @@ std::string readTextFile(const std::string& file, std::size_t max_bytes) {
   }
   const std::size_t size = sizeOf(descriptor, file);
   if (size > max_bytes) tooLarge(file, max_bytes);
-  // One byte more shows whether it has grown since, or has another size than it says.
+  // One byte more detects a file that grew or misreports its size.
   std::string text(size + 1, '\0');
   std::size_t done = 0;
   for (;;) {

@@ -14,7 +14,7 @@
 namespace palpate {
 namespace {
 
-// A pause takes 40 to 140 cycles: some tens of microseconds in all.
+// A pause takes 40 to 140 cycles; all pauses take some tens of microseconds.
 constexpr int kPausesAwake = 1000;
 
 void pause() {
@@ -33,22 +33,22 @@ struct ThreadPool::Team {
   std::vector<std::thread> helpers;
   std::size_t parts;
 
-  // Written before `number` is, read by who has taken a part of that loop.
+  // Written before `number`, read by threads that took a part of that loop.
   Loop loop{};
   std::size_t count = 0;
-  std::atomic<std::uint64_t> number{0};           // of the loop that runs or ran last
-  std::vector<std::atomic<std::uint64_t>> taken;  // of each part: in the loop of this number
-  std::atomic<std::size_t> open{0};               // parts that are not done
+  std::atomic<std::uint64_t> number{0};           // number of the current or last loop
+  std::vector<std::atomic<std::uint64_t>> taken;  // last loop in which each part was taken
+  std::atomic<std::size_t> open{0};               // unfinished parts
   std::atomic<bool> stop{false};
   std::atomic<bool> at_work{false};
 
   std::mutex mutex;
   std::condition_variable woken, done;
   std::atomic<int> asleep{0};
-  std::deque<BackgroundTask*> tasks;  // that nobody does yet
+  std::deque<BackgroundTask*> tasks;  // tasks that no thread has begun
   std::atomic<int> num_tasks{0};
 
-  /// Does a part of loop `n`, unless somebody has taken it.
+  /// Runs a part of loop `n` unless another thread took it.
   void runPart(std::size_t part, std::uint64_t n) {
     std::uint64_t before = taken[part].load(std::memory_order_relaxed);
     if (before >= n || !taken[part].compare_exchange_strong(before, n)) return;
@@ -57,7 +57,7 @@ struct ThreadPool::Team {
     open.fetch_sub(1, std::memory_order_release);
   }
 
-  /// Returns at the next loop, or where there is a task.
+  /// Returns at the next loop or task.
   std::uint64_t awaitLoopAfter(std::uint64_t last) {
     const auto called = [&] { return number.load() != last || num_tasks.load() > 0; };
     for (int k = 0; k < kPausesAwake; ++k) {
@@ -78,7 +78,7 @@ struct ThreadPool::Team {
     woken.notify_one();
   }
 
-  /// Does the first task, if there is one.
+  /// Runs the first task, if any.
   void doTask() {
     std::unique_lock<std::mutex> lock(mutex);
     if (tasks.empty()) return;
@@ -92,7 +92,7 @@ struct ThreadPool::Team {
     done.notify_all();
   }
 
-  /// Takes a task back that nobody does yet; else waits for it.
+  /// Removes a task that no thread has begun; else waits for it.
   bool takeBack(BackgroundTask* task) {
     std::unique_lock<std::mutex> lock(mutex);
     const auto it = std::find(tasks.begin(), tasks.end(), task);
@@ -114,7 +114,7 @@ struct ThreadPool::Team {
     }
   }
 
-  /// Of the thread that takes no part in loops.
+  /// Loop of the thread for tasks, which runs no parts of loops.
   void doTasks() {
     while (!stop.load()) {
       {
@@ -187,13 +187,13 @@ void ThreadPool::run(std::size_t count, const Loop& loop) {
   team_->count = count;
   team_->open.store(team_->parts, std::memory_order_relaxed);
   const std::uint64_t n = team_->begin();
-  // A helper that has no processor, or still sleeps, is not waited for.
+  // Runs remaining parts instead of waiting for helpers without a processor.
   for (std::size_t part = 0; part < team_->parts; ++part) team_->runPart(part, n);
   for (int k = 0; team_->open.load(std::memory_order_acquire) > 0; ++k) {
     if (k < kPausesAwake) {
       pause();
     } else {
-      std::this_thread::yield();  // a helper in its part waits for a processor
+      std::this_thread::yield();  // helper in its part waits for a processor
     }
   }
   team_->at_work.store(false, std::memory_order_release);

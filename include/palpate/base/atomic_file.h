@@ -6,8 +6,8 @@
 
 namespace palpate {
 
-/// A file that appears under its name only when it is whole: readers, and who looks after a crash,
-/// find the old one or the new one and never a part.
+/// Replaces a file atomically: readers see the old or the new content, never a part, also after a
+/// crash.
 ///
 ///     AtomicFile file("state.csv");
 ///     std::ofstream out(file.part());   // any writer that takes a name
@@ -15,20 +15,18 @@ namespace palpate {
 ///     file.commit();
 class AtomicFile {
  public:
-  /// Makes an empty file beside `file` with a name that no other writer has, in this process or
-  /// another. Behind a link the file that it points to is meant.
-  /// @throws InputError naming `file` if that cannot be done, or if there is something under its
-  /// name that is no regular file.
+  /// Makes an empty file next to `file`, with a name unique among writers of all processes. A link
+  /// is followed. @throws InputError naming `file` on failure, or if `file` is not a regular file.
   explicit AtomicFile(const std::string& file);
-  /// Without commit() the part is removed and what was there before stays.
+  /// Removes the part unless commit() was called; the old file stays.
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   const std::string& part() const { return part_; }
 
-  /// Makes sure that the part is on the disk and gives it its name.
-  /// @throws InputError if that fails; what was there before stays.
+  /// Syncs the part to the disk and renames it to the file's name.
+  /// @throws InputError on failure; the old file stays.
   void commit();
 
  private:
@@ -36,8 +34,7 @@ class AtomicFile {
   std::string part_;
 };
 
-/// All of a file at once.
-/// @throws InputError if it cannot be written; what was there before stays, and no part of the new.
+/// Writes a whole file atomically. @throws InputError on failure; the old file stays.
 void writeFileAtomically(const std::string& file, std::string_view bytes);
 
 }  // namespace palpate

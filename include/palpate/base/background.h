@@ -25,7 +25,7 @@ class Background {
  private:
   struct Thread;
   std::unique_ptr<Thread> thread_;
-  std::function<void()> task_;  // where there is no thread
+  std::function<void()> task_;  // kept only without a thread
   bool under_way_ = false;
 };
 

@@ -9,8 +9,8 @@
 
 namespace palpate {
 
-/// FNV-1a over 64-bit words, with a stronger mix [Steele et al. 2014, SplitMix64's finaliser].
-/// Not against malice.
+/// FNV-1a over 64-bit words, with a stronger mix [Steele et al. 2014, SplitMix64's finaliser]. Not
+/// cryptographic.
 class ContentHash {
  public:
   explicit ContentHash(std::uint64_t seed) : state_(seed) {}

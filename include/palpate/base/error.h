@@ -7,20 +7,19 @@
 
 namespace palpate {
 
-/// One thing that is wrong with an input file.
+/// One error in an input file.
 struct Problem {
-  std::string key;      ///< Where in the file: "organs[0].material.poisson_ratio", "line 12", "".
-  std::string value;    ///< What stands there, as the user wrote it; may be empty.
-  std::string allowed;  ///< What would be right, as a sentence: "must be in (-1, 0.5)".
+  std::string key;      ///< Position: "organs[0].material.poisson_ratio", "line 12", "".
+  std::string value;    ///< Value as the user wrote it; may be empty.
+  std::string allowed;  ///< Allowed values as a sentence: "must be in (-1, 0.5)".
 };
 
-/// Bad input. Thrown while loading only, never by a cycle. Carries all problems of one file, so
-/// that a user mends them in one go. what() has one line a problem:
+/// Bad input, thrown only while loading. Carries all problems of a file, so that users can fix them
+/// at once. what() has one line per problem:
 ///
 ///     scene.yaml: organs[0].material.poisson_ratio = 0.5: must be in (-1, 0.5)
 ///
-/// Control characters are replaced in all texts, and what is too long for a message is cut: a file
-/// says what it likes.
+/// Control characters in texts are replaced, and long texts are cut, since files are untrusted.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::vector<Problem> problems);
@@ -40,8 +39,7 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// The known name that looks most like `name` (edit distance), or "" if none is close; nothing is
-/// close to a name of more than 100 bytes.
+/// Known name nearest to `name` by edit distance; "" if none is close or `name` exceeds 100 bytes.
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 
 /// "a, b, c".

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: a register of floats, and its ways from and to doubles.
+// For kernels only: a register of floats, with conversions from and to doubles.
 
 #include "palpate/base/lanes.h"
 
@@ -17,7 +17,7 @@ typedef float FloatLanesInMemory
 inline FloatLanes load(const float* p) { return *reinterpret_cast<const FloatLanesInMemory*>(p); }
 inline void store(float* p, FloatLanes v) { *reinterpret_cast<FloatLanesInMemory*>(p) = v; }
 
-/// Integers as floats.
+/// Loads integers as floats.
 inline FloatLanes loadAsFloats(const int* p) {
   typedef int Integers __attribute__((vector_size(4 * kFloatWidth)));
   typedef int IntegersInMemory __attribute__((vector_size(4 * kFloatWidth), aligned(4), may_alias));
@@ -25,7 +25,7 @@ inline FloatLanes loadAsFloats(const int* p) {
   return __builtin_convertvector(v, FloatLanes);
 }
 
-/// p[index[lane]].
+/// Loads p[index[lane]].
 inline FloatLanes gather(const float* p, const int* index) {
 #if defined(__AVX512F__)
   return _mm512_i32gather_ps(_mm512_loadu_si512(index), p, 4);
@@ -36,7 +36,7 @@ inline FloatLanes gather(const float* p, const int* index) {
 #endif
 }
 
-/// p[index[lane]], 0 where the index is negative.
+/// Loads p[index[lane]], or 0 for negative indices.
 inline Lanes gatherOrZero(const double* p, const int* index) {
 #if defined(__AVX512F__)
   const __m256i at = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
@@ -51,7 +51,7 @@ inline Lanes gatherOrZero(const double* p, const int* index) {
 #endif
 }
 
-/// As many floats as Lanes has doubles. GCC 12 finds the instructions in none of its own ways.
+/// Loads as many floats as Lanes has doubles. Explicit, since GCC 12 does not vectorise it.
 inline Lanes loadAsDoubles(const float* p) {
 #if defined(__AVX512F__)
   return _mm512_cvtps_pd(_mm256_loadu_ps(p));

@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// body(begin, end) on all of [0, count), on the pool if there is one.
+/// Calls body(begin, end) on parts of [0, count), by the pool if it is not null.
 template <class Body>
 void forAll(ThreadPool* pool, std::size_t count, const Body& body) {
   if (pool) {

@@ -6,19 +6,19 @@
 
 namespace palpate {
 
-/// Vector instructions that kernels are built for. Every build of a kernel gives the same bits.
+/// Vector instruction sets of kernel builds. All builds give the same bits.
 enum class Isa {
-  kBaseline,  ///< What every processor of the architecture has: SSE2 on x86-64.
+  kBaseline,  ///< Minimum of the architecture: SSE2 on x86-64.
   kAvx2,
   kAvx512,
 };
 
 std::string_view toString(Isa isa);
 
-/// Those that were built and that this processor has, from slowest to fastest.
+/// Instruction sets both built and supported by this processor, slowest first.
 const std::vector<Isa>& availableIsas();
 
-/// The fastest.
+/// The fastest available set.
 inline Isa bestIsa() { return availableIsas().back(); }
 
 }  // namespace palpate

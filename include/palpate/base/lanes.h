@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: a register of doubles, as wide as the build's instructions. Everything here is
-// local to the translation unit, see cmake/PalpateKernels.cmake.
+// For kernels only: a register of doubles, as wide as the build's vector registers. All is local to
+// the translation unit, see cmake/PalpateKernels.cmake.
 
 #if defined(__AVX2__) || defined(__AVX512F__)
 #include <immintrin.h>
@@ -27,7 +27,7 @@ inline Lanes load(const double* p) { return *reinterpret_cast<const LanesInMemor
 inline void store(double* p, Lanes v) { *reinterpret_cast<LanesInMemory*>(p) = v; }
 inline Lanes all(double s) { return s - Lanes{}; }
 
-/// p[index[lane]].
+/// Loads p[index[lane]].
 inline Lanes gather(const double* p, const int* index) {
 #if defined(__AVX512F__)
   const __m256i at = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
@@ -40,22 +40,22 @@ inline Lanes gather(const double* p, const int* index) {
 #endif
 }
 
-/// Integers, one a lane.
+/// Loads integers, one per lane.
 inline LaneBits loadAsBits(const int* p) {
   typedef int Integers __attribute__((vector_size(4 * kWidth)));
   typedef int IntegersInMemory __attribute__((vector_size(4 * kWidth), aligned(4), may_alias));
   const Integers v = *reinterpret_cast<const IntegersInMemory*>(p);
   return __builtin_convertvector(v, LaneBits);
 }
-/// Where an index is below zero.
+/// Mask of negative indices.
 inline LaneBits belowZero(const int* index) { return loadAsBits(index) < 0; }
 
-/// condition ? a : b, lane by lane.
+/// condition ? a : b, per lane.
 inline Lanes select(LaneBits condition, Lanes a, Lanes b) {
   return (Lanes)(((LaneBits)a & condition) | ((LaneBits)b & ~condition));
 }
 
-/// Rounded as IEEE 754 has it.
+/// Rounded as in IEEE 754.
 inline Lanes squareRoot(Lanes x) {
 #if defined(__AVX512F__)
   return _mm512_sqrt_pd(x);
@@ -66,8 +66,8 @@ inline Lanes squareRoot(Lanes x) {
 #endif
 }
 
-/// x^(-1/3) for normal x > 0, to rounding: a guess from the exponent (3 % off), then the iteration
-/// y <- y (1 + e/3 + 2/9 e^2), e = 1 - x y^3, which cubes the error.
+/// x^(-1/3) for normal x > 0, to rounding: an initial value by the exponent (3 % error), then y <-
+/// y (1 + e/3 + 2/9 e^2), e = 1 - x y^3, with cubic convergence.
 inline Lanes inverseCubeRoot(Lanes x) {
   const LaneBits high = (LaneBits)x >> 32;
   const LaneBits third = (high * 0x55555556LL) >> 32;

@@ -6,11 +6,10 @@
 
 namespace palpate {
 
-/// Hands the newest T from exactly one writer thread to exactly one reader thread.
+/// Passes the newest T from exactly one writer thread to exactly one reader thread.
 ///
-/// Wait-free on both sides: no lock, no retry (a triple buffer whose middle slot changes hands by
-/// one atomic exchange). Values that the reader is too slow to see are dropped. T's copy
-/// assignment must itself be real-time safe where a real-time thread writes or reads.
+/// Wait-free on both sides: a triple buffer whose middle slot is exchanged atomically. Values that
+/// the reader misses are dropped. T's copy assignment must be real-time safe in real-time threads.
 template <class T>
 class LatestValue {
  public:
@@ -28,15 +27,15 @@ class LatestValue {
     return slots_[front_];
   }
 
-  /// Reader thread only. Whether the next read() returns a value not read before.
+  /// Reader thread only. Whether the next read() returns a new value.
   bool hasNew() const { return (shared_.load(std::memory_order_relaxed) & kFresh) != 0; }
 
  private:
   static constexpr unsigned kIndex = 3, kFresh = 4;
   std::array<T, 3> slots_;
-  alignas(64) unsigned back_ = 0;                // the writer's
-  alignas(64) std::atomic<unsigned> shared_{1};  // changes hands
-  alignas(64) unsigned front_ = 2;               // the reader's
+  alignas(64) unsigned back_ = 0;                // slot of the writer
+  alignas(64) std::atomic<unsigned> shared_{1};  // slot in exchange
+  alignas(64) unsigned front_ = 2;               // slot of the reader
 };
 
 }  // namespace palpate

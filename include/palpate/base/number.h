@@ -7,17 +7,16 @@
 
 namespace palpate {
 
-/// The number that strtod() makes of the whole of `text`, in the C locale: also infinite, NaN,
-/// hexadecimal. Nothing if something else stands there.
+/// The number that strtod() reads from the whole `text` in the C locale, also infinite, NaN or
+/// hexadecimal; empty for anything else.
 std::optional<double> parseAnyNumber(std::string_view text);
 
-/// The finite decimal number that `text` is from its first to its last character, else nothing:
-/// "nan", "inf", hexadecimal, blanks and numbers beyond the range of double are refused. The
-/// process's locale plays no part.
+/// The finite decimal number in the whole `text`, independent of the locale. Empty for "nan",
+/// "inf", hexadecimal, blanks and numbers beyond the range of double.
 std::optional<double> parseNumber(std::string_view text);
 
-/// Shortest of 15, 16 and 17 digits that parseNumber() turns into the same bits; "nan", "inf",
-/// "-inf" for what is no number. The process's locale plays no part.
+/// Shortest of 15, 16 and 17 digits that parseNumber() reads back exactly, independent of the
+/// locale; "nan", "inf" or "-inf" for other values.
 std::string formatNumber(double value);
 
 }  // namespace palpate

@@ -5,8 +5,8 @@
 
 namespace palpate {
 
-// All by the nearest rank: the least of the values that a share `q` of them, in [0, 1], does not
-// exceed. So a percentile is always one of the values. 0 where there is none.
+// Nearest-rank percentiles: the least value v with a share `q` in [0, 1] of the values <= v. Always
+// one of the values; 0 without values.
 
 double quantileOfSorted(const std::vector<double>& ascending, double q);
 double quantile(std::vector<double> values, double q);

@@ -7,26 +7,26 @@
 
 namespace palpate {
 
-/// What time is spent on. The first ones, up to kOther, make up a cycle of the simulation and are
-/// measured in its thread; haptics and publishing go on beside it.
+/// Phases of computing time. Those up to kOther form a cycle of the simulation and are measured in
+/// its thread; haptics and publishing run in other threads.
 enum class Phase {
-  kContact,      ///< Search for what may touch, sweeping, collecting what touches.
-  kForces,       ///< Energies and forces outside the line search: predictor, balance, report.
+  kContact,      ///< Search for candidates, motion along the tool path, touches.
+  kForces,       ///< Energies and forces outside the line search: predictor, residual, report.
   kAssembly,     ///< Tangent matrices.
-  kLinearSolve,  ///< Directions of Newton's method, factorisations included.
-  kLineSearch,   ///< Energies and forces at the points tried.
-  kOther,        ///< What is left of the cycle.
+  kLinearSolve,  ///< Newton directions, with factorisations.
+  kLineSearch,   ///< Energies and forces at trial points.
+  kOther,        ///< Remainder of the cycle.
   kHaptics,      ///< One cycle of the force loop.
   kPublish       ///< Messages of one cycle.
 };
 
 inline constexpr std::size_t kNumPhases = 8;
-inline constexpr std::size_t kNumCyclePhases = 6;  ///< Those of a cycle of the simulation.
+inline constexpr std::size_t kNumCyclePhases = 6;  ///< Number of phases of a simulation cycle.
 
-/// As in messages: "linear_solve".
+/// Name as in messages: "linear_solve".
 std::string_view toString(Phase phase);
 
-/// Seconds by phase. Only ever reported: no result depends on them.
+/// Time per phase [s]. For reports only; no result depends on it.
 class PhaseTimes {
  public:
   double& operator[](Phase phase) { return seconds_[static_cast<std::size_t>(phase)]; }
@@ -36,7 +36,7 @@ class PhaseTimes {
     for (std::size_t k = 0; k < kNumPhases; ++k) seconds_[k] += other.seconds_[k];
     return *this;
   }
-  /// Of the phases of a cycle [s].
+  /// Sum over the phases of a cycle [s].
   double cycle() const {
     double sum = 0.0;
     for (std::size_t k = 0; k < kNumCyclePhases; ++k) sum += seconds_[k];
@@ -47,14 +47,13 @@ class PhaseTimes {
   std::array<double, kNumPhases> seconds_{};
 };
 
-/// Time of a clock that never goes back, since some moment [s].
+/// Time of a monotonic clock [s].
 double steadySeconds();
 
-/// Adds the time of its life to a phase. Timers of one thread must not overlap, or the time counts
-/// twice.
+/// Adds its lifetime to a phase. Overlapping timers of a thread count twice.
 class PhaseTimer {
  public:
-  /// `times` may be null: nothing is measured.
+  /// Null `times`: measures nothing.
   PhaseTimer(PhaseTimes* times, Phase phase)
       : times_(times), phase_(phase), begin_(times ? steadySeconds() : 0.0) {}
   ~PhaseTimer() {

@@ -5,9 +5,9 @@
 
 namespace palpate {
 
-/// Names what else than source and input decides the last bits of results in this process: the
-/// vector instructions that Eigen was compiled for, and which variants of its functions the C
-/// library chose for the processor. Processes with equal names round alike.
+/// Names what determines the last bits of results apart from source and input: Eigen's vector
+/// instructions and the variants of C library functions for this processor. Processes with equal
+/// names round alike.
 std::string rounding();
 
 }  // namespace palpate

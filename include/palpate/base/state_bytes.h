@@ -13,9 +13,8 @@
 
 namespace palpate {
 
-/// Collects what somebody must remember to go on later, as bytes: opaque to everybody else, equal
-/// where the memories are equal, read back by StateReader in the same order. For the machine that
-/// wrote them (byte order, size of int).
+/// Serialises state as bytes, opaque to others. Equal states give equal bytes; StateReader reads in
+/// the same order. For the same machine only (byte order, size of int).
 class StateWriter {
  public:
   template <class T>
@@ -39,7 +38,7 @@ class StateWriter {
   }
 
   const std::string& bytes() const { return bytes_; }
-  /// As new, but with its memory.
+  /// Clears the bytes but keeps their buffer.
   void clear() { bytes_.clear(); }
 
  private:
@@ -49,9 +48,8 @@ class StateWriter {
   std::string bytes_;
 };
 
-/// Reads what a StateWriter wrote. Every function throws std::invalid_argument where the bytes end
-/// too early or are of another shape; what is allocated is a few times the bytes that are left at
-/// most.
+/// Reads the bytes of a StateWriter. Functions throw std::invalid_argument for bytes that end early
+/// or have another structure. Allocations are at most a few times the remaining bytes.
 class StateReader {
  public:
   /// `bytes` must outlive the reader.
@@ -59,7 +57,7 @@ class StateReader {
 
   template <class T>
   std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>> get(T* value) {
-    if constexpr (std::is_same_v<T, bool>) {  // of which other bytes are no value
+    if constexpr (std::is_same_v<T, bool>) {  // other bytes are no bool
       unsigned char byte = 0;
       take(&byte, 1);
       if (byte > 1) fail();
@@ -78,7 +76,7 @@ class StateReader {
     values->resize(rows, cols);
     take(values->data(), sizeof(T) * static_cast<std::size_t>(values->size()));
   }
-  /// A matrix or array of just the size that it has already, and still has where it is refused.
+  /// Reads a matrix or array of its present size; leaves it on refusal.
   template <class Values>
   void getSame(Values* values) {
     Values read;
@@ -93,25 +91,25 @@ class StateReader {
   }
   template <class T>
   void get(std::vector<T>* values) {
-    // All but plain numbers begin with a number of what follows.
+    // All types but plain numbers begin with a count.
     constexpr bool plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
     values->clear();
     values->resize(static_cast<std::size_t>(count(plain ? sizeof(T) : sizeof(std::int64_t))));
     for (T& value : *values) get(&value);
   }
-  /// A number of things that take at least `least` bytes each of what is left.
+  /// Reads a count of items that take at least `least` bytes each of the remaining ones.
   std::int64_t count(std::int64_t least) {
     std::int64_t number = 0;
     get(&number);
     if (number < 0 || number > static_cast<std::int64_t>(left_.size()) / least) fail();
     return number;
   }
-  /// The bytes must be read to their end.
+  /// @throws std::invalid_argument unless all bytes were read.
   void finish() const {
     if (!left_.empty()) fail();
   }
 
-  /// @throws std::invalid_argument: the bytes are not of who reads them.
+  /// @throws std::invalid_argument: the bytes belong to another object.
   [[noreturn]] static void fail() {
     throw std::invalid_argument("the state is cut off, or not one of this scene");
   }

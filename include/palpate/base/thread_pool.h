@@ -67,7 +67,7 @@ class ThreadPool {
   };
   void run(std::size_t count, const Loop& loop);
 
-  std::unique_ptr<Team> team_;  // null for one thread in all
+  std::unique_ptr<Team> team_;  // null for a single thread
 };
 
 }  // namespace palpate

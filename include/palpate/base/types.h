@@ -14,10 +14,10 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 /// `X_AB` maps coordinates in B to coordinates in A.
 using Pose = Eigen::Isometry3d;
 
-/// One point a column, 3 x n [m].
+/// One point per column, 3 x n [m].
 using Points = Eigen::Matrix3Xd;
 
-/// Force and torque of one body on another. The declaration says the point and the frame.
+/// Force and torque of one body on another; the declaration states the point and the frame.
 struct Wrench {
   Vec3 force = Vec3::Zero();   ///< [N]
   Vec3 torque = Vec3::Zero();  ///< [N m]

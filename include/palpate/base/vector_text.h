@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// "[0.1, -2, 0.0333333]", six digits each: for messages. The process's locale plays no part.
+/// "[0.1, -2, 0.0333333]", six digits each, for messages; independent of the locale.
 std::string vectorText(const Vec3& v);
 
 }  // namespace palpate
