@@ -24,7 +24,7 @@ class ElementScatter {
 
   const BlockMatrix& pattern() const { return pattern_; }
 
-  /// Lists the sources of each node and block. @pre called before the functions below.
+  /// Lists the sources of each node and block. Must precede the functions below.
   void prepare(const Eigen::Matrix<int, N, Eigen::Dynamic>& elements);
 
   /// g.col(i) = sum of the element vectors at node i. `local`: a column per element.

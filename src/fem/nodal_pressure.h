@@ -56,7 +56,7 @@ class NodalPressure {
 
   /// VolumeStiffness with the pattern, rows zero.
   VolumeStiffness makeStiffness() const;
-  /// Lists the sources of each row. @pre called before gatherRows().
+  /// Lists the sources of each row. Must precede gatherRows().
   void prepareRows();
   /// Rows of B from the gradients V_q d theta_q/dx: one column per element, 3 numbers per node,
   /// point after point.
