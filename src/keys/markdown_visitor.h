@@ -8,8 +8,8 @@
 
 namespace palpate::keys {
 
-/// Writes the fields that it visits as tables. No field "stands in the file" here; every section
-/// and every alternative is walked once, a list as one item.
+/// Writes visited fields as tables. No field is "in the file"; every section and alternative is
+/// visited once, a list as one item.
 class MarkdownVisitor : public FieldVisitor {
  public:
   MarkdownVisitor();
@@ -43,11 +43,11 @@ class MarkdownVisitor : public FieldVisitor {
 
  private:
   struct Table {
-    std::string path;  // "organs[].material"; "" for the file itself
+    std::string path;  // "organs[].material"; "" for the file
     std::string rows;
     std::vector<std::string> rules;
     std::string after;      // text below
-    std::string condition;  // of the keys that are being visited
+    std::string condition;  // of the present keys
   };
 
   Table& here() { return tables_[open_.back()]; }
@@ -55,8 +55,8 @@ class MarkdownVisitor : public FieldVisitor {
            const std::string& allowed);
   void pushTable(const std::string& key);
 
-  std::vector<Table> tables_;      // in the order in which they were opened
-  std::vector<std::size_t> open_;  // indices of the sections that we are in
+  std::vector<Table> tables_;      // in order of opening
+  std::vector<std::size_t> open_;  // indices of the enclosing sections
 };
 
 }  // namespace palpate::keys

@@ -15,7 +15,7 @@ std::string valueText(const std::optional<double>& value) {
   return value ? formatNumber(*value) : "null";
 }
 
-// "[1, 2, 3]".
+// Text like "[1, 2, 3]".
 template <class Numbers>
 std::string valuesText(const Numbers& numbers) {
   std::string text;
@@ -83,7 +83,7 @@ bool ValueVisitor::partialVector3(const Field& field, PartialVec3& value, const 
   return add(field, valuesText(value));
 }
 
-// Nothing is read, so that nobody checks what was checked already.
+// Reads nothing, so that rules are not checked again.
 bool ValueVisitor::numbersOfKind(const std::string&, const std::vector<Kind>&, const std::string&,
                                  NumberLists& values) {
   for (const auto& [key, numbers] : values) {
@@ -105,7 +105,7 @@ FieldVisitor::Entered ValueVisitor::enterSection(const Field& field) {
 
 FieldVisitor::Entered ValueVisitor::enterNumberOrSection(const Field& field, double&,
                                                          const Range&) {
-  return enterSection(field);  // which has the number
+  return enterSection(field);  // which contains the number
 }
 
 FieldVisitor::Items ValueVisitor::enterList(const Field&, int, int present) {

@@ -8,8 +8,8 @@
 
 namespace palpate::keys {
 
-/// Tells the values of the fields that it visits. A field counts as given where it has a value, so
-/// that alternatives are chosen as in the file that was read.
+/// Lists the values of visited fields. A field with a value counts as given, so alternatives are
+/// chosen as when the file was read.
 class ValueVisitor : public FieldVisitor {
  public:
   std::vector<KeyValue> take() { return std::move(values_); }
@@ -47,8 +47,8 @@ class ValueVisitor : public FieldVisitor {
   void open(const std::string& key);
 
   std::vector<KeyValue> values_;
-  std::vector<std::string> open_;  // paths of the sections that we are in, with a dot
-  std::vector<bool> shown_;        // of the alternatives and optional fields that we are in
+  std::vector<std::string> open_;  // paths of the enclosing sections, with a dot
+  std::vector<bool> shown_;        // of the enclosing alternatives and optional fields
 };
 
 }  // namespace palpate::keys

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kDeepest = 50;
 constexpr std::size_t kMostValues = 200000;
 
-/// Counts the values of one document.
+/// Counts the values of a document.
 class Counter : public YAML::EventHandler {
  public:
   explicit Counter(const std::string& file) : file_(file) {}
@@ -77,7 +77,7 @@ class Counter : public YAML::EventHandler {
 
   const std::string& file_;
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, std::size_t> sizes_;  // of what is whole
+  std::map<YAML::anchor_t, std::size_t> sizes_;  // sizes of complete anchors
 };
 
 }  // namespace
@@ -87,7 +87,7 @@ void checkYamlBounds(const std::string& file, const std::string& text) {
   YAML::Parser parser(stream);
   Counter first(file), second(file);
   if (!parser.HandleNextDocument(first)) throw InputError(file, "", "", "is empty");
-  // Documents are not read to the last one: the parser finds new ones without end in some texts.
+  // Stops at the second document: for some texts, the parser finds documents without end.
   if (parser.HandleNextDocument(second)) {
     throw InputError(file, "", "", "has several YAML documents (`---`), must have one");
   }

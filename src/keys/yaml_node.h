@@ -8,26 +8,25 @@
 
 namespace palpate::keys {
 
-/// The one document of a YAML file, a map.
-/// @throws InputError if the file is anything else.
+/// The single document of a YAML file, a map. @throws InputError for any other file.
 YAML::Node readYamlMap(const std::string& file);
 
-/// What stands at "key" or "key[1].name" below a map, if anything.
+/// Node at "key" or "key[1].name" below a map; empty if absent.
 std::optional<YAML::Node> findPath(const YAML::Node& map, const std::string& path);
 
-/// " [line 12]", or "" if the node's place is not known.
+/// " [line 12]"; "" if unknown.
 std::string lineOf(const YAML::Node& node);
 
-/// What stands there, shortened for a message: "0.5", "[0, 0, x]", "{...}".
+/// Text of the node, shortened for a message: "0.5", "[0, 0, x]", "{...}".
 std::string shown(const YAML::Node& node);
 
-/// The number that an unquoted scalar is; .nan and .inf are no numbers here.
+/// Number of an unquoted scalar; empty for .nan and .inf.
 std::optional<double> toNumber(const YAML::Node& node);
 
-/// The whole number that an unquoted scalar is.
+/// Integer of an unquoted scalar.
 std::optional<int> toInteger(const YAML::Node& node);
 
-/// true or false.
+/// Value true or false; empty otherwise.
 std::optional<bool> toFlag(const YAML::Node& node);
 
 }  // namespace palpate::keys

@@ -13,7 +13,7 @@ void readYaml(const std::string& file, const std::function<void(FieldVisitor&)>&
     YamlVisitor visitor(root);
     fields(visitor);
     problems = visitor.finish();
-  } catch (const YAML::Exception& e) {  // a node that fits no kind that was asked for
+  } catch (const YAML::Exception& e) {  // a node of an unexpected type
     throw InputError(file, "line " + std::to_string(e.mark.line + 1), "", e.msg);
   }
   if (!problems.empty()) throw InputError(file, problems);

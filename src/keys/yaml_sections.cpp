@@ -14,8 +14,8 @@ std::string didYouMean(const std::string& nearest) {
   return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
-// The keys of the chosen kind; those of all kinds where the choice itself is wrong, so that one
-// mistake is reported once.
+// Keys of the chosen kind. For an invalid choice the keys of all kinds, so that one mistake gives
+// one problem.
 std::set<std::string> keysOf(const std::vector<Kind>& kinds, const std::string& chosen) {
   std::set<std::string> all;
   for (const Kind& kind : kinds) {
@@ -25,7 +25,7 @@ std::set<std::string> keysOf(const std::vector<Kind>& kinds, const std::string& 
   return all;
 }
 
-// A number or a list of numbers.
+// A number or a list of numbers; empty for anything else.
 std::optional<std::vector<double>> toNumbers(const YAML::Node& node) {
   std::vector<double> values;
   if (!node.IsSequence()) {
@@ -84,7 +84,7 @@ std::optional<YAML::Node> YamlVisitor::find(const Field& field) {
 
 std::string YamlVisitor::pathOf(const std::string& key) const {
   std::string path = levels_.back().path + key;
-  if (key.empty() && !path.empty()) path.pop_back();  // the section itself: no dot
+  if (key.empty() && !path.empty()) path.pop_back();  // the section itself: without dot
   return path;
 }
 
@@ -200,7 +200,7 @@ void YamlVisitor::reportUnknownKeys() {
     const std::string key = entry.first.Scalar();
     if (level.known.count(key)) continue;
     const auto other = level.elsewhere.find(key);
-    if (num_problems_ >= kMaxProblems) {  // what is not said need not be looked for
+    if (num_problems_ >= kMaxProblems) {  // further problems are not reported
       ++num_problems_;
       continue;
     }

@@ -15,12 +15,12 @@
 
 namespace palpate::keys {
 
-/// Reads the fields that it visits from a YAML map and gathers what is wrong.
+/// Reads visited fields from a YAML map and collects problems.
 class YamlVisitor : public FieldVisitor {
  public:
   explicit YamlVisitor(const YAML::Node& root);
 
-  /// Ends the visit. @returns all problems, in the order in which they were met.
+  /// Ends the visit. @returns all problems, in the order of the visit.
   std::vector<Problem> finish();
 
   using FieldVisitor::integer;
@@ -56,26 +56,26 @@ class YamlVisitor : public FieldVisitor {
   struct Level {
     YAML::Node map;
     std::string path;                              // "organs[0].", with the dot
-    std::map<std::string, YAML::Node> given;       // first of each key in the file
-    std::set<std::string> known;                   // keys visited
-    std::map<std::string, std::string> elsewhere;  // keys of alternatives not chosen: condition
+    std::map<std::string, YAML::Node> given;       // first occurrence of each key in the file
+    std::set<std::string> known;                   // visited keys
+    std::map<std::string, std::string> elsewhere;  // keys not chosen: their condition
   };
 
   void pushLevel(const YAML::Node& map, const std::string& path);
-  /// What stands at the field, noted as known; nothing if absent, a problem if that is one.
+  /// Finds the field's node and marks its key as known. Empty if absent.
   std::optional<YAML::Node> find(const Field& field);
   std::string pathOf(const std::string& key) const;
   void problem(const std::string& key, const YAML::Node& node, const std::string& allowed);
   void problemAt(const std::string& key, const std::string& allowed);
   void reportUnknownKeys();
-  /// Reads a list of three with `component(node, i)`, which says whether it could.
+  /// Reads a list of three by `component(node, i)`, which returns whether it succeeded.
   bool three(const Field& field, const std::string& what,
              const std::function<bool(const YAML::Node&, int)>& component);
 
   std::vector<Level> levels_;
-  std::vector<Problem> problems_;  // the first of them
+  std::vector<Problem> problems_;  // first kMaxProblems of them
   std::size_t num_problems_ = 0;
-  std::string skipped_condition_;  // of the alternative we are in and that was not chosen
+  std::string skipped_condition_;  // of the enclosing alternative, which was not chosen
 };
 
 }  // namespace palpate::keys

@@ -8,8 +8,8 @@
 
 namespace palpate::keys {
 
-/// The fields that `fields` visits as Markdown: for each section a heading, a table of its keys
-/// (type, unit, default, allowed values, meaning) and its rules.
+/// Markdown of the fields that `fields` visits: a heading per section, a table of keys (type, unit,
+/// default, allowed values, meaning) and rules.
 std::string fieldsMarkdown(const std::function<void(FieldVisitor&)>& fields);
 
 }  // namespace palpate::keys

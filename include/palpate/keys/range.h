@@ -6,12 +6,12 @@
 
 namespace palpate::keys {
 
-/// The numbers that a field allows; never NaN or infinity.
+/// Allowed numbers of a field, without NaN and infinity.
 class Range {
  public:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// Every finite number.
+  /// All finite numbers.
   static Range any() { return {-kInfinity, kInfinity, true, true}; }
   /// low < x <= high.
   static Range above(double low, double high = kInfinity) { return {low, high, true, false}; }
@@ -21,7 +21,7 @@ class Range {
   static Range open(double low, double high) { return {low, high, true, true}; }
 
   bool contains(double x) const;  ///< False for NaN and infinities.
-  /// "> 0", ">= 1", "in (0, 0.1]", "in [1, 1000]"; "finite" if there is no bound.
+  /// "> 0", ">= 1", "in (0, 0.1]", "in [1, 1000]"; "finite" without bounds.
   std::string text() const;
 
  private:
@@ -32,7 +32,7 @@ class Range {
   bool low_open_, high_open_;
 };
 
-/// The range of a coordinate [m]: a scene is a room, not a town.
+/// Range of a coordinate [m].
 inline Range coordinateRange() { return Range::closed(-100.0, 100.0); }
 
 }  // namespace palpate::keys

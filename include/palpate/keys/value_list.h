@@ -9,20 +9,19 @@
 
 namespace palpate::keys {
 
-/// A key and what it is set to.
+/// A key and its value.
 struct KeyValue {
-  std::string key;       ///< From the top: "contact.friction.pairs[0].static".
-  std::string value;     ///< As a file has it: "0.6", "true", "[0, 0, 0.1]"; numbers to the bit.
-  bool is_text = false;  ///< Any text, the name of a file perhaps; not a word out of a few.
+  std::string key;       ///< Full path: "contact.friction.pairs[0].static".
+  std::string value;     ///< As in a file: "0.6", "true", "[0, 0, 0.1]"; numbers exact.
+  bool is_text = false;  ///< Free text, for example a file name; false: a listed word.
 };
 
 inline bool operator==(const KeyValue& a, const KeyValue& b) {
   return a.key == b.key && a.value == b.value && a.is_text == b.is_text;
 }
 
-/// All fields that `fields` visits, in its order, with their values: also defaults, and each item
-/// of a list. Fields without a default that have no value are left out, and so are those of
-/// alternatives that are not chosen. The values stay as they are.
+/// Values of all fields that `fields` visits, in its order, with defaults and every list item.
+/// Omits unset fields without defaults and alternatives that are not chosen. Changes no field.
 std::vector<KeyValue> fieldValues(const std::function<void(FieldVisitor&)>& fields);
 
 }  // namespace palpate::keys
