@@ -16,9 +16,9 @@
 namespace palpate::scene {
 namespace {
 
-constexpr double kWorthAWarning = 1.0e-4;  // [m]
+constexpr double kWorthAWarning = 1.0e-4;  // reported depth [m]
 
-// Of those with which the tools touch [m].
+// Largest bounding radius of the tools' shapes [m].
 double largestBall(const SceneParts& parts) {
   double largest = 0.0;
   for (const instrument::Instrument& tool : parts.instruments) {
@@ -42,7 +42,7 @@ AnatomyPart readPart(const Scene& scene, const AnatomyConfig& config, const std:
     mesh::SurfaceMesh surface = formats::readSurface(file);
     surface.points *= config.scale;
     mesh::checkSize(surface.points, scene.file, key + ".scale");
-    // About its middle, so that what is far from its ball is told at once.
+    // Centred, so that a bounding sphere rejects distant points quickly.
     const Vec3 middle =
         0.5 * (surface.points.rowwise().minCoeff() + surface.points.rowwise().maxCoeff());
     surface.points.colwise() -= middle;

@@ -5,13 +5,13 @@
 
 namespace palpate::scene {
 
-/// Reads the surfaces of the anatomy and makes rigid shapes of them; adds repairs to the warnings,
-/// and how they were sampled to the notes.
+/// Reads the surfaces of the anatomy and makes rigid shapes. Adds repairs to the warnings and the
+/// resolution of sampling to the notes.
 /// @throws InputError
 void assembleAnatomy(const Scene& scene, const Progress& progress, SceneParts* parts);
 
-/// Adds a warning for each organ that is in the anatomy before the first cycle, more than a tenth
-/// of a millimetre deep.
+/// Adds a warning for each organ that penetrates the anatomy by more than 0.1 mm before the first
+/// cycle.
 void warnOfOrgansInAnatomy(const Scene& scene, SceneParts* parts);
 
 }  // namespace palpate::scene

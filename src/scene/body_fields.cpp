@@ -9,7 +9,7 @@
 namespace palpate::scene {
 namespace {
 
-// What a law says it needs when it is given nothing.
+// Requirement of a law on its constants, as a sentence.
 std::string needsOf(const std::string& law) {
   try {
     material::makeMaterial(law, {});
@@ -27,7 +27,7 @@ std::vector<keys::Kind> laws() {
   return all;
 }
 
-// Reports what the law says of its constants, where one is to blame at that one.
+// Reports the problems of a law's constants, each at the constant if it is known.
 void checkConstants(keys::FieldVisitor& v, const MaterialConfig& material) {
   try {
     material::makeMaterial(material.law, material.constants);
@@ -39,8 +39,8 @@ void checkConstants(keys::FieldVisitor& v, const MaterialConfig& material) {
   }
 }
 
-// What is wrong with the Prony series as a whole, or "". A term out of range is reported at its
-// key, a law that cannot be made at its constants.
+// Problem of the Prony series as a whole, or "". Terms out of range are reported at their keys,
+// other problems of the law at its constants.
 std::string pronyProblem(const MaterialConfig& material) {
   try {
     material::checkProny(material::makeMaterial(material.law, material.constants),

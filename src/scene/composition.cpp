@@ -16,11 +16,11 @@
 namespace palpate::scene {
 namespace {
 
-constexpr std::size_t kMostValues = 10;  // of cell data, in a message
+constexpr std::size_t kMostValues = 10;  // of cell data shown in a message
 
 std::string metres(double x) { return formatNumber(x) + " m"; }
 
-// What there is instead, for a region that selects nothing.
+// Available values of cell data, for the message of an empty region.
 struct WhatThereIs {
   const mesh::TetMesh& mesh;
 
@@ -55,7 +55,7 @@ struct WhatThereIs {
   }
 };
 
-// Fills the composition of one body.
+// Builds the composition of a body.
 class Composer {
  public:
   Composer(const BodyConfig& body, const mesh::TetMesh& mesh, const std::string& file,
@@ -128,9 +128,9 @@ class Composer {
   const mesh::TetMesh& mesh_;
   const std::string file_, prefix_;
   fem::Composition composition_;
-  std::vector<std::string> owner_;  // of each solid: where it stands
+  std::vector<std::string> owner_;  // key of each solid in the file
   std::vector<FibreFrames> fibres_;
-  std::vector<int> fibres_of_;  // of each tetrahedron, into fibres_; -1: none
+  std::vector<int> fibres_of_;  // index into fibres_ of each tetrahedron; -1: none
 };
 
 }  // namespace

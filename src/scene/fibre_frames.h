@@ -9,19 +9,18 @@
 
 namespace palpate::scene {
 
-/// Directions of tetrahedra: the same everywhere, or from the mesh's cell data. The mesh must
-/// outlive it.
+/// Directions of tetrahedra, uniform or from cell data. @pre The mesh outlives this.
 class FibreFrames {
  public:
-  /// `file` and `key`: where the fibres stand, for messages.
-  /// @throws InputError for cell data that the mesh does not have, or not with three components.
+  /// `file` and `key`: position of the fibres, for messages.
+  /// @throws InputError for missing cell data, or without three components.
   FibreFrames(const FibreConfig& fibres, const mesh::TetMesh& mesh, const std::string& file,
               const std::string& key);
 
-  /// Fibre, sheet and their cross product as columns: unit, orthogonal, right-handed, in the mesh's
-  /// frame. The sheet is the given one's part across the fibre; without any, that of the axis
-  /// which is the least along the fibre.
-  /// @throws InputError for a direction that is zero or not finite, or a sheet along the fibre.
+  /// Right-handed orthonormal columns in the mesh's frame: fibre, sheet, their cross product. The
+  /// sheet is projected normal to the fibre; without sheet, the coordinate axis with the least
+  /// component along the fibre is.
+  /// @throws InputError for a zero or non-finite direction, or a sheet parallel to the fibre.
   Mat3 frame(Eigen::Index tet) const;
 
  private:

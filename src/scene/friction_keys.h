@@ -9,7 +9,7 @@ namespace palpate::scene {
 void describe(keys::FieldVisitor& v, FrictionConfig& friction);
 void describe(keys::FieldVisitor& v, FrictionPairConfig& pair);
 
-/// The rule that pairs name what the scene has.
+/// Rule: friction pairs name existing objects of the scene.
 void checkFrictionPairs(keys::FieldVisitor& v, const Scene& scene);
 
 }  // namespace palpate::scene

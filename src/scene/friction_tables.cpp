@@ -43,7 +43,7 @@ void checkLinks(const Scene& scene, const std::vector<Shape>& shapes) {
   }
 }
 
-// How many names it has, all of which fit; -1 where one does not.
+// Number of names in the pair if all match; -1 otherwise.
 int fit(const FrictionPairConfig& pair, const std::string& organ, const Shape& shape) {
   const std::pair<const std::string&, const std::string&> all[] = {
       {pair.organ, organ},

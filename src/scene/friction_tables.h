@@ -8,9 +8,9 @@
 
 namespace palpate::scene {
 
-/// The friction of each organ of the scene with the shapes of the instruments, then of the anatomy,
-/// as they are numbered in every cycle.
-/// @throws InputError for a link that an instrument does not have, or that has no shape.
+/// Friction of each organ with the shapes of the instruments, then of the anatomy, in the order of
+/// obstacles in a cycle.
+/// @throws InputError for an unknown link, or one without shape.
 std::vector<contact::FrictionTable> frictionTables(const Scene& scene, const SceneParts& parts);
 
 }  // namespace palpate::scene

@@ -15,7 +15,7 @@ haptics::WrenchFilterSettings filterSettings(const Scene& scene,
   s.max_torque =
       limit(instrument.limits.max_torque, limit(device.max_torque, scene.haptics.max_torque));
   s.max_force_rate = limit(instrument.limits.max_force_rate, scene.haptics.max_force_rate);
-  // Both go from nothing to their limit in the same time.
+  // Force and torque reach their limits in the same time.
   s.max_torque_rate = s.max_force_rate * s.max_torque / s.max_force;
   s.ramp = scene.rates.ramp;
   return s;

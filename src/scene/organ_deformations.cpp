@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a database is made: in the cache, or where there is none in a folder that goes again. The
-/// folder's name is of all that decides the samples' bits.
+/// Folder of a database: in the cache, or without a writable cache a temporary one that is removed.
+/// The name is a hash of everything that determines the samples.
 class Workplace {
  public:
   explicit Workplace(const enrichment::PressedSurfaces& surfaces) {

@@ -9,9 +9,8 @@
 
 namespace palpate::scene {
 
-/// What an organ of model enriched learns from, in its own frame: the database that it names, or
-/// one that is made as it says and kept in the user's cache, where a run that ends early is gone on
-/// with.
+/// Training data of an organ of model enriched, in the organ's frame: the named database, or one
+/// made by its settings in the user's cache, where an interrupted run is resumed.
 /// @throws InputError
 enrichment::DeformationDatabase organDeformations(const Scene& scene, int index,
                                                   const Progress& progress,

@@ -15,9 +15,9 @@ namespace palpate::scene {
 namespace {
 
 constexpr int kRemeshingRounds = 5, kRemeshings = 4;
-constexpr double kMeanOff = 0.03;           // of the mean edge that is wanted
+constexpr double kMeanOff = 0.03;           // relative error of the mean edge
 constexpr double kMostTriangles = 20000.0;  // ten times what bem solves for
-// Of its volume by an organ whose triangles are large: that is told, or refused.
+// Relative loss of volume due to large triangles that is warned of, or refused.
 constexpr double kMuchLost = 0.1, kMostLost = 0.5;
 
 double areaOf(const mesh::SurfaceMesh& surface) {
@@ -30,7 +30,7 @@ double areaOf(const mesh::SurfaceMesh& surface) {
   return area;
 }
 
-// Millions of triangles are made for minutes, only to be refused by the model.
+// Refuses early: remeshing to millions of triangles would take minutes.
 void refuseTooMany(const mesh::SurfaceMesh& surface, const Scene& scene, const OrganConfig& organ,
                    const std::string& key) {
   const double length = organ.edge_length.coarsest;
@@ -43,7 +43,7 @@ void refuseTooMany(const mesh::SurfaceMesh& surface, const Scene& scene, const O
   throw InputError(scene.file, key + ".edge_length", formatNumber(length), text.str());
 }
 
-// Corners of larger triangles lie on the surface, what is between them within: it loses volume.
+// Large triangles lose volume, since only their corners lie on the surface.
 void checkElements(const mesh::SurfaceMesh& made, const mesh::SurfaceMesh& surface,
                    const Scene& scene, const OrganConfig& organ, const std::string& key,
                    std::vector<std::string>* warnings) {
@@ -71,10 +71,10 @@ mesh::SurfaceMesh readOrganElements(const Scene& scene, const OrganConfig& organ
   }
   refuseTooMany(surface, scene, organ, key);
   const double wanted = organ.edge_length.coarsest;
-  // Shorter edges first, so that those of the file leave no trace.
+  // Halves the edge length first, to remove the influence of the file's triangles.
   const mesh::SurfaceMesh fine = mesh::remeshWithEdges(surface, 0.5 * wanted, kRemeshingRounds);
   mesh::SurfaceMesh made;
-  double asked = wanted;  // what comes out is shorter by a tenth or two
+  double asked = wanted;  // remeshing gives edges shorter by 10 to 20 %
   for (int k = 0; k < kRemeshings; ++k) {
     made = mesh::remeshWithEdges(fine, asked, kRemeshingRounds);
     const double mean = mesh::meanEdgeLength({made.points, made.triangles, {}});

@@ -24,7 +24,7 @@ bool rubs(const FrictionConfig& friction) {
                                        [](const FrictionPairConfig& pair) { return pair.any(); });
 }
 
-// What is not allowed, and its key.
+// A refused setting and its key.
 struct Refused {
   std::string key, text;
 };

@@ -6,9 +6,9 @@
 
 namespace palpate::scene {
 
-/// The rules of what contact.model `prescribed` takes.
+/// Rules of contact.model `prescribed`.
 void checkPrescribedContact(keys::FieldVisitor& v, const Scene& scene);
-/// @throws InputError if it gets a tool that is no segment.
+/// @throws InputError for a tool that is not a segment, if the model is `prescribed`.
 void checkSegments(const Scene& scene, const SceneParts& parts);
 
 }  // namespace palpate::scene

@@ -44,7 +44,7 @@ double meanEdge(const mesh::SurfaceMesh& surface) {
   return mesh::meanEdgeLength({surface.points, surface.triangles, {}});
 }
 
-// Points within whose place on the body's boundary is of free nodes only.
+// Points whose nearest point on the body's boundary has free nodes only, within the ball if given.
 std::vector<int> freePoints(const Body& body, const Points& points,
                             const std::optional<enrichment::PressBall>& within) {
   const mesh::SurfaceMesh boundary{body.mesh.points,
@@ -61,7 +61,7 @@ std::vector<int> freePoints(const Body& body, const Points& points,
   return found;
 }
 
-// Raise it when the same body is pressed in another way.
+// Version of the pressing procedure; increase it with each change of results.
 constexpr int kWayOfPressing = 1;
 
 std::string describe(const MaterialConfig& material, const Body& body, const std::string& key) {
@@ -76,7 +76,7 @@ std::string describe(const MaterialConfig& material, const Body& body, const std
   return text.str();
 }
 
-// Of the laws, the body's first.
+// Text of the materials, that of the body first.
 std::string describeMaterials(const OrganConfig& organ, const Body& body) {
   std::string text = describe(organ.material, body, body.key + ".material");
   for (std::size_t i = 0; i < organ.regions.size(); ++i) {
@@ -87,7 +87,7 @@ std::string describeMaterials(const OrganConfig& organ, const Body& body) {
   return text;
 }
 
-// Of the tetrahedra, their materials and directions, and what is held.
+// Hash of tetrahedra, materials, directions and held nodes.
 std::string bodyMark(const Body& body) {
   StateWriter bits;
   bits.put(body.mesh.points);

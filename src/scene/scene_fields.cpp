@@ -25,7 +25,7 @@ void describe(keys::FieldVisitor& v, PoseConfig& pose) {
 
 namespace {
 
-// What an organ's mesh comes from.
+// Sources of an organ's mesh.
 void describeSource(keys::FieldVisitor& v, const OrganConfig& organ, bool surface,
                     bool tetrahedra) {
   const bool cloth = organ.model == "cloth";
@@ -309,7 +309,7 @@ void describe(keys::FieldVisitor& v, HapticsConfig& haptics) {
 
 namespace {
 
-// Of organs that do not touch.
+// Pairs of organs without contact.
 void checkPairs(keys::FieldVisitor& v, const Scene& scene) {
   const auto known = [&](const std::string& name) {
     return std::any_of(scene.organs.begin(), scene.organs.end(),

@@ -86,13 +86,12 @@ std::vector<instrument::Instrument> readInstruments(const Scene& scene) {
 
 namespace {
 
-// Closer than that samples need not be: what is thinner meets faces by itself [m].
+// Least sample spacing [m]; faces of the tissue detect thinner tools.
 constexpr double kFinestSpacing = 5e-4;
-// Where one may be so many times as far apart as the other, tools and bones have samples of their
-// own.
+// Ratio of spacings from which tools and anatomy have separate samples.
 constexpr double kWorthwhile = 1.5;
 
-// Samples so close that neither the thinnest tool nor a thinner bone can push its way between them.
+// Spacing at which neither the thinnest tool nor the thinnest anatomy part fits between samples.
 contact::SampleSpacing sampleSpacing(const Scene& scene, const SceneParts& parts) {
   if (scene.contact.sample_spacing > 0.0) return scene.contact.sample_spacing;
   constexpr double kNothing = std::numeric_limits<double>::infinity();
@@ -115,7 +114,7 @@ contact::SampleSpacing sampleSpacing(const Scene& scene, const SceneParts& parts
   return spacing;
 }
 
-// The organs that the model of the `first` organ of the scene owns.
+// Organs owned by the model of the organ `first`.
 std::vector<int> organsOfModel(const Scene& scene, std::size_t first) {
   std::vector<int> organs = {static_cast<int>(first)};
   if (!tissue::ownsAllOrgans(scene.organs[first].model)) return organs;
@@ -143,7 +142,7 @@ void assembleModels(const Scene& scene, const Progress& progress, SceneParts* pa
                                                                   static_cast<int>(k)};
     }
     for (const std::string& note : model.tissue->notes()) {
-      const bool one = model.organs.size() == 1;  // else the note says of which it is
+      const bool one = model.organs.size() == 1;  // else the note names its organ
       parts->notes.push_back((one ? nameOf(scene, model.organs.front()) + ": " : "") + note);
     }
     parts->models.push_back(std::move(model));

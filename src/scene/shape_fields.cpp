@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys of what is rigid.
+// Keys of rigid shapes.
 #include "palpate/scene/scene_fields.h"
 
 namespace palpate::scene {

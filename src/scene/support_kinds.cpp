@@ -7,9 +7,9 @@
 namespace palpate::scene {
 namespace {
 
-// Times E over the organ's size.
+// Slide stiffness over E/size [-].
 constexpr double kSlide = 1000.0;
-// Sine of the angle by which normals may differ in a plane.
+// Largest sine of the angle between normals and axis for a plane.
 constexpr double kPlane = 1e-9;
 
 void addGlue(const SelectedSupport& place, tissue::Surroundings* surroundings) {
@@ -17,9 +17,9 @@ void addGlue(const SelectedSupport& place, tissue::Surroundings* surroundings) {
   if (place.motion) surroundings->carried.push_back({place.nodes, *place.motion});
 }
 
-// The axis of the world that all faces are across, or -1.
+// World axis normal to all faces, or -1.
 int axisAcross(const SelectedSupport& place) {
-  Vec3 largest = Vec3::Zero();  // component by component, of the unit normals
+  Vec3 largest = Vec3::Zero();  // of the unit normals, by component
   for (Eigen::Index t = 0; t < place.faces.cols(); ++t) {
     const Vec3 a = place.points.col(place.faces(0, t)), b = place.points.col(place.faces(1, t));
     const Vec3 c = place.points.col(place.faces(2, t));
@@ -48,7 +48,7 @@ void addSprings(const SelectedSupport& place, tissue::Surroundings* surroundings
   surroundings->springs.push_back({place.nodes, place.config.springs, place.motion});
 }
 
-// Every kind, the default first. To add one: its function, a line here, its keys in
+// All kinds, the default first. To add one: its function, an entry here, its keys in
 // surroundings_fields.cpp.
 constexpr SupportKind kKinds[] = {
     {"glue", false, addGlue}, {"slide", true, addSlide}, {"springs", true, addSprings}};

@@ -10,7 +10,7 @@
 
 namespace palpate::scene {
 
-/// A support, and where it is on a mesh.
+/// A support with its nodes and faces on a mesh.
 struct SelectedSupport {
   const SupportConfig& config;
   std::vector<int> nodes;                ///< Selected, ascending.
@@ -20,17 +20,16 @@ struct SelectedSupport {
   std::optional<tissue::Motion> motion;  ///< World.
 };
 
-/// A kind of support: what it adds to an organ's surroundings.
+/// A kind of support, with the function that adds it to an organ's boundary conditions.
 struct SupportKind {
   const char* name;
-  bool on_faces;  ///< It needs a face.
+  bool on_faces;  ///< Whether it needs faces.
   void (*add)(const SelectedSupport& place, tissue::Surroundings* surroundings);
 };
 /// `name`: one of supportKindNames().
 const SupportKind& supportKind(const std::string& name);
 
-/// Stiffness [Pa/m] of a slide that hardly gives way: of an organ of this modulus [Pa] and size
-/// [m].
+/// Stiffness [Pa/m] of a nearly rigid slide, for an organ of this modulus [Pa] and size [m].
 double slideStiffness(double young_modulus, double size);
 
 }  // namespace palpate::scene

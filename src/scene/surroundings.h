@@ -9,13 +9,13 @@
 
 namespace palpate::scene {
 
-/// What surrounds an organ, on `mesh` of it in its own frame. `key`: of the organ in the file.
-/// @throws InputError for what selects nothing, and for a bad table of a motion.
+/// Boundary conditions of an organ on its `mesh`, in the organ's frame. `key`: key of the organ.
+/// @throws InputError for an empty selection, or a bad table of a motion.
 tissue::Surroundings surroundingsOf(const Scene& scene, const OrganConfig& organ,
                                     const mesh::TetMesh& mesh, const std::string& key);
 
-/// What is free of points X in the organ's own frame, 3 x n, where the organ is glued and no more.
-/// @throws InputError likewise, and for another support.
+/// Free components of points X, 3 x n, in the organ's frame, for models with glue only.
+/// @throws InputError as surroundingsOf(), and for another support.
 fem::FreeMask glued(const Scene& scene, const OrganConfig& organ, const Points& X,
                     const std::string& key);
 

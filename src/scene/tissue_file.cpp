@@ -15,7 +15,7 @@
 namespace palpate::scene {
 namespace {
 
-// The words of "a, b".
+// Adds the words of a list "a, b".
 void addWords(const std::string& list, std::set<std::string>* words) {
   std::istringstream stream(list);
   for (std::string word; std::getline(stream, word, ',');) {
@@ -25,7 +25,7 @@ void addWords(const std::string& list, std::set<std::string>* words) {
   }
 }
 
-// Keys of which the file does not say where they come from.
+// Keys without source or choice.
 std::vector<std::string> unaccounted(const TissueFile& tissue) {
   std::set<std::string> accounted;
   for (const TissueSource& source : tissue.sources) addWords(source.values, &accounted);

@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> tissueFiles(const std::string& folder) {
   return files;
 }
 
-// Three digits with the unit that suits: "2 kPa".
+// Three digits with a suitable unit: "2 kPa".
 std::string pressureText(double pascal) {
   const bool mega = pascal >= 1.0e6, kilo = pascal >= 1.0e3;
   std::ostringstream text;

@@ -18,7 +18,7 @@
 namespace palpate::scene {
 namespace {
 
-constexpr double kDeviation = 0.1;   // of the finest edge
+constexpr double kDeviation = 0.1;   // over the finest edge
 constexpr double kFarthest = 100.0;  // from the organ [m]
 constexpr std::size_t kMostCorners = 20000;
 
@@ -43,7 +43,7 @@ std::string resolveUri(const Scene& scene, const std::string& uri, const std::st
   }
 }
 
-// Columns may be named `joint` or `instrument/joint`.
+// Accepts columns `joint` and `instrument/joint`.
 std::vector<std::string> jointNames(std::vector<std::string> columns, const std::string& tool) {
   const std::string prefix = tool + "/";
   for (std::string& column : columns) {
@@ -60,7 +60,7 @@ mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_
       "organ " + organ.name + ".edge_length.near[" + std::to_string(index) + "]";
   const InstrumentConfig& config = findInstrument(scene, place.instrument, key);
   instrument::InstrumentOptions options;
-  options.collision_meshes.convex_hull = true;  // its shapes do not matter here
+  options.collision_meshes.convex_hull = true;  // fast; shapes do not matter here
   const instrument::Instrument tool = instrument::readInstrument(
       resolveUri(scene, config.urdf, "instrument " + config.name + ".urdf"), options);
   const int link = tool.linkIndex(config.control_frame);

@@ -8,11 +8,10 @@
 
 namespace palpate::scene {
 
-/// The way of the instrument's control frame along the trajectory of a place in the organ's list,
-/// in the organ's own frame [m]. Points without which the line stays within a tenth of the finest
-/// edge are left out.
-/// @throws InputError if the table or the instrument is not there, the table has no column for a
-/// joint, or the way leads farther than 100 m or has more than 20000 corners.
+/// Path of the instrument's control frame for refinement zone `place` of the organ, in the organ's
+/// frame [m], simplified within a tenth of the finest edge.
+/// @throws InputError for a missing table, instrument or joint column, more than 100 m from the
+/// organ, or more than 20000 corners.
 mesh::Polyline toolPath(const Scene& scene, const OrganConfig& organ, std::size_t place);
 
 }  // namespace palpate::scene

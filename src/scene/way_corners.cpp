@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::size_t kPart = 4000;
 
-// The point between the two that is farthest from the line between them; `first` where all are
-// near.
+// Point between both ends farthest from their line; `first` if all are within `deviation`.
 std::size_t farthestOf(const std::vector<Vec3>& points, std::size_t first, std::size_t last,
                        double deviation) {
   std::size_t farthest = first;
@@ -32,8 +31,8 @@ std::size_t farthestOf(const std::vector<Vec3>& points, std::size_t first, std::
 std::vector<Vec3> wayCorners(const std::vector<Vec3>& points, double deviation) {
   std::vector<Vec3> kept{points.front()};
   for (std::size_t begin = 0; begin + 1 < points.size(); begin += kPart) {
-    // Parts that are still to be looked at, the next one last: no recursion, which a spiral would
-    // make as deep as it has points.
+    // Stack of open parts instead of recursion, whose depth a spiral would make the number of
+    // points.
     std::vector<std::pair<std::size_t, std::size_t>> parts{
         {begin, std::min(begin + kPart, points.size() - 1)}};
     while (!parts.empty()) {

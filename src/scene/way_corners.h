@@ -7,9 +7,8 @@
 
 namespace palpate::scene {
 
-/// Of a way through `points`, at least one, those that it needs so that no other is farther than
-/// `deviation` from the line through them [Douglas and Peucker 1973]; the first and the last are
-/// among them, and every 4000th, for the search takes the square of their number.
+/// Simplifies a polyline of at least one point within `deviation` [Douglas, Peucker 1973]. Keeps
+/// the first, the last and every 4000th point, since the search is quadratic in their number.
 std::vector<Vec3> wayCorners(const std::vector<Vec3>& points, double deviation);
 
 }  // namespace palpate::scene

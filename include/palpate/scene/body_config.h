@@ -12,30 +12,30 @@
 
 namespace palpate::scene {
 
-// What a body is made of, as plain data; organs of scenes and bodies of cases share it. Member
-// initialisers are the only defaults.
+// Composition of a body as plain data, for organs of scenes and bodies of cases. All defaults are
+// member initialisers.
 
-/// Either a tissue file (tissue_file.h) or a law with its constants.
+/// A tissue file (tissue_file.h), or a law with its constants.
 struct MaterialConfig {
-  std::string file;  ///< Relative paths start from the scene's or case's folder.
+  std::string file;  ///< Relative to the scene's or case's folder.
   std::string law = "stable_neo_hookean";
   double density = 1000.0;  ///< [kg/m^3]
   material::Constants constants;
   std::vector<material::PronyTerm> viscoelastic;
 };
 
-/// Directions in the body's own frame: the same everywhere, or cell data of the mesh file.
+/// Fibre directions in the body's frame: uniform, or cell data of the mesh file.
 struct FibreConfig {
-  std::optional<Vec3> direction;  ///< Of any length but zero.
+  std::optional<Vec3> direction;  ///< Of any nonzero length.
   std::optional<Vec3> sheet;      ///< Not parallel to the fibre.
-  std::string field;              ///< Array of three components a tetrahedron.
+  std::string field;              ///< Name of an array of three components per tetrahedron.
   std::string sheet_field;
 };
 
-/// Tetrahedra that differ from the rest of the body.
+/// Tetrahedra of another material than the rest of the body.
 struct RegionConfig {
   std::string name;
-  mesh::TetRegion select;  ///< In the body's own frame, after scaling.
+  mesh::TetRegion select;  ///< In the body's frame, after scaling.
   std::optional<MaterialConfig> material;
   std::optional<FibreConfig> fibres;
 };
@@ -43,7 +43,7 @@ struct RegionConfig {
 struct BodyConfig {
   MaterialConfig material;
   std::optional<FibreConfig> fibres;
-  std::vector<RegionConfig> regions;  ///< Where they overlap, the later one holds.
+  std::vector<RegionConfig> regions;  ///< The last of overlapping regions applies.
 };
 
 }  // namespace palpate::scene

@@ -9,13 +9,13 @@
 
 namespace palpate::scene {
 
-// Every key of what a body is made of, the same in scene and case files.
+// All keys of a body's composition, common to scene and case files.
 void describe(keys::FieldVisitor& v, MaterialConfig& material);
 void describe(keys::FieldVisitor& v, FibreConfig& fibres);
 void describe(keys::FieldVisitor& v, RegionConfig& region);
 void describe(keys::FieldVisitor& v, BodyConfig& body);
 
-/// The keys of a material that is written out: law, constants, density, viscoelastic.
+/// Keys of a material without tissue file: law, constants, density, viscoelastic.
 void describeLaw(keys::FieldVisitor& v, MaterialConfig& material);
 
 }  // namespace palpate::scene

@@ -9,13 +9,13 @@
 
 namespace palpate::scene {
 
-/// Where an organ's edges are to be short: a place of the mesh's size field, or the way of a tool.
+/// A refinement zone of an organ: a zone of the mesh's size field, or a tool's path.
 struct RefinementZoneConfig : mesh::RefinementZone {
-  std::string trajectory;  ///< A table of joint positions: the place is the way of
-  std::string instrument;  ///< this instrument's control frame; empty: of the only one.
+  std::string trajectory;  ///< Table of joint positions; the zone is the path of
+  std::string instrument;  ///< the control frame of this instrument; empty: the only one.
 };
 
-/// How long the edges of an organ's tetrahedra are to be, in the organ's own frame, after scaling.
+/// Edge lengths of an organ's tetrahedra, in the organ's frame, after scaling.
 struct EdgeLengthConfig {
   double coarsest = 0.01;  ///< [m]
   std::vector<RefinementZoneConfig> near;
@@ -23,7 +23,7 @@ struct EdgeLengthConfig {
   bool uniform() const { return near.empty(); }
 };
 
-/// The lengths that an edge may be asked to have [m].
+/// Allowed edge lengths [m].
 inline keys::Range edgeLengthRange() { return keys::Range::closed(1.0e-4, 1.0); }
 
 void describe(keys::FieldVisitor& v, EdgeLengthConfig& edge_length);

@@ -6,7 +6,7 @@
 
 namespace palpate::scene {
 
-/// What stands between the simulation and the hand that holds this instrument of the scene.
+/// Settings of the wrench filter between simulation and hand for this instrument.
 haptics::WrenchFilterSettings filterSettings(const Scene& scene,
                                              const InstrumentConfig& instrument);
 

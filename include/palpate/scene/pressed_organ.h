@@ -9,14 +9,14 @@
 
 namespace palpate::scene {
 
-/// An organ of a scene as it is pressed for a database: its surfaces, and a body of finite elements
-/// of its material, element and supports, in its own frame, without gravity.
+/// An organ of a scene for a database of presses: its surfaces, and a finite element body with its
+/// material, element and supports, in the organ's frame, without gravity.
 struct PressedOrgan {
   enrichment::PressedSurfaces surfaces;
   Eigen::Index nodes = 0, tetrahedra = 0;  ///< Of the body.
 };
 
-/// `description`: of that organ. `progress`: of meshing.
+/// `description`: of the organ. `progress`: of meshing.
 /// @throws InputError for an organ that cannot be pressed, std::invalid_argument for a coarse
 /// surface that cannot have so many triangles.
 PressedOrgan describePresses(const Scene& scene, int index,

@@ -33,9 +33,8 @@
 
 namespace palpate::scene {
 
-// The scene file as plain data. Defaults are member initialisers, of these structs or of what they
-// set up; scene_fields.cpp lists every key once, with unit, range and meaning, for the reader, the
-// checks and the documentation.
+// The scene file as plain data. Defaults are member initialisers of these structs or of settings
+// that they contain. scene_fields.cpp lists every key once, for reader, checks and documentation.
 
 struct PoseConfig {
   Vec3 position = Vec3::Zero();        ///< [m]
@@ -44,14 +43,14 @@ struct PoseConfig {
   Pose pose() const { return poseFromXyzRpy(position, roll_pitch_yaw); }
 };
 
-/// The body's own frame is the organ's, after scaling.
+/// The body's frame is the organ's frame, after scaling.
 struct OrganConfig : BodyConfig {
   std::string name;
   std::string surface;           ///< Surface file, or
-  std::string tetrahedra;        ///< tetrahedra file, or what `cloth` makes: exactly one of them.
+  std::string tetrahedra;        ///< tetrahedra file or the source of `cloth`: exactly one of both.
   double scale = 1.0;            ///< File unit to metre.
-  EdgeLengthConfig edge_length;  ///< Of the tetrahedra that fill a surface.
-  PoseConfig pose;               ///< Organ to world.
+  EdgeLengthConfig edge_length;  ///< Of tetrahedra made from a surface.
+  PoseConfig pose;               ///< Maps organ to world frame.
   std::string model = "fem";     ///< One of tissue::modelNames().
   std::string element = fem::elementNames().front();
   tissue::AdaptSettings adapt;
@@ -68,37 +67,37 @@ struct OrganConfig : BodyConfig {
 };
 
 struct ProxyConfig : haptics::ProxySettings, haptics::CouplingSettings {
-  bool active = false;  ///< In replays; the live node's always are.
+  bool active = false;  ///< In replays; always on in the live node.
 };
 
-/// The device through which an instrument is felt.
+/// Haptic device of an instrument.
 struct DeviceConfig : haptics::DeviceSettings {
   std::string model = "other";  ///< One of haptics::deviceModelNames().
 };
 
-/// What the device of one instrument sustains; 0: as HapticsConfig says for all.
+/// Continuous limits of an instrument's device; 0: those of HapticsConfig.
 struct LimitsConfig {
   double max_force = 0.0;       ///< [N]
   double max_torque = 0.0;      ///< [N m]
   double max_force_rate = 0.0;  ///< [N/s]
 };
 
-/// How a mesh becomes a rigid shape.
+/// Conversion of a mesh to a rigid shape.
 struct MeshShapeConfig : instrument::MeshShapeSettings {};
 
-/// Of an instrument: which of its links goes into tissue, and how.
+/// Link of an instrument that penetrates tissue, with its settings.
 struct NeedleConfig : contact::NeedleSettings {
-  std::string link;  ///< Its collision shapes are capsules or cylinders; empty: none.
+  std::string link;  ///< Its collision shapes must be capsules or cylinders; empty: none.
 };
 
 struct InstrumentConfig {
   std::string name;
   std::string urdf;
-  PoseConfig base;               ///< The URDF's root link in world (used with joint input).
+  PoseConfig base;               ///< Maps the URDF's root link to world frame (for joint input).
   std::string input = "joints";  ///< joints | tf
   std::string joint_topic;       ///< Empty: <name>/measured_js.
-  std::string tf_prefix;         ///< Put before link names in tf.
-  std::string control_frame;     ///< Link where the wrench is given.
+  std::string tf_prefix;         ///< Prefix of link names in tf.
+  std::string control_frame;     ///< Link at which the wrench is given.
   bool cylinder_as_capsule = instrument::InstrumentOptions().cylinder_as_capsule;
   MeshShapeConfig collision_meshes;
   NeedleConfig needle;
@@ -107,32 +106,31 @@ struct InstrumentConfig {
   LimitsConfig limits;
 };
 
-/// Something rigid that never moves: bone and the like. Its own frame is the file's, scaled.
+/// A fixed rigid body, for example bone, in the file's frame after scaling.
 struct AnatomyConfig {
   std::string name;
   std::string surface;  ///< Surface file.
   double scale = 1.0;   ///< File unit to metre.
-  PoseConfig pose;      ///< Its frame to world.
-  /// Of what a tool feels of it [N/m]: the strongest device that we know, of 20 N
-  /// (docs/devices.md), presses a tool in by 1 mm. Devices render less, which
-  /// haptics::VirtualCoupling sees to.
+  PoseConfig pose;      ///< Maps its frame to world frame.
+  /// Contact stiffness for tools [N/m]: the strongest known device, with 20 N (docs/devices.md),
+  /// presses a tool in by 1 mm. haptics::VirtualCoupling renders less, for weaker devices.
   double felt_stiffness = 2.0e4;
   MeshShapeConfig shape;
 };
 
-/// Friction of what is named, where not everything is alike; empty: of any.
+/// Friction of named contact partners; an empty name matches any.
 struct FrictionPairConfig : contact::Friction {
   std::string organ, instrument, link, anatomy;
 };
 
 struct FrictionConfig : contact::Friction {
-  std::vector<FrictionPairConfig> pairs;  ///< The most specific holds, of two alike the later.
+  std::vector<FrictionPairConfig> pairs;  ///< The most specific applies, then the last.
 };
 
 struct ContactConfig : contact::ResponseSettings, tissue::TouchingOrgans {
-  double sample_spacing = 0.0;  ///< Contact samples on the surface at most this apart [m]; 0: half
-                                ///< the inscribed radius of the thinnest tool, or part of the
-                                ///< anatomy, which then meets samples of its own.
+  double sample_spacing = 0.0;  ///< Largest spacing of contact samples on the surface [m]; 0: half
+                                ///< the inscribed radius of the thinnest tool or anatomy part,
+                                ///< which may then have samples of its own.
   FrictionConfig friction;
 };
 
@@ -142,17 +140,17 @@ struct SkipConfig : tissue::SkipSwitches {
 
 struct SolverConfig : solver::StepSettings {
   int threads = 1;
-  bool thread_for_tasks = false;  ///< One more, for background tasks; no key, the node's.
-  double deadline = 2.0;          ///< Of a live step, as part of 1/rates.simulation; 0: none.
+  bool thread_for_tasks = false;  ///< Extra thread for background tasks; set by the node.
+  double deadline = 2.0;          ///< Of a live step, over 1/rates.simulation [-]; 0: none.
   SkipConfig skip;
 };
 
 struct RatesConfig {
-  double simulation = 100.0;                           ///< At most [Hz].
+  double simulation = 100.0;                           ///< Upper limit [Hz].
   double haptic = 1000.0;                              ///< [Hz]
-  double markers = 30.0;                               ///< At most [Hz].
-  double stale_after = 0.2;                            ///< Input older than this pauses [s].
-  double ramp = haptics::WrenchFilterSettings().ramp;  ///< For the wrench to come or go fully [s].
+  double markers = 30.0;                               ///< Upper limit [Hz].
+  double stale_after = 0.2;                            ///< Input age that pauses [s].
+  double ramp = haptics::WrenchFilterSettings().ramp;  ///< Fade time of the wrench [s].
 };
 
 struct HapticsConfig : haptics::PassivitySettings {
@@ -162,9 +160,9 @@ struct HapticsConfig : haptics::PassivitySettings {
 };
 
 struct Scene {
-  std::string file;  ///< Where it was read; relative paths in it start from its folder.
+  std::string file;  ///< Path of the scene file; relative paths in it start from its folder.
   std::string name;
-  Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< [m/s^2], world.
+  Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< In the world frame [m/s^2].
   std::vector<OrganConfig> organs;
   std::vector<InstrumentConfig> instruments;
   std::vector<AnatomyConfig> anatomy;
@@ -174,17 +172,17 @@ struct Scene {
   HapticsConfig haptics;
 };
 
-/// Reads and checks a scene file (not the files it names).
+/// Reads and checks a scene file, but not the files that it names.
 /// @throws InputError with all problems of the file.
 Scene readScene(const std::string& file);
 
-/// The instruments follow as those that hands move, which may let go or leap: by their proxies.
+/// Makes all instruments follow their commands by proxies, since hands may let go or jump.
 void driveByHands(Scene* scene);
 
-/// All keys of the scene and what they are set to, by the file, by default or since.
+/// All keys of the scene with their present values.
 std::vector<keys::KeyValue> sceneValues(const Scene& scene);
 
-/// docs/scene_format.md, from the list of keys.
+/// Text of docs/scene_format.md, from the keys.
 std::string sceneFormatMarkdown();
 
 }  // namespace palpate::scene

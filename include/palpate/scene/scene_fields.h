@@ -7,7 +7,7 @@
 
 namespace palpate::scene {
 
-// Every key of a scene file.
+// All keys of a scene file.
 void describe(keys::FieldVisitor& v, Scene& scene);
 void describe(keys::FieldVisitor& v, OrganConfig& organ);
 void describe(keys::FieldVisitor& v, ProxyConfig& proxy);

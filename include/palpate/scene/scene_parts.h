@@ -38,7 +38,7 @@ struct AnatomyPart {
 
 /// Loaded contents of a scene's files.
 struct SceneParts {
-  std::unique_ptr<ThreadPool> pool;  // first: outlives the models
+  std::unique_ptr<ThreadPool> pool;  // first, since it must outlive the models
   std::vector<instrument::Instrument> instruments;
   std::vector<int> control_links;    ///< Link index of each instrument's control frame.
   std::vector<AnatomyPart> anatomy;  ///< In the scene's order.

@@ -13,25 +13,25 @@
 
 namespace palpate::scene {
 
-/// A motion, of a wave or of a table; vectors are in the organ's own frame.
+/// A motion as a wave or a table; vectors are in the organ's frame.
 struct MotionConfig : tissue::Wave {
-  std::string file;                                ///< A table `t, x, y, z` in place of a wave.
-  bool periodic = tissue::MotionTable().periodic;  ///< The table begins anew at its end.
+  std::string file;                                ///< Table `t, x, y, z` instead of a wave.
+  bool periodic = tissue::MotionTable().periodic;  ///< Whether the table repeats.
 };
 
-/// What holds a part of an organ.
+/// A support of a part of an organ.
 struct SupportConfig {
-  mesh::Region select;        ///< In the organ's own frame, after scaling.
+  mesh::Region select;        ///< In the organ's frame, after scaling.
   std::string kind = "glue";  ///< One of supportKindNames().
   fem::FoundationConstants springs;
-  std::optional<double> stiffness;     ///< Of a `slide` [Pa/m]; none: slideStiffness().
-  std::optional<MotionConfig> motion;  ///< Of what it is held by.
+  std::optional<double> stiffness;     ///< Of a `slide` [Pa/m]; empty: slideStiffness().
+  std::optional<MotionConfig> motion;  ///< Motion of the support.
 };
 
-/// Pressure on the surface of a cavity or of another part of an organ.
+/// Pressure on the surface of a cavity or on selected faces of an organ.
 struct PressureConfig : fem::CavityContent {
-  std::optional<int> cavity;           ///< Of mesh::cavityNodes(), or
-  std::optional<mesh::Region> select;  ///< faces of the surface, in the organ's own frame.
+  std::optional<int> cavity;           ///< Index in mesh::cavityNodes(), or
+  std::optional<mesh::Region> select;  ///< faces of the surface, in the organ's frame.
 };
 
 /// {"glue", "slide", "springs"}; the first is the default.

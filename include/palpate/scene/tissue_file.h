@@ -9,56 +9,56 @@
 
 namespace palpate::scene {
 
-/// Where numbers of a tissue come from.
+/// Source of values of a tissue.
 struct TissueSource {
-  std::string values;    ///< Which keys: "c10, c01".
-  std::string cite;      ///< Author, year, where.
-  std::string measured;  ///< What was measured, how, of which species.
+  std::string values;    ///< Keys with this source: "c10, c01".
+  std::string cite;      ///< Author, year, page or table.
+  std::string measured;  ///< Measured quantity, method, species.
   std::string read;      ///< first_hand | secondary | not_read
-  std::string note;      ///< How the numbers were converted or chosen; may be empty.
+  std::string note;      ///< Conversion or choice of the values; may be empty.
 };
 
-/// What nobody measured.
+/// Assumed values without a measurement.
 struct TissueChoice {
-  std::string values;  ///< Which keys.
+  std::string values;  ///< Keys with this assumption.
   std::string why;
 };
 
-/// A tissue of the library: a material with where its numbers come from.
+/// A tissue of the library: a material with the sources of its values.
 struct TissueFile {
-  std::string file;  ///< Where it was read.
+  std::string file;  ///< Path of the tissue file.
   std::string description;
-  MaterialConfig material;  ///< Never by `file`.
+  MaterialConfig material;  ///< Without `file`.
   std::vector<TissueSource> sources;
   std::vector<TissueChoice> choices;
 };
 
-/// How the writer of a tissue file knows a source.
+/// Allowed values of TissueSource::read.
 std::vector<std::string> sourceReadingNames();
 
-/// @throws InputError with all problems of the file, among them constants, a density or a
-/// relaxation that no source or choice accounts for.
+/// @throws InputError with all problems of the file, also constants, density or relaxation without
+/// source or choice.
 TissueFile readTissueFile(const std::string& file);
 
-/// A material whose constants are known, and where these stand.
+/// A material with constants, and the position of these in a file.
 struct WrittenMaterial {
-  MaterialConfig config;  ///< Never by `file`.
+  MaterialConfig config;  ///< Without `file`.
   std::string file, key;
 };
 
-/// The constants of a material: its own, or those of its tissue file. `file` and `key` as for
-/// makeSolid(), which throws the same.
+/// The constants of a material, its own or those of its tissue file. `file`, `key` and exceptions
+/// as for makeSolid().
 WrittenMaterial writtenOut(const MaterialConfig& material, const std::string& file,
                            const std::string& key);
 
-/// What a material is: written out, or as its tissue file says. `file` is the scene or case, whose
-/// folder paths start from, and `key` the material in it.
-/// @throws InputError in the name of `file` for a path that leads nowhere, or of the tissue file.
+/// Solid of a material, by its own constants or its tissue file. `file`: the scene or case, whose
+/// folder relative paths start from; `key`: the material in it.
+/// @throws InputError with the name of `file` for a wrong path, or of the tissue file.
 material::Solid makeSolid(const MaterialConfig& material, const std::string& file,
                           const std::string& key);
 
-/// docs/tissues.md, from the tissue files of a folder.
-/// @throws InputError as readTissueFile(), or if there is no such folder.
+/// Text of docs/tissues.md, from the tissue files of a folder.
+/// @throws InputError as readTissueFile(), or for a missing folder.
 std::string tissuesMarkdown(const std::string& folder);
 
 }  // namespace palpate::scene
