@@ -28,7 +28,7 @@ Geometry shapeOf(const urdf::Mesh& urdf, const std::string& name, const std::str
   mesh::SurfaceMesh surface = formats::readSurface(file);
   const Vec3 scale(urdf.scale.x, urdf.scale.y, urdf.scale.z);
   surface.points = scale.asDiagonal() * surface.points;
-  // A scale that mirrors turns the triangles inside out.
+  // A mirroring scale reverses the orientation.
   if (scale.prod() < 0.0) surface.triangles.row(1).swap(surface.triangles.row(2));
   MeshShape shape =
       shapeOfMesh(surface, file, options.collision_meshes, [&](const auto& stage, double part) {
@@ -59,7 +59,7 @@ Geometry toGeometry(const urdf::Geometry& urdf, const std::string& name, const s
   throw std::invalid_argument("the shape is of no known kind");
 }
 
-/// The file of a mesh, for reports; "" for another shape.
+/// Mesh file for reports; "" for other shapes.
 std::string meshName(const urdf::Geometry& urdf) {
   return urdf.type == urdf::Geometry::MESH ? static_cast<const urdf::Mesh&>(urdf).filename : "";
 }

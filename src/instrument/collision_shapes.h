@@ -19,8 +19,8 @@ struct Shapes {
   std::vector<Problem> problems;
 };
 
-/// The collision bodies of the links, by name in the order given, and a look at whether the meshes
-/// of the visuals exist. `folder` is where relative mesh files start.
+/// Collision bodies of the links, by name in the given order; also checks that visual meshes exist.
+/// Relative mesh files start from `folder`.
 Shapes readShapes(const urdf::ModelInterface& model, const std::vector<std::string>& links,
                   const std::string& folder, const InstrumentOptions& options);
 

@@ -7,7 +7,7 @@
 namespace palpate::instrument {
 namespace {
 
-/// A triangle flatter than this (height over longest edge) has no normal worth testing.
+/// Triangles with a smaller height over longest edge have no reliable normal.
 constexpr double kNeedle = 1e-9;
 constexpr double kNotConvex = 1e-6;
 

@@ -29,7 +29,7 @@ bool isNamed(const Element& element, const char* name) {
   return std::strcmp(element.Name(), name) == 0;
 }
 
-/// The value of an attribute, or "".
+/// Value of an attribute, or "".
 std::string valueOf(const Element& element, const char* attribute) {
   const char* value = element.Attribute(attribute);
   return value ? value : "";
@@ -39,7 +39,7 @@ void addPrefix(const std::string& prefix, const char* attribute, Element* elemen
   if (element) element->SetAttribute(attribute, (prefix + valueOf(*element, attribute)).c_str());
 }
 
-/// A path that other programs find. One in a package stays; rviz knows packages.
+/// Makes a path absolute for other programs, except package:// paths, which rviz resolves.
 void makeAbsolute(const std::string& folder, Element* mesh) {
   const std::string name = valueOf(*mesh, "filename");
   if (name.rfind("package://", 0) == 0) return;
@@ -55,7 +55,7 @@ void makeMeshesAbsolute(const std::string& folder, Element* link) {
   }
 }
 
-/// Leaves these links only, each but the first on a floating joint below the first.
+/// Keeps these links only, each but the first by a floating joint below the first.
 void keepLinks(const std::vector<std::string>& links, Element* robot) {
   for (Element* e = robot->FirstChildElement(); e;) {
     Element* const next = e->NextSiblingElement();

@@ -14,8 +14,8 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-constexpr std::size_t kMostNumbers = 3;   // of an attribute
-constexpr std::size_t kLongestName = 60;  // in a report
+constexpr std::size_t kMostNumbers = 3;   // per attribute
+constexpr std::size_t kLongestName = 60;  // shown in a report
 
 void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
   const Element* origin = parent.FirstChildElement("origin");
@@ -24,7 +24,7 @@ void checkOrigin(const Element& parent, std::vector<Problem>* problems) {
   checkNumbers(*origin, "rpy", 3, Range::kDirection, Need::kOptional, problems);
 }
 
-/// What a range means for one number, and in words.
+/// Bounds of a Range, and their text.
 struct Bounds {
   double most;
   bool positive, not_zero;
@@ -59,7 +59,7 @@ std::string describe(std::size_t count, Range range) {
   return wish + boundsOf(range).words;
 }
 
-/// All numbers of `text`, or nothing if something else stands there.
+/// All numbers of `text`; empty if there is anything else.
 std::vector<double> parseNumbers(const std::string& text) {
   std::istringstream in(text);
   std::vector<double> numbers;

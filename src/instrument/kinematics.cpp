@@ -14,7 +14,7 @@
 namespace palpate::instrument {
 namespace {
 
-constexpr double kMostFollowed = 1e9;  // of mimics of mimics together
+constexpr double kMostFollowed = 1e9;  // limit of the product of chained mimic multipliers
 
 Vec3 toVec3(const KDL::Vector& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -57,7 +57,7 @@ Joint toJoint(const urdf::Joint& urdf) {
   return joint;
 }
 
-/// Walks the tree; the joints of a link come in the order of the file.
+/// Traverses the tree; joints of a link are in the order of the file.
 class Builder {
  public:
   Builder(const urdf::ModelInterface& model, const UrdfOutline& outline)
@@ -94,7 +94,7 @@ class Builder {
     }
   }
 
-  /// Follows the chain of mimics to the joint that the input drives.
+  /// Follows the chain of mimics to the driven joint.
   void drive(const urdf::Joint* joint, Segment* segment) const {
     for (; joint->mimic; joint = model_.getJoint(joint->mimic->joint_name).get()) {
       segment->offset += segment->multiplier * joint->mimic->offset;

@@ -12,7 +12,7 @@
 
 namespace palpate::instrument {
 
-/// One link and the joint P -> L above it, as in KDL: at position q [m or rad] of the joint,
+/// A link and its parent joint P -> L, as in KDL. At the joint position q [m or rad],
 ///
 ///   X_PL = (rotation by q about `axis` at `origin`) X_end      revolute
 ///   X_PL = (shift by origin + q axis) X_end                    prismatic
@@ -20,7 +20,7 @@ namespace palpate::instrument {
 struct Segment {
   enum class Kind { kFixed, kRevolute, kPrismatic };
 
-  int parent = -1;  ///< Link; -1 for the root.
+  int parent = -1;  ///< Parent link; -1 for the root.
   Kind kind = Kind::kFixed;
   int joint = -1;              ///< Driven joint, or -1 if fixed.
   double multiplier = 1.0;     ///< q = multiplier * (driven joint's position) + offset.
@@ -30,19 +30,18 @@ struct Segment {
   Pose X_end = Pose::Identity();
 };
 
-/// Links in depth-first order, so that a parent stands before its children. Segment i belongs to
-/// link i. The maths of the joints is KDL's; its tree is not asked every cycle because its joints
-/// cache their last pose, which threads must not share.
+/// Links in depth-first order, parents first; segment i belongs to link i. Joint maths are KDL's;
+/// its tree is not used, since its joints cache their last pose and are not thread-safe.
 struct Kinematics {
   std::vector<std::string> links;
   std::vector<Joint> joints;
   std::vector<Segment> segments;
 };
 
-/// `outline` is of the same file and has no problems.
+/// @pre `outline` is of the same file, without problems.
 Kinematics buildKinematics(const urdf::ModelInterface& model, const UrdfOutline& outline);
 
-/// X_PL at the positions `q` of the driven joints.
+/// X_PL for positions `q` of the driven joints.
 Pose segmentPose(const Segment& segment, const Eigen::VectorXd& q);
 
 }  // namespace palpate::instrument

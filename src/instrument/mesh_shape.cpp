@@ -17,7 +17,7 @@
 namespace palpate::instrument {
 namespace {
 
-constexpr double kApart = 0.02;  // of the diagonal
+constexpr double kApart = 0.02;  // distance of points over the diagonal
 constexpr int kMostDivisions = 50;
 
 double diagonalOf(const mesh::SurfaceMesh& surface) {

@@ -12,7 +12,7 @@
 namespace palpate::instrument {
 namespace {
 
-/// Keeps the errors that urdfdom would print.
+/// Captures urdfdom's error messages.
 class Collector : public console_bridge::OutputHandler {
  public:
   void log(const std::string& message, console_bridge::LogLevel level, const char*, int) override {
@@ -25,8 +25,7 @@ class Collector : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// Puts a collector in the place of console_bridge's handler, which is one for the whole process:
-/// hence the lock.
+/// Replaces console_bridge's process-wide handler by a collector, under a lock.
 class Listening {
  public:
   explicit Listening(Collector* collector) : lock_(mutex()) {
@@ -44,7 +43,7 @@ class Listening {
   std::lock_guard<std::mutex> lock_;
 };
 
-/// urdfdom goes on after an error in a link, with what it had read of the link by then.
+/// Whether the model is complete: urdfdom keeps partial links after errors.
 bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
   if (model.links_.size() != outline.links.size()) return false;
   if (model.joints_.size() != outline.joints.size()) return false;
@@ -56,7 +55,7 @@ bool isWhole(const urdf::ModelInterface& model, const UrdfOutline& outline) {
   return true;
 }
 
-/// Of what is no UTF-8 urdfdom takes bytes together that the outline does not.
+/// urdfdom and the outline may read names that are no valid UTF-8 differently.
 /// @throws InputError for a joint that has another name in the model, or joins others.
 void refuseJointsReadOtherwise(const std::string& file, const urdf::ModelInterface& model,
                                const UrdfOutline& outline) {

@@ -11,12 +11,12 @@
 namespace palpate::instrument {
 
 struct ParsedUrdf {
-  urdf::ModelInterfaceSharedPtr model;  ///< Never null; without inertias, nothing here needs them.
-  std::string complaints;               ///< What urdfdom would have printed, or "".
+  urdf::ModelInterfaceSharedPtr model;  ///< Never null; without inertias, which are not needed.
+  std::string complaints;               ///< urdfdom's messages, or "".
 };
 
-/// Parses the outline's text by urdfdom, silently; the outline has no problems.
-/// @throws InputError with urdfdom's complaints if it refuses the file, or leaves a part of it out.
+/// Parses the outline's text by urdfdom without output. @pre The outline has no problems.
+/// @throws InputError with urdfdom's messages if it refuses the file or omits a part.
 ParsedUrdf parseUrdf(const std::string& file, const UrdfOutline& outline);
 
 }  // namespace palpate::instrument

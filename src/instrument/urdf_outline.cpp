@@ -12,8 +12,7 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-/// Far beyond any instrument; keeps the recursion of the libraries over links shallow, and what
-/// takes the square of a number short.
+/// Limits beyond any instrument. They bound recursion over links and quadratic algorithms.
 constexpr std::size_t kMaxLinks = 1000, kMaxShapes = 10000, kMaxName = 100;
 
 /// Collects links, joints and their problems.
@@ -23,12 +22,12 @@ class Outliner {
 
   void readLink(const Element& link);
   void readJoint(const Element& element);
-  /// There is nothing more to be said, or more than can be.
+  /// Whether the limit of problems, links, joints or shapes is reached.
   bool full() const {
     return outline_->problems.size() >= kMaxProblems || outline_->links.size() > kMaxLinks ||
            outline_->joints.size() > kMaxLinks || num_shapes_ > kMaxShapes;
   }
-  /// @throws InputError if there is more than can be.
+  /// @throws InputError for counts beyond the limits.
   void checkCounts(const std::string& file) const;
 
  private:

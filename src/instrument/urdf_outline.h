@@ -9,40 +9,39 @@
 
 namespace palpate::instrument {
 
-/// One <joint> as it stands in the file.
+/// A <joint> of the file.
 struct JointOutline {
   std::string where;  ///< "joint NAME (line N)", for reports.
   std::string name, type, parent, child;
-  std::string mimic;  ///< Joint that it follows, or "".
+  std::string mimic;  ///< Followed joint, or "".
   bool mimics = false;
 };
 
-/// What a URDF says before anybody interprets it: names in the file's order, and all that is wrong
-/// in single elements. The parser behind it (urdfdom) stops at the first error and logs it; this
-/// look finds them all and names them.
+/// Uninterpreted content of a URDF: names in the file's order, and all problems of single elements.
+/// The parser urdfdom stops at the first error and logs it; this check reports all by name.
 struct UrdfOutline {
-  /// The same text, written anew by the parser that has read it: what urdfdom's parser has no end
-  /// with, or reads otherwise, is not in it.
+  /// The text as rewritten by its parser, without anything that urdfdom would read differently or
+  /// endlessly.
   std::string xml;
   std::string robot;
   std::vector<std::string> links;
-  std::vector<std::size_t> shapes;  ///< Visuals and collisions, one number a link.
+  std::vector<std::size_t> shapes;  ///< Number of visuals and collisions of each link.
   std::vector<JointOutline> joints;
   std::vector<Problem> problems;
 };
 
-/// Of a file.
+/// Largest file [bytes].
 constexpr std::size_t kMaxUrdfBytes = 4u << 20;
 
-/// More problems than anybody reads; others are not looked for.
+/// Limit of reported problems.
 constexpr std::size_t kMaxProblems = 50;
 
-/// @throws InputError if `text` is not XML, its root is not <robot>, or there are more links,
-/// joints or shapes than any instrument has.
+/// @throws InputError for invalid XML, another root than <robot>, or counts of links, joints or
+/// shapes beyond the limits.
 UrdfOutline readOutline(const std::string& file, const std::string& text);
 
-/// Adds what is wrong between elements: names that do not exist, two parents, loops, not exactly
-/// one root, mimics that follow nothing or each other.
+/// Adds problems between elements: unknown names, two parents, loops, not exactly one root, mimics
+/// of unknown joints or of each other.
 void checkTopology(UrdfOutline* outline);
 
 }  // namespace palpate::instrument

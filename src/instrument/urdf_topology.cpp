@@ -14,7 +14,7 @@ std::string didYouMean(const std::string& name, const std::vector<std::string>& 
   return nearest.empty() ? "" : "; did you mean " + quoted(nearest) + "?";
 }
 
-/// Each link to the joint that moves it; checks the links' names and that no link has two parents.
+/// Maps each link to its parent joint. Checks the links' names, and that no link has two parents.
 std::map<std::string, const JointOutline*> joinLinks(UrdfOutline* outline) {
   std::map<std::string, const JointOutline*> above;
   const auto& links = outline->links;
@@ -41,7 +41,7 @@ std::map<std::string, const JointOutline*> joinLinks(UrdfOutline* outline) {
 void checkTree(UrdfOutline* outline) {
   const std::size_t before = outline->problems.size();
   const auto above = joinLinks(outline);
-  if (outline->problems.size() > before) return;  // what follows would only repeat it
+  if (outline->problems.size() > before) return;  // later checks would repeat these problems
   std::vector<std::string> roots;
   for (const std::string& link : outline->links) {
     if (above.count(link) == 0) roots.push_back(link);
@@ -52,7 +52,7 @@ void checkTree(UrdfOutline* outline) {
     outline->problems.push_back({"robot " + outline->robot, joinNames(roots),
                                  "these links hang on no joint; exactly one link may, the root"});
   }
-  // With one parent each, a link that does not reach a root goes round in a loop.
+  // Each link has at most one parent, so a link without path to a root is in a loop.
   for (const std::string& link : outline->links) {
     std::string at = link;
     std::string way = link;
@@ -108,7 +108,7 @@ void checkMimics(UrdfOutline* outline) {
 }  // namespace
 
 void checkTopology(UrdfOutline* outline) {
-  if (outline->problems.size() >= kMaxProblems) return;  // not all of the file was looked at
+  if (outline->problems.size() >= kMaxProblems) return;  // the file was not read completely
   checkTree(outline);
   checkMimics(outline);
 }

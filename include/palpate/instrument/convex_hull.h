@@ -5,11 +5,10 @@
 
 namespace palpate::instrument {
 
-/// The collision shape of a convex, closed, outward oriented surface [m] (see mesh::convexHull).
-/// Every plane supports the surface: rounding in the normal of a needle triangle cannot make it cut
-/// a corner off.
-/// @throws std::invalid_argument if there is no triangle, a coordinate is not finite, or a corner
-/// lies beyond the plane of a triangle by more than 1e-6 of the surface's extent.
+/// Collision shape of a convex, closed, outward oriented surface [m] (see mesh::convexHull). Each
+/// plane is moved to support the surface, so rounded normals of thin triangles cut off no corner.
+/// @throws std::invalid_argument without triangles, for a non-finite coordinate, or a corner beyond
+/// a triangle's plane by more than 1e-6 of the surface's extent.
 ConvexHull makeConvexHull(const mesh::SurfaceMesh& surface);
 
 }  // namespace palpate::instrument

@@ -11,16 +11,16 @@
 
 namespace palpate::instrument {
 
-/// About the origin.
+/// Centre at the origin.
 struct Sphere {
   double radius;  ///< [m]
 };
-/// About the z axis, the axis segment from z = -half_length to +half_length.
+/// The axis is the segment from z = -half_length to +half_length on the z axis.
 struct Capsule {
   double radius;       ///< [m]
-  double half_length;  ///< [m]; the caps reach radius farther.
+  double half_length;  ///< [m], without the caps.
 };
-/// About the z axis, with flat ends at z = -half_length and +half_length.
+/// The axis is z, with flat ends at z = -half_length and +half_length.
 struct Cylinder {
   double radius;       ///< [m]
   double half_length;  ///< [m]
@@ -31,18 +31,18 @@ struct Box {
 /// A closed convex polyhedron, outward oriented, with its face planes n . p <= d.
 struct ConvexHull {
   mesh::SurfaceMesh surface;
-  Eigen::Matrix3Xd normals;  ///< Unit, outward, one a triangle, 3 x m.
-  Eigen::VectorXd offsets;   ///< d [m], m.
+  Eigen::Matrix3Xd normals;  ///< Unit, outward, one per triangle, 3 x m.
+  Eigen::VectorXd offsets;   ///< d of each plane [m], m.
 };
 
-/// A closed surface of any shape, by its sampled distance. Copies share it.
+/// A closed surface by its sampled distance. Copies share it.
 struct SampledSurface {
   std::shared_ptr<const mesh::DistanceGrid> grid;
 };
 
 using Geometry = std::variant<Sphere, Capsule, Cylinder, Box, ConvexHull, SampledSurface>;
 
-/// A collision shape on a link. `X_LG` maps the shape's frame to the link's.
+/// A collision shape of a link. `X_LG` maps the shape's frame to the link's frame.
 struct CollisionBody {
   int link;          ///< Index into Instrument::linkNames().
   std::string name;  ///< "link" or "link/collision name", for reports.

@@ -12,17 +12,17 @@
 
 namespace palpate::instrument {
 
-/// How URDF shapes become collision bodies.
+/// Conversion of URDF shapes to collision bodies.
 struct InstrumentOptions {
-  bool cylinder_as_capsule = true;  ///< A capsule of the same total length; else exact.
+  bool cylinder_as_capsule = true;  ///< Replace cylinders by capsules of the same total length.
   MeshShapeSettings collision_meshes;
-  ShapeProgress progress;  ///< Of sampling meshes that are not convex; may be empty.
+  ShapeProgress progress;  ///< Progress of sampling non-convex meshes; may be empty.
 };
 
-/// A joint that the input drives (revolute, prismatic, continuous; not fixed, not mimic).
+/// A driven joint: revolute, prismatic or continuous, neither fixed nor mimic.
 struct Joint {
   std::string name;
-  bool prismatic = false;  ///< Positions in [m]; else [rad].
+  bool prismatic = false;  ///< Whether positions are in [m]; else in [rad].
   double lower, upper;     ///< Limits [m or rad]; -inf, +inf for a continuous joint.
 };
 
@@ -34,7 +34,7 @@ class Instrument {
   Instrument& operator=(Instrument&&) noexcept;
 
   const std::string& name() const;
-  /// Joints that the input must give, in the URDF's order (depth first from the root).
+  /// Joints of the input, in depth-first order from the root.
   const std::vector<Joint>& joints() const;
   std::vector<std::string> jointNames() const;
   /// Links in depth-first order; the root is link 0.
@@ -42,9 +42,9 @@ class Instrument {
   /// Index of `link`, or -1.
   int linkIndex(const std::string& link) const;
   const std::vector<CollisionBody>& bodies() const;
-  /// What was odd but not wrong while loading (a missing visual mesh, ...).
+  /// Harmless irregularities of loading, for example a missing visual mesh.
   const std::vector<std::string>& warnings() const;
-  /// What was decided while loading: how meshes are sampled.
+  /// Decisions of loading: the sampling of meshes.
   const std::vector<std::string>& notes() const;
 
   /// Forward kinematics: `X_BL->at(i)` maps link i to the root link B, for positions `q` of
@@ -59,9 +59,8 @@ class Instrument {
 };
 
 /// Reads a URDF file. Mesh URIs may be package://, file:// or relative to the file.
-/// @throws InputError: file missing, not XML, a joint loop, a mimic of an unknown joint, a joint
-/// type that is not supported, a collision mesh that is missing or empty, or neither convex nor
-/// closed.
+/// @throws InputError: missing file, no XML, a joint loop, a mimic of an unknown joint, an
+/// unsupported joint type, a collision mesh that is missing, empty, or neither convex nor closed.
 Instrument readInstrument(const std::string& urdf_file, const InstrumentOptions& options = {});
 
 }  // namespace palpate::instrument

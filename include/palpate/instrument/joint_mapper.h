@@ -8,13 +8,13 @@
 
 namespace palpate::instrument {
 
-/// Picks the positions of wanted joints out of named positions that come in any order and with
-/// others among them (a JointState, a line of a trajectory).
+/// Selects the positions of wanted joints from named positions in any order (a JointState, a line
+/// of a trajectory).
 class JointMapper {
  public:
-  /// Bad input is an outcome, not an exception: it comes while running.
+  /// Result of map(); bad input at run time is a status, not an exception.
   struct Status {
-    std::string problem;  ///< A sentence; empty if all is well.
+    std::string problem;  ///< A sentence; empty on success.
 
     bool ok() const { return problem.empty(); }
   };
@@ -22,9 +22,9 @@ class JointMapper {
   /// @param wanted names of the joints, in the order of the result.
   explicit JointMapper(std::vector<std::string> wanted);
 
-  /// (*q)[i] becomes the position of wanted joint i [m or rad]. Fails, and leaves `q` as it was, if
-  /// a wanted joint is missing, given twice or not finite, or if there are not as many positions
-  /// (`n`) as names. Does not allocate while `names` are the same as last time and all is well.
+  /// Sets (*q)[i] to the position of wanted joint i [m or rad]. Fails without change of `q` if a
+  /// wanted joint is missing, repeated or not finite, or if `n` differs from the number of names.
+  /// Does not allocate for the same `names` as last time.
   Status map(const std::vector<std::string>& names, const double* positions, std::size_t n,
              Eigen::VectorXd* q);
 
@@ -32,8 +32,8 @@ class JointMapper {
   Status find(const std::vector<std::string>& names);
 
   std::vector<std::string> wanted_;
-  std::vector<std::string> names_;   // that source_ is for; empty: none yet
-  std::vector<std::size_t> source_;  // of wanted joint i, into names_
+  std::vector<std::string> names_;   // names that source_ is for; empty: none yet
+  std::vector<std::size_t> source_;  // index of wanted joint i in names_
 };
 
 }  // namespace palpate::instrument

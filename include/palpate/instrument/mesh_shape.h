@@ -10,31 +10,31 @@
 
 namespace palpate::instrument {
 
-/// What becomes of a mesh that is not convex.
+/// Treatment of meshes that are not convex.
 struct MeshShapeSettings : mesh::DistanceGridSettings {
-  bool convex_hull = false;  ///< Its hull, which fills its notches and holes; else it is sampled.
+  bool convex_hull = false;  ///< Use the convex hull, which fills notches and holes; else sample.
 };
 
-/// What is being done, and a part in [0, 1].
+/// Reports the present task and its progress in [0, 1].
 using ShapeProgress = std::function<void(const std::string& what, double part)>;
 
 struct MeshShape {
   Geometry geometry;
-  std::string note;                  ///< How it was sampled, or that it was filled; for the user.
-  std::vector<std::string> repairs;  ///< What was mended, a sentence each.
+  std::string note;                  ///< How it was sampled or filled, for the user.
+  std::vector<std::string> repairs;  ///< Repairs, a sentence each.
 };
 
-/// A mesh whose convex hull reaches beyond it by less than this part of its diagonal is convex.
+/// Largest depth below the hull, over the diagonal, of a convex mesh [-].
 constexpr double kConvexWithin = 1.0e-3;
 
-/// How far the hull of the surface's points reaches beyond the surface [m]: the depth below the
-/// hull of points on the triangles, a fiftieth of the diagonal apart.
+/// Largest depth of the surface below the hull of its points [m], at points on the triangles a
+/// fiftieth of the diagonal apart.
 double depthBelowHull(const mesh::SurfaceMesh& surface, const ConvexHull& hull);
 
-/// The shape of a triangle mesh [m]: exactly its hull if it is convex; else a sampled surface, out
-/// of the user's cache where it is there, or the hull if the settings ask for it.
-/// @throws std::invalid_argument that says what is wrong and what to do if the mesh has no volume,
-/// or is neither convex nor, repaired as an organ's surface is, closed. `file` is named by errors.
+/// Shape of a triangle mesh [m]: the exact hull if it is convex; else the hull if the settings ask
+/// for it, or a sampled surface, from the user's cache if present. Errors name `file`.
+/// @throws std::invalid_argument, with cause and remedy, for a mesh without volume, or neither
+/// convex nor closed after the repairs of an organ's surface.
 MeshShape shapeOfMesh(const mesh::SurfaceMesh& surface, const std::string& file,
                       const MeshShapeSettings& settings, const ShapeProgress& progress = {});
 
