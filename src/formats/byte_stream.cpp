@@ -6,7 +6,7 @@
 namespace palpate::formats {
 namespace {
 
-/// Value of a base64 digit [RFC 4648, table 1]; -1 of another character.
+/// Value of a base64 digit [RFC 4648, table 1]; -1 for other characters.
 int digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -19,7 +19,7 @@ bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace
 
-/// Four characters to one, two or three bytes.
+/// Decodes four characters to one, two or three bytes.
 bool ByteStream::decodeGroup() {
   unsigned bits = 0;
   int num_digits = 0, num_characters = 0;

@@ -6,15 +6,15 @@
 
 namespace palpate::formats {
 
-/// Gives bytes from memory or from base64 text, as many at a time as wanted. Base64 with padding
-/// in the middle (one encoding after the other) reads on behind it.
+/// Reads bytes from memory or base64 text in pieces. Continues after padding in the middle, for
+/// concatenated base64 encodings.
 class ByteStream {
  public:
   ByteStream(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// The next `size` bytes; fewer where the text ends or is no base64.
+  /// The next `size` bytes; fewer at the end of the text or at invalid base64.
   std::string read(std::size_t size);
-  /// An upper bound of the bytes that are left.
+  /// Upper bound of the remaining bytes.
   std::size_t room() const { return text_.size() - position_ + pending_.size(); }
 
  private:
@@ -23,7 +23,7 @@ class ByteStream {
   std::string_view text_;
   bool base64_;
   std::size_t position_ = 0;
-  std::string pending_;  // decoded, not read yet
+  std::string pending_;  // decoded but not yet read
 };
 
 }  // namespace palpate::formats

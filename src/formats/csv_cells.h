@@ -6,11 +6,10 @@
 
 namespace palpate::formats {
 
-/// `text` without the blanks and tabs at its ends.
+/// `text` without leading and trailing blanks and tabs.
 std::string_view trimmed(std::string_view text);
 
-/// What stands between the commas of a line, trimmed; one more than there are commas. Quotes have
-/// no meaning. The pieces are parts of `line`.
+/// Comma-separated parts of a line, trimmed; views of `line`. Quotes have no meaning.
 std::vector<std::string_view> csvCells(std::string_view line);
 
 }  // namespace palpate::formats

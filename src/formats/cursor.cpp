@@ -15,7 +15,7 @@
 namespace palpate::formats {
 namespace {
 
-/// What a message shows of a word: short and printable.
+/// A word shortened and made printable for messages.
 std::string shown(std::string_view word) {
   std::string text(word.substr(0, 40));
   std::replace_if(
@@ -155,7 +155,7 @@ std::size_t Cursor::count(const char* what, std::size_t bytes_each) {
 void Cursor::checkCount(std::int64_t count, const char* what, std::size_t bytes_each) {
   const std::string value = std::to_string(count);
   if (count < 0) fail(value, std::string("must not be negative: ") + what);
-  // One separator less than items in text, hence + 1.
+  // Text has one separator fewer than items, hence + 1.
   const std::size_t room = remaining() / bytes_each + 1;
   if (static_cast<std::uint64_t>(count) > room || count > std::numeric_limits<int>::max() / 16) {
     fail(value, std::string("truncated or wrong ") + what + ": only " +

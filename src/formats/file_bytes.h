@@ -6,14 +6,14 @@
 
 namespace palpate::formats {
 
-/// The whole file. @throws InputError if it is missing, no regular file, unreadable, empty or
-/// larger than 2 GiB.
+/// The whole file. @throws InputError for a missing, unreadable or empty file, one that is not
+/// regular, or larger than 2 GiB.
 std::string readFileBytes(const std::string& file);
 
-/// ASCII letters in lower case; others stay.
+/// Converts ASCII letters to lower case.
 std::string lowerCase(std::string_view word);
 
-/// ".obj" of "a/Liver.OBJ"; "" if there is none.
+/// Extension, ".obj" for "a/Liver.OBJ"; "" if there is none.
 std::string lowerCaseExtension(const std::string& file);
 
 }  // namespace palpate::formats

@@ -4,7 +4,7 @@
 namespace palpate::formats {
 namespace {
 
-/// The region of an element: its first tag is the physical one, its second the elementary one.
+/// Region of an element: the first tag is physical, the second elementary.
 int readTags(GmshFile& f, int num_tags) {
   int region = 0;
   for (int i = 0; i < num_tags; ++i) {
@@ -31,7 +31,7 @@ int readNumTags(GmshFile& f) {
 }  // namespace
 
 void readGmsh2Nodes(GmshFile& f) {
-  const std::size_t num_nodes = f.in.count("number of nodes", 8);  // text in both forms
+  const std::size_t num_nodes = f.in.count("number of nodes", 8);  // 8 bytes in text and binary
   f.in.skipLine();
   for (std::size_t n = num_nodes; n > 0; --n) {
     const int tag = f.integer("tag of a node");
@@ -53,7 +53,7 @@ void readGmsh2Elements(GmshFile& f) {
       --left;
       continue;
     }
-    // Blocks of one type.
+    // Blocks of elements of one type.
     const int type = f.integer("type of elements");
     const int in_block = f.integer("number of elements in a block");
     const int num_tags = readNumTags(f);

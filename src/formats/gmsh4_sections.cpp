@@ -15,15 +15,15 @@ int readDimension(GmshFile& f) {
   f.in.fail(std::to_string(dimension), "the dimension of an entity must be 0 ... 3");
 }
 
-/// One entity: tag, extent (a point's is x y z, others have two corners), physical tags, and for
-/// all but points the entities that bound it.
+/// Reads an entity: tag, extent (x y z for a point, else two corners), physical tags, and bounding
+/// entities except for points.
 void readEntity(GmshFile& f, int dimension) {
   const int tag = f.integer("tag of an entity");
   for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) f.real("extent of an entity");
   int physical = 0;
   for (std::size_t n = f.count("number of physical tags", 2, 4), i = 0; i < n; ++i) {
     const int p = f.integer("physical tag");
-    // Negative: the orientation is reversed. The most negative one has no positive.
+    // A negative tag means reversed orientation. The most negative int has no absolute value.
     if (i == 0) physical = std::abs(std::max(p, -std::numeric_limits<int>::max()));
   }
   if (dimension == 3 && physical != 0) f.physical[tag] = physical;

@@ -21,7 +21,7 @@ constexpr int kOtherGmshElements[] = {5, 6, 7, 12, 13, 14, 17, 18, 19, 29, 30, 3
 
 std::int64_t TagIndex::findRising(std::int64_t tag) const {
   if (rising_.empty() || tag < rising_.front().first || tag > rising_.back().first) return -1;
-  // Without gaps it is in its place.
+  // Without gaps the tag gives the position.
   const auto place =
       static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(rising_.front().first);
   if (place < rising_.size() && rising_[place].first == tag) return rising_[place].second;

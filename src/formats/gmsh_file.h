@@ -14,23 +14,24 @@
 
 namespace palpate::formats {
 
-/// Which node has a tag. Takes the logarithm of their number for any tags, which a table of hashes
-/// would not: a file chooses them.
+/// Maps tags to node indices. Logarithmic for any tags; a hash table could be made slow by a file's
+/// choice of tags.
 class TagIndex {
  public:
-  /// False if there is one of that tag.
+  /// Returns false if the tag exists.
   bool add(std::int64_t tag, std::int64_t index);
-  /// -1: none.
+  /// Index, or -1.
   std::int64_t find(std::int64_t tag) const;
 
  private:
   std::int64_t findRising(std::int64_t tag) const;
 
-  std::vector<std::pair<std::int64_t, std::int64_t>> rising_;  // most files have no others
+  std::vector<std::pair<std::int64_t, std::int64_t>> rising_;  // increasing tags; most files have
+                                                               // no others
   std::map<std::int64_t, std::int64_t> others_;
 };
 
-/// What the sections of a .msh file share while it is read.
+/// Common state of the sections of a .msh file during reading.
 class GmshFile {
  public:
   static constexpr std::size_t kMostNodes = 125;
@@ -41,29 +42,29 @@ class GmshFile {
   Cursor in;
   TetBuilder builder;
   bool binary = false;
-  bool swap = false;            // the file has the other byte order
-  int size_of_size = 8;         // [bytes] of size_t in version 4
-  std::map<int, int> physical;  // version 4: tag of a volume to its physical tag
+  bool swap = false;            // byte order differs from this machine's
+  int size_of_size = 8;         // size_t in version 4 [bytes]
+  std::map<int, int> physical;  // version 4: physical tag of each volume
 
-  // The next number, in text or binary.
+  // Reads the next number, text or binary.
   int integer(const char* what);
   std::int64_t size(const char* what);
   double real(const char* what);
-  /// A number of things, each of at least so many bytes; as Cursor::count().
+  /// Reads a number of items of at least these sizes, as Cursor::count().
   std::size_t count(const char* what, std::size_t bytes_in_text, std::size_t bytes_in_binary);
 
   void addNode(std::int64_t tag, const Vec3& point);
-  /// An element of Gmsh's `type` with the tags of its nodes in Gmsh's order. Tetrahedra are kept,
-  /// other volumes refused, everything else ignored.
+  /// Adds an element of Gmsh's `type`, with node tags in Gmsh's order. Keeps tetrahedra, refuses
+  /// other volumes, ignores the rest.
   void addElement(int type, const NodeTags& tags, int region);
-  /// Nodes of an element of `type`; unknown types are refused.
+  /// Number of nodes of an element of `type`; refuses unknown types.
   int numNodes(int type) const;
 
  private:
   TagIndex index_;
 };
 
-// The sections, from behind their name up to their end mark.
+// Readers of sections, from after the name to the end mark.
 void readGmsh1Nodes(GmshFile& f);     // $NOD
 void readGmsh1Elements(GmshFile& f);  // $ELM
 void readGmsh2Nodes(GmshFile& f);     // $Nodes of version 2

@@ -24,11 +24,11 @@ void readVertices(Cursor& in, TetBuilder* builder) {
   }
 }
 
-/// Mid-edge nodes stand in VTK's order.
+/// Mid-edge nodes are in VTK's order.
 void readTets(Cursor& in, int num_nodes, TetBuilder* builder) {
   for (std::size_t n = in.count("number of tetrahedra", 10); n > 0; --n) {
     TetNodes nodes{};
-    for (int i = 0; i < num_nodes; ++i) {  // from 1 on; the least number has none before it
+    for (int i = 0; i < num_nodes; ++i) {  // counted from 1; the least int has no predecessor
       nodes[i] = std::max(in.integer("node of a tetrahedron"), std::int64_t{0}) - 1;
     }
     builder->addTet(nodes, num_nodes);
@@ -40,7 +40,7 @@ void readMeshDimension(Cursor& in) {
   if (in.integer("dimension") != 3) in.fail("Dimension", "must be 3");
 }
 
-/// Passes the numbers of a section that is of no use here.
+/// Skips the numbers of an unused section.
 void skipNumbers(Cursor& in) {
   while (parseNumber(in.peek())) in.word();
 }

@@ -8,7 +8,7 @@
 namespace palpate::formats {
 namespace {
 
-/// The sections that are read, by name and version (the whole part). All others are passed.
+/// Sections to read, by name and major version. Others are skipped.
 struct Section {
   const char* name;
   int version;
@@ -23,7 +23,8 @@ constexpr Section kSections[] = {{"$NOD", 1, readGmsh1Nodes, "$ENDNOD"},
                                  {"$Nodes", 4, readGmsh4Nodes, "$EndNodes"},
                                  {"$Elements", 4, readGmsh4Elements, "$EndElements"}};
 
-/// "4.1 1 8", and in a binary file the integer 1 in its byte order. Returns the whole version.
+/// Reads "4.1 1 8", and in a binary file the integer 1 in its byte order. Returns the major
+/// version.
 int readFormat(GmshFile& f) {
   const std::string_view version = f.in.word();
   const double number = f.in.toNumber(version, "version");
@@ -70,7 +71,7 @@ void readSection(const std::string& name, int version, GmshFile& f) {
 
 mesh::TetMesh readMsh(const std::string& file, std::string_view bytes) {
   GmshFile f(file, bytes);
-  int version = 1;  // which has no $MeshFormat
+  int version = 1;  // version 1 has no $MeshFormat
   while (!f.in.atEnd()) {
     const std::string name(f.in.word());
     if (name[0] != '$') f.in.fail(name, "must be the name of a section: $MeshFormat, $NOD, ...");

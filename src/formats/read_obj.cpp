@@ -11,13 +11,13 @@
 namespace palpate::formats {
 namespace {
 
-/// A face, until all points are known.
+/// A face, stored until all points are read.
 struct Face {
   std::ptrdiff_t line;
-  std::size_t end;  // of its corners among those of all
+  std::size_t end;  // end of its corners in the list of all corners
 };
 
-/// The next word of a line that "\" at its end continues.
+/// The next word of a line, which "\" at its end continues.
 std::string_view wordOnLongLine(Cursor& in) {
   std::string_view word = in.wordOnLine();
   while (word == "\\") {
@@ -47,7 +47,7 @@ mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes) {
       const std::ptrdiff_t line = in.line();
       std::string_view word;
       while (!(word = wordOnLongLine(in)).empty()) {
-        // v, v/vt, v//vn, v/vt/vn: the vertex comes first.
+        // v, v/vt, v//vn, v/vt/vn: the vertex is first.
         const std::int64_t index =
             in.toInteger(word.substr(0, word.find('/')), "vertex index of a face");
         if (index == 0) in.fail(word, "a vertex index must not be 0: they count from 1");

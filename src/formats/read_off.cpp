@@ -9,8 +9,8 @@
 namespace palpate::formats {
 namespace {
 
-/// "OFF" with any of the prefixes ST (texture), C (colour), N (normal): what they add stands
-/// behind x y z. 4OFF and nOFF have other coordinates.
+/// "OFF" with any of the prefixes ST (texture), C (colour), N (normal), whose values follow x y z.
+/// 4OFF and nOFF have other coordinates.
 bool isOffHeader(std::string_view word) {
   for (const std::string_view prefix : {"ST", "C", "N"}) {
     if (word.substr(0, prefix.size()) == prefix) word.remove_prefix(prefix.size());

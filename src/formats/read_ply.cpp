@@ -91,7 +91,7 @@ Header readHeader(Cursor& in) {
   return header;
 }
 
-/// Reads the data part number by number.
+/// Reads the values of the data part one by one.
 class Values {
  public:
   Values(Cursor& in, Encoding encoding)
@@ -135,7 +135,7 @@ void readVertex(const Element& element, Values& values, SurfaceBuilder* builder)
   builder->addPoint(point);
 }
 
-/// Any element but a vertex; of a face, its corners.
+/// Reads any element but a vertex; for a face, its corners.
 void readOther(const Element& element, Values& values, std::vector<std::int64_t>* corners) {
   for (const Property& property : element.properties) {
     std::int64_t n = property.is_list ? values.nextCount(property) : 1;

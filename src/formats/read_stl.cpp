@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;  // [bytes]
 
-/// Every corner is a point of its own here; the builder makes one of those in the same place.
+/// Adds each corner as a separate point; the builder merges equal ones.
 std::int64_t addCorner(const Vec3& p, SurfaceBuilder* builder) {
-  builder->addPoint(p + Vec3::Zero());  // a negative zero is the same point
+  builder->addPoint(p + Vec3::Zero());  // converts negative zero, an equal point
   return static_cast<std::int64_t>(builder->numPoints()) - 1;
 }
 
@@ -37,9 +37,9 @@ mesh::SurfaceMesh readText(const std::string& file, std::string_view bytes) {
     if (!corners.empty() && !in_loop) in.fail(word, "must be 'endloop'");
     if (key == "solid" || key == "endsolid") {
       open = key == "solid";
-      in.skipLine();  // its name
+      in.skipLine();  // name
     } else if (key == "facet") {
-      in.skipLine();  // its normal: the corners' order says more
+      in.skipLine();  // normal; the corner order defines the orientation
     } else if (key == "vertex") {
       const double x = in.number("x of a vertex");
       const double y = in.number("y of a vertex");
@@ -86,8 +86,8 @@ mesh::SurfaceMesh readBinary(const std::string& file, std::string_view bytes) {
   return builder.finish();
 }
 
-/// Many binary files begin with "solid" too. What decides: the size that the number of facets
-/// asks for, then whether the beginning is text.
+/// Text or binary: many binary files begin with "solid", too. The size by the number of facets
+/// decides, then whether the beginning is text.
 bool isText(std::string_view bytes) {
   if (bytes.size() >= kHeader) {
     const auto n = load<std::uint32_t>(bytes.data() + kHeader - 4, !hostIsLittleEndian());

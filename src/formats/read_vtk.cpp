@@ -16,8 +16,8 @@
 namespace palpate::formats {
 namespace {
 
-/// VTK's legacy format [The VTK User's Guide, "VTK File Formats"], the sections of an
-/// unstructured grid one after the other. Binary data is big-endian.
+/// VTK's legacy format [The VTK User's Guide, "VTK File Formats"]: the sections of an unstructured
+/// grid in sequence. Binary data is big-endian.
 class LegacyVtkReader {
  public:
   LegacyVtkReader(const std::string& file, std::string_view bytes)
@@ -78,7 +78,7 @@ class LegacyVtkReader {
     }
   }
 
-  /// Up to version 4: "n size", of each cell the number of its points and the points. Version 5:
+  /// Up to version 4: "n size", then for each cell the number of points and the points. Version 5:
   /// "n + 1 size", OFFSETS (with a leading 0) and CONNECTIVITY.
   void readCells() {
     const std::size_t n = in_.count("number of cells", 1);
@@ -122,7 +122,7 @@ class LegacyVtkReader {
   }
 
   void readField() {
-    in_.word();  // its name
+    in_.word();  // name
     for (std::size_t n = in_.count("number of arrays", 4); n > 0; --n) {
       if (lowerCase(in_.peek()) == "metadata") {
         in_.word();
@@ -135,7 +135,7 @@ class LegacyVtkReader {
     }
   }
 
-  /// SCALARS, VECTORS, ...: true if `key` is one of them.
+  /// Reads SCALARS, VECTORS, ...; returns whether `key` is one of them.
   bool readAttribute(const std::string& key) {
     if (key == "scalars") {
       const std::string name(in_.word());
@@ -179,7 +179,7 @@ class LegacyVtkReader {
     return static_cast<std::size_t>(n);
   }
 
-  /// Both are at most the file's size, so this does not overflow.
+  /// Both factors are at most the file's size, so the product does not overflow.
   static std::size_t product(std::size_t components, std::size_t count) {
     return components * count;
   }
@@ -195,10 +195,10 @@ class LegacyVtkReader {
     grid_.cell_data.push_back({name, components, std::move(values)});
   }
 
-  /// From behind the type's name.
+  /// Reads from after the type's name.
   std::vector<double> readArray(std::string_view type_name, std::size_t count) {
     const std::string name = lowerCase(type_name);
-    if (name == "bit" && binary_) {  // of no use here
+    if (name == "bit" && binary_) {  // unused data
       in_.skipLine();
       in_.bytes((count + 7) / 8, "array of bits");
       return {};
@@ -225,7 +225,7 @@ class LegacyVtkReader {
     return numbers;
   }
 
-  /// NaN is fine in data that is of no use here, and found by the builder in points.
+  /// NaN is allowed in unused data; for points the builder refuses it.
   double value() {
     const std::string_view word = in_.word();
     const std::optional<double> number = parseAnyNumber(word);
@@ -235,7 +235,7 @@ class LegacyVtkReader {
   const std::string file_;
   Cursor in_;
   bool binary_ = false;
-  bool of_cells_ = false;       // in CELL_DATA
+  bool of_cells_ = false;       // inside CELL_DATA
   std::size_t num_values_ = 0;  // of CELL_DATA or POINT_DATA
   VtkGrid grid_;
 };

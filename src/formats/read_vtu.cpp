@@ -15,7 +15,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The file in two parts: XML, and what AppendedData holds, which may be anything.
+/// Parts of the file: XML, and the arbitrary bytes of AppendedData.
 struct Parts {
   std::string xml;
   std::string_view appended;

@@ -12,8 +12,8 @@
 namespace palpate::formats {
 namespace {
 
-// USE within USE could multiply without end: so many nodes, and so many numbers more than the file
-// can have itself.
+// Nested USE can multiply without bound. Limits: visited nodes, and numbers beyond those of the
+// file.
 constexpr int kMostVisits = 1000000;
 constexpr std::size_t kMostRepeated = 2000000;
 
@@ -42,7 +42,7 @@ class Walker {
       if (which >= 0.0 && which < static_cast<double>(choices.size())) {
         visit(*choices[static_cast<std::size_t>(which)], X_WP);
       }
-    } else if (node.type == "LOD") {  // the finest comes first
+    } else if (node.type == "LOD") {  // the finest level is first
       const auto& levels = node.field("level").nodes;
       if (!levels.empty()) visit(*levels[0], X_WP);
     } else if (node.type == "Shape") {
@@ -59,7 +59,7 @@ class Walker {
     throw InputError(file_, node.where, node.type, allowed);
   }
 
-  /// Field `name`, which must have as many numbers as `fallback`.
+  /// Field `name`, which must have as many numbers as `fallback`; if absent, `fallback`.
   std::vector<double> values(const VrmlNode& node, const char* name,
                              const std::vector<double>& fallback) const {
     if (!node.has(name)) return fallback;
@@ -116,7 +116,7 @@ class Walker {
     for (std::size_t i = 0; i < xyz.size(); i += 3) {
       builder_.addPoint(X_WP * Vec3(xyz[i], xyz[i + 1], xyz[i + 2]));
     }
-    // A mirror turns the corners' order round; so does ccw FALSE.
+    // A mirroring transform reverses the corner order, as does ccw FALSE.
     const bool ccw = values(node, "ccw", {1.0})[0] != 0.0;
     addFaces(node, first, ccw == (X_WP.linear().determinant() >= 0.0));
   }
@@ -142,7 +142,7 @@ class Walker {
         corners.push_back(fits ? first + static_cast<std::int64_t>(index) : -1);
       }
     }
-    if (!corners.empty()) close();  // the last -1 may be left out
+    if (!corners.empty()) close();  // the last -1 is optional
   }
 
   const std::string file_;

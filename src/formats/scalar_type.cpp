@@ -21,7 +21,7 @@ constexpr Named kPly[] = {
     {"int", kInt32},     {"int32", kInt32},     {"uint", kUInt32},    {"uint32", kUInt32},
     {"float", kFloat32}, {"float32", kFloat32}, {"double", kFloat64}, {"float64", kFloat64}};
 
-// `vtkIdType` lies in legacy files as a 32-bit int.
+// In legacy files `vtkIdType` is a 32-bit int.
 constexpr Named kVtk[] = {{"char", kInt8},
                           {"signed_char", kInt8},
                           {"unsigned_char", kUInt8},
@@ -71,7 +71,7 @@ double loadNumber(const char* p, ScalarType type, bool swap) {
   if (type.kind == ScalarType::kFloat) {
     return type.size == 4 ? static_cast<double>(load<float>(p, swap)) : load<double>(p, swap);
   }
-  // No `signed ? a : b`: that would make both unsigned.
+  // `signed ? a : b` would convert both to unsigned.
   if (type.kind == ScalarType::kSigned) {
     if (type.size == 1) return load<std::int8_t>(p, swap);
     if (type.size == 2) return load<std::int16_t>(p, swap);

@@ -8,7 +8,7 @@
 
 namespace palpate::formats {
 
-/// A number as it lies in a binary file.
+/// Type of a number in a binary file.
 struct ScalarType {
   enum Kind { kSigned, kUnsigned, kFloat } kind = kFloat;
   std::size_t size = 8;  ///< [bytes] 1, 2, 4 or 8; floats 4 or 8.
@@ -20,7 +20,7 @@ std::optional<ScalarType> vtuType(std::string_view name);  ///< "Int64", "Float3
 
 bool hostIsLittleEndian();
 
-/// The bytes at `p` as a T, in the other byte order if `swap`.
+/// Loads the bytes at `p` as a T, in reversed byte order if `swap`.
 template <class T>
 T load(const char* p, bool swap) {
   char bytes[sizeof(T)];
@@ -30,8 +30,8 @@ T load(const char* p, bool swap) {
   return value;
 }
 
-/// The number of `type` at `p` as a double (whole numbers beyond 2^53 are rounded: no index is so
-/// large).
+/// Loads the number of `type` at `p` as a double. Integers beyond 2^53 are rounded; indices are
+/// smaller.
 double loadNumber(const char* p, ScalarType type, bool swap);
 
 }  // namespace palpate::formats

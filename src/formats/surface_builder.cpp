@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kShownProblems = 10;
 
-/// Drops the points that no triangle uses; the others keep their order.
+/// Drops unused points; the others keep their order.
 void dropUnusedPoints(mesh::SurfaceMesh* surface) {
   std::vector<int> renamed(static_cast<std::size_t>(surface->points.cols()), -1);
   int* const corners = surface->triangles.data();

@@ -11,8 +11,7 @@
 
 namespace palpate::formats {
 
-/// Collects the points and polygons of a file and everything that is wrong with them, the same
-/// way for every format.
+/// Collects the points, polygons and problems of a file, for all formats alike.
 class SurfaceBuilder {
  public:
   explicit SurfaceBuilder(std::string file) : file_(std::move(file)) {}
@@ -20,17 +19,17 @@ class SurfaceBuilder {
   std::size_t numPoints() const { return points_.size(); }
   void addPoint(const Vec3& point) { points_.push_back(point); }
 
-  /// The polygon's fan. Corners count from 0, whatever the file does. Fewer than three corners,
-  /// or one outside `first` ... `end` - 1, is a problem at `where` ("line 12"; only called then).
+  /// Adds the polygon's fan; corners count from 0. Fewer than three corners, or one outside [first,
+  /// end), is a problem at `where` ("line 12"; called only then).
   void addPolygon(const std::vector<std::int64_t>& corners, std::int64_t first, std::int64_t end,
                   const std::function<std::string()>& where);
 
-  /// Of points in the same place the corners take the first. Takes n log n for any points, which a
-  /// table of hashes would not: a file chooses them.
+  /// Merges points at equal positions into the first. n log n for any points; a hash table could be
+  /// made slow by a file's choice of points.
   void mergePoints();
 
-  /// @throws InputError with the file's problems (the first ten of them), or if there is no
-  /// triangle or a point is not finite.
+  /// @throws InputError with the first ten problems of the file, without triangles, or for a
+  /// non-finite point.
   mesh::SurfaceMesh finish();
 
  private:

@@ -8,11 +8,10 @@
 
 namespace palpate::formats {
 
-/// The reader that the extension of `file` names, on `bytes`; what readSurface() does with a file's
-/// content.
+/// Reads `bytes` by the reader for the extension of `file`, as readSurface() does.
 mesh::SurfaceMesh parseSurface(const std::string& file, std::string_view bytes);
 
-// One reader a format: `bytes` is the content of `file`, whose name is for messages only.
+// One reader per format: `bytes` is the content of `file`, whose name is for messages only.
 mesh::SurfaceMesh readObj(const std::string& file, std::string_view bytes);
 mesh::SurfaceMesh readOff(const std::string& file, std::string_view bytes);
 mesh::SurfaceMesh readPly(const std::string& file, std::string_view bytes);

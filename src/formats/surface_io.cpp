@@ -18,7 +18,7 @@ struct SurfaceFormat {
   mesh::SurfaceMesh (*read)(const std::string& file, std::string_view bytes);
 };
 
-// To add a format: write its reader, declare it in surface_formats.h, add it here.
+// To add a format: write its reader, declare it in surface_formats.h, list it here.
 constexpr SurfaceFormat kSurfaceFormats[] = {
     {".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}, {".wrl", readWrl}};
 

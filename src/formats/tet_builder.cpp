@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// "3 of 596, the first is tetrahedron 12": counted from 1, among the tetrahedra.
+/// "3 of 596, the first is tetrahedron 12", counted from 1.
 std::string countAndFirst(std::size_t count, std::size_t total, std::size_t first) {
   return std::to_string(count) + " of " + std::to_string(total) + ", the first is number " +
          std::to_string(first + 1);
 }
 
-/// Exchanges corners 1 and 2, and the mid-edge nodes with them.
+/// Exchanges corners 1 and 2, with the mid-edge nodes.
 void turnOver(mesh::TetMesh* mesh) {
   mesh->tets.row(1).swap(mesh->tets.row(2));
   if (!mesh->quadratic()) return;
@@ -88,8 +88,8 @@ void TetBuilder::checkPoints() const {
                    "the coordinates must be finite");
 }
 
-/// A mesh with the same tetrahedron twice would be twice as stiff there. Gmsh 2 writes such files
-/// where a volume is in two physical groups.
+/// A repeated tetrahedron would double the stiffness. Gmsh 2 writes it for a volume in two physical
+/// groups.
 void TetBuilder::checkDoubles() const {
   std::vector<std::array<std::int64_t, 4>> corners(tets_.size());
   for (std::size_t i = 0; i < tets_.size(); ++i) {

@@ -13,12 +13,11 @@
 
 namespace palpate::formats {
 
-/// Nodes of one tetrahedron in VTK order, counted from 0 in the order of addPoint(); the last six
-/// are used by 10-node ones only.
+/// Nodes of a tetrahedron in VTK order, counted from 0 in the order of addPoint(). Only 10-node
+/// ones use the last six.
 using TetNodes = std::array<std::int64_t, 10>;
 
-/// Collects the points and tetrahedra of a file and everything that is wrong with them, the same
-/// way for every format.
+/// Collects the points, tetrahedra and problems of a file, for all formats alike.
 class TetBuilder {
  public:
   explicit TetBuilder(std::string file) : file_(std::move(file)) {}
@@ -26,16 +25,16 @@ class TetBuilder {
   std::size_t numPoints() const { return points_.size(); }
   std::size_t numTets() const { return tets_.size(); }
   void addPoint(const Vec3& point) { points_.push_back(point); }
-  /// `num_nodes` is 4 or 10. Indices out of range are found by finish().
+  /// `num_nodes` is 4 or 10. finish() checks the indices.
   void addTet(const TetNodes& nodes, int num_nodes);
-  /// Of the tetrahedron added last; either all have one or none has.
+  /// Sets the region of the last tetrahedron; either all have one or none.
   void setRegion(int region);
-  /// Cell data of the tetrahedron added last: `components` numbers.
+  /// Sets cell data of the last tetrahedron: `components` numbers.
   /// @throws InputError if the name had another number of components before.
   void setData(const std::string& name, int components, const double* values);
 
-  /// Drops unused points, turns the tetrahedra if all are inverted, checks everything.
-  /// @throws InputError with all problems of the first kind that is found.
+  /// Drops unused points, reverses the tetrahedra if all are inverted, checks everything.
+  /// @throws InputError with all problems of the first kind found.
   mesh::TetMesh finish();
 
  private:
@@ -49,7 +48,7 @@ class TetBuilder {
   std::vector<int> region_;
   struct Data {
     int components = 0;
-    std::vector<double> values;  // up to the last tetrahedron that has any
+    std::vector<double> values;  // up to the last tetrahedron with values
   };
   std::map<std::string, Data> data_;
   std::size_t num_quadratic_ = 0;

@@ -8,11 +8,10 @@
 
 namespace palpate::formats {
 
-/// The reader that the extension of `file` names, on `bytes`; what readTetMesh() does with a file's
-/// content.
+/// Reads `bytes` by the reader for the extension of `file`, as readTetMesh() does.
 mesh::TetMesh parseTetMesh(const std::string& file, std::string_view bytes);
 
-// One reader a format: `bytes` is the content of `file`, whose name is for messages only.
+// One reader per format: `bytes` is the content of `file`, whose name is for messages only.
 mesh::TetMesh readMedit(const std::string& file, std::string_view bytes);
 mesh::TetMesh readMsh(const std::string& file, std::string_view bytes);
 mesh::TetMesh readVtk(const std::string& file, std::string_view bytes);

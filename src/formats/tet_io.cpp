@@ -17,11 +17,11 @@ struct TetFormat {
   mesh::TetMesh (*read)(const std::string& file, std::string_view bytes);
 };
 
-// To add a format: write its reader, declare it in tet_formats.h, add it here.
+// To add a format: write its reader, declare it in tet_formats.h, list it here.
 constexpr TetFormat kTetFormats[] = {
     {".mesh", readMedit}, {".msh", readMsh}, {".vtk", readVtk}, {".vtu", readVtu}};
 
-constexpr double kFlat = 1e-12;  // |V| over the longest edge cubed
+constexpr double kFlat = 1e-12;  // least |V| over the longest edge cubed
 
 double longestEdge(const Points& points, const Eigen::Vector4i& t) {
   double longest = 0.0;
@@ -33,7 +33,7 @@ double longestEdge(const Points& points, const Eigen::Vector4i& t) {
   return longest;
 }
 
-/// Counts some kind of bad tetrahedra.
+/// Counts bad tetrahedra of one kind.
 struct Tally {
   Eigen::Index count = 0, first = 0;
   void add(Eigen::Index i) {
@@ -52,7 +52,7 @@ void checkTets(const mesh::TetMesh& mesh, const std::string& file) {
   for (Eigen::Index i = 0; i < mesh.numTets(); ++i) {
     const double volume = mesh::signedVolume(mesh.points, mesh.tets.col(i));
     const double edge = longestEdge(mesh.points, mesh.tets.col(i));
-    if (!(std::abs(volume) > kFlat * edge * edge * edge)) {  // NaN counts as flat
+    if (!(std::abs(volume) > kFlat * edge * edge * edge)) {  // NaN counts as degenerate
       flat.add(i);
     } else if (volume < 0.0) {
       inverted.add(i);

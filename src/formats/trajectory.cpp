@@ -14,10 +14,10 @@ namespace palpate::formats {
 namespace {
 
 constexpr std::size_t kMaxTableBytes = std::size_t{1} << 30;
-constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
+constexpr std::size_t kMaxProblems = 20;  // limit of reported problems
 constexpr std::size_t kMostColumns = 2000;
 
-/// Goes through a text line by line, takes rows and gathers problems.
+/// Reads a text line by line and collects rows and problems.
 class TableReader {
  public:
   void readLine(std::string_view line) {
@@ -100,7 +100,7 @@ class TableReader {
   }
 
   int line_number_ = 0;
-  bool ended_ = false;  // nothing that follows can be understood
+  bool ended_ = false;  // the rest cannot be read
   std::vector<std::string> header_;
   std::vector<double> times_, values_;
   std::vector<Problem> problems_;

@@ -14,7 +14,7 @@ namespace {
 
 using NodePointer = std::shared_ptr<const VrmlNode>;
 
-constexpr int kDeepest = 200;  // nodes within nodes
+constexpr int kDeepest = 200;  // nesting of nodes
 
 class Parser {
  public:
@@ -30,7 +30,7 @@ class Parser {
   }
 
  private:
-  /// Passes "ROUTE a.b TO c.d". Animation does not move the mesh that is read.
+  /// Skips "ROUTE a.b TO c.d": animation does not move the mesh.
   bool isStatement(std::string_view word) {
     if (word == "PROTO" || word == "EXTERNPROTO") {
       in_.fail(word, "prototypes are not read; write plain nodes");
@@ -42,7 +42,7 @@ class Parser {
     return true;
   }
 
-  /// `word` is read already: DEF, USE or the node's type.
+  /// `word`, already read, is DEF, USE or the node's type.
   NodePointer node(std::string_view word, int depth) {
     if (depth > kDeepest) in_.fail(word, "the nodes are nested too deep");
     if (word == "USE") {
@@ -82,7 +82,7 @@ class Parser {
     const std::string_view first = in_.word();
     if (first != "[") {
       addValue(first, depth, &made);
-      // A vector without brackets goes on as long as there are numbers.
+      // A vector without brackets extends as long as numbers follow.
       while (!made.numbers.empty()) {
         const std::optional<double> number = parseNumber(in_.peek());
         if (!number) break;

@@ -9,7 +9,8 @@ namespace palpate::formats {
 namespace {
 
 constexpr int kVtkTet4 = 10, kVtkTet10 = 24;
-// Voxel, hexahedron, wedge, pyramid, prisms, their quadratic kin, polyhedron, Lagrange, Bezier.
+// Voxel, hexahedron, wedge, pyramid, prisms, their quadratic versions, polyhedron, Lagrange,
+// Bezier.
 constexpr int kOtherVtkCells[] = {11, 12, 13, 14, 15, 16, 25, 26, 27, 29, 31, 32,
                                   33, 37, 42, 71, 72, 73, 74, 78, 79, 80, 81};
 
@@ -17,7 +18,7 @@ bool isWhole(double value, double first, double end) {
   return value >= first && value < end && value == std::floor(value);
 }
 
-/// Reports cell `i` (from 0).
+/// Refuses cell `i`, counted from 0.
 [[noreturn]] void fail(const std::string& file, std::size_t i, const std::string& allowed) {
   throw InputError(file, "cell " + std::to_string(i + 1) + " (counted from 1)", "", allowed);
 }
@@ -47,7 +48,7 @@ bool tellsRegion(const VtkArray& array) {
   return array.components == 1 && (array.name == "region" || array.name == "gmsh:physical");
 }
 
-// Of cell `i`, for the tetrahedron added last.
+// Sets the data of cell `i` for the last tetrahedron.
 void addCellData(const VtkGrid& grid, const std::string& file, std::size_t i, TetBuilder* builder) {
   for (const VtkArray& array : grid.cell_data) {
     if (array.components != 1 && array.components != 3) continue;

@@ -8,28 +8,26 @@
 
 namespace palpate::formats {
 
-/// What a file says of each cell, under a name.
+/// Named cell data of a file.
 struct VtkArray {
   std::string name;
   std::size_t components;
-  std::vector<double> values;  ///< Those of the first cell, of the second, ...
+  std::vector<double> values;  ///< Cell after cell.
 };
 
-/// Points and cells of a VTK unstructured grid as they lie in a file. Everything is double: no
-/// index is too large for that.
+/// Points and cells of a VTK unstructured grid as in the file, as doubles, which hold all indices.
 struct VtkGrid {
-  std::vector<double> points;        ///< x y z of each.
-  std::vector<double> connectivity;  ///< Points of all cells, one after the other.
-  std::vector<double> ends;          ///< Of each cell: where it ends in `connectivity`.
-  std::vector<double> types;         ///< Of each cell.
+  std::vector<double> points;        ///< x y z of each point.
+  std::vector<double> connectivity;  ///< Points of all cells, concatenated.
+  std::vector<double> ends;          ///< End of each cell in `connectivity`.
+  std::vector<double> types;         ///< VTK type of each cell.
   std::vector<VtkArray> cell_data;
 };
 
-/// Adds the grid's points and tetrahedra with their cell data of one or three components. One
-/// component named `region` or `gmsh:physical` tells the region.
-/// @throws InputError in the name of `file`: index out of range, cells that do not fit their type,
-/// volume cells that are no tetrahedra, cell data that is not as long as the cells, a region that
-/// is no whole number.
+/// Adds the points and tetrahedra, with cell data of one or three components. A component named
+/// `region` or `gmsh:physical` is the region.
+/// @throws InputError naming `file`: index out of range, cells that do not fit their type, other
+/// volume cells, cell data of another length, a region that is not an integer.
 void addVtkGrid(const VtkGrid& grid, const std::string& file, TetBuilder* builder);
 
 }  // namespace palpate::formats

@@ -17,10 +17,9 @@
 namespace palpate::formats {
 namespace {
 
-constexpr std::size_t kBestRatio = 1100;  // zlib never compresses more than 1032 : 1
-// Numbers in all arrays together, for each byte of the file and beside. Without compression there
-// is one a byte at most; a whole mesh compresses by less than eight, of small ones anything may be
-// zero.
+constexpr std::size_t kBestRatio = 1100;  // zlib compresses at most 1032 : 1
+// Limit of numbers in all arrays: per byte of the file, plus a constant. Without compression there
+// is at most one per byte; large meshes compress by less than eight. Small ones may be all zeros.
 constexpr std::size_t kMostEach = 8, kMostMore = std::size_t{1} << 20;
 
 std::string attribute(const tinyxml2::XMLElement& element, const char* name) {
@@ -28,7 +27,7 @@ std::string attribute(const tinyxml2::XMLElement& element, const char* name) {
   return value ? value : "";
 }
 
-/// The next number of a block's header; false where the data ends.
+/// Reads the next number of a block's header; false at the end of the data.
 bool readHeaderNumber(ByteStream* in, ScalarType type, bool swap, std::size_t* number) {
   const std::string bytes = in->read(type.size);
   if (bytes.size() != type.size) return false;
@@ -125,7 +124,7 @@ std::string VtuData::block(const tinyxml2::XMLElement& array, std::size_t size) 
     checkSize(0);
     return {};
   }
-  // A single part may be announced as larger than it is.
+  // A single part may be smaller than announced.
   if (num_parts > 1 && (part_size > size / (num_parts - 1) || last_size > size)) {
     fail(array, "", "the parts are larger than the whole");
   }

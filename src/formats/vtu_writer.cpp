@@ -12,7 +12,7 @@
 namespace palpate::formats {
 namespace {
 
-// VTK's number of the kind of cells with so many points.
+// VTK's cell type for this number of points.
 unsigned char cellType(Eigen::Index points) {
   switch (points) {
     case 2:
@@ -31,7 +31,7 @@ unsigned char cellType(Eigen::Index points) {
   }
 }
 
-/// Writes the XML part through `xml` and gathers the blocks that stand behind it.
+/// Writes the XML part to `xml` and collects the blocks that follow it.
 class Writer {
  public:
   tinyxml2::XMLPrinter xml;
@@ -66,7 +66,7 @@ class Writer {
     end();
   }
 
-  /// The whole file.
+  /// The complete file.
   std::string file() const {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
            "byte_order=\"" +

@@ -15,16 +15,16 @@ namespace palpate::formats {
 ///     .ply  text, binary little and big endian
 ///     .wrl  VRML 2.0 (97): every IndexedFaceSet, with the Transforms above it and DEF/USE
 ///
-/// Polygons are cut into fans from their first corner. Points that no triangle uses are dropped.
-/// Coordinates are in the file's unit; nothing is checked but the file itself.
+/// Polygons are split into fans from their first corner. Unused points are dropped. Coordinates are
+/// in the file's unit; only the file's syntax is checked.
 ///
 /// @throws InputError naming the line (or byte): missing, empty or truncated file, unknown
 /// extension, index out of range, non-finite coordinate, face with fewer than 3 corners, no
 /// triangle at all.
 mesh::SurfaceMesh readSurface(const std::string& file);
 
-/// Writes .off or .obj with 17 significant digits: the same surface gives the same bytes, and
-/// reading gives back the same coordinates bit for bit. The file appears whole or not at all.
+/// Writes .off or .obj with 17 significant digits, atomically. Equal surfaces give equal bytes;
+/// coordinates are read back exactly.
 ///
 /// @throws InputError for another extension, or if the file cannot be written.
 void writeSurface(const std::string& file, const mesh::SurfaceMesh& surface);

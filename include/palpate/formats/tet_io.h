@@ -14,21 +14,20 @@ namespace palpate::formats {
 ///     .vtu   VTK XML: text, base64, appended raw and base64, zlib
 ///     .mesh  Medit, text
 ///
-/// 4-node and 10-node tetrahedra; the latter fill `midnodes`. Cells of lower dimension are
-/// ignored, other volume cells are refused. `region` comes from Gmsh's physical tag (elementary
-/// tag where there is none), Medit's reference, or VTK cell data `region` or `gmsh:physical`.
+/// 4-node and 10-node tetrahedra; the latter fill `midnodes`. Cells of lower dimension are ignored,
+/// other volume cells refused. `region` comes from Gmsh's physical tag (else the elementary tag),
+/// Medit's reference, or VTK cell data `region` or `gmsh:physical`.
 /// `cell_data` holds all VTK cell data of one or three components.
-/// Points that no tetrahedron uses are dropped. Where all tetrahedra have negative volume the file
-/// orders corners the other way round, and they are turned.
+/// Unused points are dropped. If all tetrahedra have negative volume, the file has the opposite
+/// corner order, and all are reversed.
 ///
 /// @throws InputError naming the line (or byte, or array): missing, empty or truncated file,
 /// unknown extension or version, index out of range, non-finite coordinate, 4-node and 10-node
 /// tetrahedra mixed, the same tetrahedron twice, no tetrahedron at all, and as checkTets().
 mesh::TetMesh readTetMesh(const std::string& file);
 
-/// @throws InputError in the name of `file` with the number of inverted tetrahedra (negative
-/// volume) and of flat ones (|V| <= 1e-12 of the longest edge cubed), and the first of each,
-/// counted from 1 among the tetrahedra.
+/// @throws InputError naming `file`, with the numbers of inverted (negative volume) and degenerate
+/// tetrahedra (|V| <= 1e-12 of the longest edge cubed), and the first of each, counted from 1.
 void checkTets(const mesh::TetMesh& mesh, const std::string& file);
 
 }  // namespace palpate::formats

@@ -9,17 +9,17 @@ namespace palpate::formats {
 
 /// Joint positions over time.
 ///
-/// As a file: comma-separated values; first row `t` and the names of the joints; then a row a time
-/// [s] with positions [m or rad]; times increase. Lines that begin with # and empty ones are
-/// skipped; blanks around values do not count.
+/// As a file: comma-separated values. The first row is `t` and the joint names; each further row a
+/// time [s], increasing, and positions [m or rad]. Empty lines, lines beginning with # and blanks
+/// around values are ignored.
 struct Trajectory {
-  std::vector<std::string> columns;  ///< Names without `t`, all different.
+  std::vector<std::string> columns;  ///< Names without `t`, unique.
   std::vector<double> t;             ///< [s], strictly increasing.
   Eigen::MatrixXd values;            ///< columns x times [m or rad], finite.
 };
 
-/// @throws InputError naming the lines that are wrong: no or a wrong first row, a value that is no
-/// finite number, a row of another length, time that does not increase, no rows.
+/// @throws InputError naming the wrong lines: a missing or wrong first row, a value that is not a
+/// finite number, a row of another length, non-increasing time, no rows.
 Trajectory readTrajectory(const std::string& file);
 
 }  // namespace palpate::formats
