@@ -7,7 +7,7 @@
 namespace palpate::mesh {
 namespace {
 
-// Whether `order`, a permutation of 0 .. 3, is odd.
+// Whether the permutation `order` of 0 .. 3 is odd.
 bool isOdd(const std::array<int, 4>& order) {
   int inversions = 0;
   for (int i = 0; i < 4; ++i) {
@@ -61,14 +61,14 @@ int BisectionTree::middleOf(int edge) {
   return e.middle;
 }
 
-// Longer ones are greater; the middle decides between those of the same length, so that the order
-// of two edges is the same in all cells and does not depend on numbers.
+// Sort key of an edge: its length, then its midpoint for equal lengths. The order of two edges is
+// thus equal in all cells and independent of numbering.
 std::array<double, 4> BisectionTree::rank(int a, int b) const {
   const Vec3 twice_middle = rest_[a] + rest_[b];
   return {(rest_[a] - rest_[b]).squaredNorm(), twice_middle[0], twice_middle[1], twice_middle[2]};
 }
 
-// Brings the longest edge to the front.
+// Moves the longest edge to the front.
 void BisectionTree::order(Cell* cell) const {
   const std::array<int, 4> v = cell->vertex;
   std::pair<int, int> longest{0, 1};
@@ -111,9 +111,8 @@ void BisectionTree::bisect(int c) {
   addChild(c, 0, middle);
 }
 
-// The child with the middle in the place of the parent's vertex `lost`, 0 or 1. The face opposite
-// that vertex is the parent's, the one opposite the vertex that it keeps is new, and the other two
-// are halves of the parent's.
+// Adds the child in which `middle` replaces the parent's vertex `lost`, 0 or 1. The face opposite
+// `middle` is the parent's, the face opposite the kept vertex is new, and the other two are halves.
 void BisectionTree::addChild(int parent, int lost, int middle) {
   Cell child;
   child.vertex = cells_[parent].vertex;

@@ -10,40 +10,40 @@
 
 namespace palpate::mesh {
 
-/// Number of the edge between two vertices of a cell, see BisectionTree::Cell::edge.
+/// Index of the edge between two vertices of a cell, see BisectionTree::Cell::edge.
 constexpr int kEdgeOf[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
-/// Corners that the middle nodes of a quadratic tetrahedron are between, see TetMesh::midnodes.
+/// Corners at the ends of each mid-edge node of a quadratic tetrahedron, see TetMesh::midnodes.
 constexpr std::array<std::array<int, 2>, 6> kMiddlesBetween = {
     {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
-/// The tetrahedra that bisection makes of a mesh, as binary trees that grow where they are asked
-/// for. A tetrahedron is cut at the middle of its longest edge [Rivara 1991, "Local modification of
-/// meshes for adaptive and/or multigrid finite-element methods"]. All that share a face find the
-/// same longest edge in it, so that cutting on wherever an edge of a cell is cut ends with a mesh
-/// that conforms. Shapes stay bounded in practice [Hannukainen, Korotov, Krizek 2014, "On numerical
-/// regularity of the face-to-face longest-edge bisection algorithm for tetrahedral partitions"],
-/// and are better ones than those of bisection by marks, for which there is a proof.
+/// Tetrahedra of a mesh and their bisections, as binary trees that grow on demand. A tetrahedron is
+/// cut at the midpoint of its longest edge [Rivara 1991, "Local modification of meshes for adaptive
+/// and/or multigrid finite-element methods"]. Cells that share a face agree on its longest edge, so
+/// cutting until no edge midpoint hangs ends with a conforming mesh. Shapes stay bounded in
+/// practice [Hannukainen, Korotov, Krizek 2014, "On numerical regularity of the face-to-face
+/// longest-edge bisection algorithm for tetrahedral partitions"], and are better than those of
+/// marked bisection, for which bounds are proven.
 class BisectionTree {
  public:
   struct Vertex {
-    int a = -1, b = -1;  ///< It is in the middle between these; -1: of the coarse mesh.
-    int depth = 0;       ///< One more than that of the deeper one of both.
+    int a = -1, b = -1;  ///< Ends of the edge with this midpoint; -1: coarse mesh.
+    int depth = 0;       ///< 1 + the larger depth of a and b.
   };
   struct Edge {
     int a, b;                ///< a < b.
-    int middle = -1;         ///< Vertex; -1 as long as nobody bisected it.
-    std::vector<int> cells;  ///< All that have it.
+    int middle = -1;         ///< Midpoint vertex; -1: not bisected.
+    std::vector<int> cells;  ///< All cells with this edge.
   };
   struct Cell {
-    std::array<int, 4> vertex;    ///< The longest edge, between the first two, is bisected.
+    std::array<int, 4> vertex;    ///< The first two are the longest edge, to be bisected.
     std::array<int, 6> edge;      ///< 01 02 03 12 13 23.
-    int parent = -1, child = -1;  ///< The second child follows the first; -1: not yet made.
+    int parent = -1, child = -1;  ///< First child, followed by the second; -1: none yet.
     std::uint8_t boundary;        ///< Bit k: the face opposite vertex k is on the boundary.
-    bool odd;                     ///< Positive if the last two vertices change places.
+    bool odd;                     ///< The volume is positive with the last two exchanged.
   };
 
-  /// The points of `mesh`; its tetrahedra are the first cells. Middle nodes are the middles of its
-  /// edges, as if these were straight.
+  /// The tetrahedra of `mesh` are the first cells. Mid-edge nodes count as midpoints of straight
+  /// edges.
   explicit BisectionTree(const TetMesh& mesh);
 
   const Vertex& vertex(int v) const { return vertices_[v]; }
@@ -58,9 +58,9 @@ class BisectionTree {
     return (rest_[cells_[c].vertex[0]] - rest_[cells_[c].vertex[1]]).norm();
   }
 
-  /// Makes the children of a cell that has none.
+  /// Makes the children of a cell. @pre it has none.
   void bisect(int c);
-  /// The vertex in the middle of an edge, made where there is none.
+  /// Midpoint vertex of an edge, made if missing.
   int middleOf(int edge);
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// The pieces that hang together by edges; each keeps all the points.
+/// Components connected by edges; each keeps all points.
 std::vector<SurfaceMesh> splitPieces(const SurfaceMesh& surface) {
   UnionFind pieces(surface.triangles.cols());
   forEachEdge(sortedEdges(surface.triangles), [&](auto first, auto last) {
@@ -66,7 +66,7 @@ std::vector<SurfaceMesh> splitBodies(const SurfaceMesh& surface) {
 
   std::vector<SurfaceMesh> bodies = outer;
   for (const SurfaceMesh& cavity : cavities) {
-    // Bodies may lie in cavities of others: the smallest one around it is meant.
+    // Bodies may lie in cavities of others, so the smallest enclosing body owns the cavity.
     int owner = -1;
     for (int i = 0; i < static_cast<int>(outer.size()); ++i) {
       const bool around = windingNumber(outer[i], cavity.points.col(cavity.triangles(0, 0))) > 0.5;

@@ -7,12 +7,12 @@
 
 namespace palpate::mesh {
 
-/// How often a closed surface winds around `p`: 1 inside, 0 outside [Van Oosterom and Strackee
-/// 1983, eq. 8, for the solid angle of a triangle].
+/// Winding number of a closed surface about `p`: 1 inside, 0 outside [Van Oosterom, Strackee 1983,
+/// eq. 8, for the solid angle of a triangle].
 double windingNumber(const SurfaceMesh& surface, const Vec3& p);
 
-/// The separate bodies that a closed surface bounds, each with its cavities, in the order of their
-/// first triangles.
+/// Separate bodies of a closed surface, each with its cavities, in the order of their first
+/// triangles.
 std::vector<SurfaceMesh> splitBodies(const SurfaceMesh& surface);
 
 }  // namespace palpate::mesh

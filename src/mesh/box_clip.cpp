@@ -26,7 +26,7 @@ CornerDepths::CornerDepths(const Eigen::Matrix<double, 3, 4>& x, const std::vect
   }
 }
 
-// Sutherland and Hodgman 1974, one plane.
+// [Sutherland, Hodgman 1974], one plane.
 CutPolygon CornerDepths::clip(const CutPolygon& polygon, std::size_t face, bool inside) const {
   const Eigen::Vector4d depth = inside ? depths_[face] : Eigen::Vector4d(-depths_[face]);
   CutPolygon left;
@@ -43,7 +43,7 @@ CutPolygon CornerDepths::clip(const CutPolygon& polygon, std::size_t face, bool 
   return left;
 }
 
-// Face by face: what is before it is outside, the rest goes on to the next one.
+// Face by face: the part before the face is outside, the rest continues to the next face.
 void CornerDepths::addOutside(const CutPolygon& triangle, bool has_fourth,
                               std::vector<CutPolygon>* pieces) const {
   CutPolygon rest = triangle;
@@ -74,7 +74,7 @@ CutPolygon CornerDepths::section(std::size_t face) const {
     polygon.vertices.emplace_back((1.0 - part) * Eigen::Vector4d::Unit(a) +
                                   part * Eigen::Vector4d::Unit(b));
   };
-  // Two and two make a quadrangle, whose corners go round.
+  // Two corners before and two behind give a quadrangle, whose corners are put in cyclic order.
   for (std::size_t i = 0; i < before.size(); ++i) {
     for (std::size_t j = 0; j < beyond.size(); ++j) {
       cross(before[i], beyond[i % 2 == 0 ? j : beyond.size() - 1 - j]);

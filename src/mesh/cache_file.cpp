@@ -15,7 +15,7 @@ namespace palpate::mesh {
 
 namespace fs = std::filesystem;
 
-// CGAL compares angles that the C library computes, where it moves points to improve tetrahedra.
+// CGAL improves tetrahedra by comparing angles that the C library computes.
 std::string makerOfGeometry() {
   return "CGAL " + std::to_string(CGAL_VERSION_NR) + ", " + rounding();
 }

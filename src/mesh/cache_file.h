@@ -7,14 +7,14 @@
 
 namespace palpate::mesh {
 
-/// What decides the bits of cached geometry beside its input: rounding() and CGAL's version.
+/// What determines the bits of cached geometry apart from its input: rounding() and CGAL's version.
 std::string makerOfGeometry();
 
-/// The file in the cache for what has these two hashes; `ending` with its dot.
+/// Path in the cache for these two hashes; `ending` with its dot.
 std::string cachePath(const std::string& cache_directory, std::uint64_t first, std::uint64_t second,
                       const std::string& ending);
 
-/// Writes it whole, with its folder. Failure is silent: the next start computes again.
+/// Writes atomically, with the folder. Failure is silent: the next start computes again.
 void writeCacheFile(const std::string& path, std::string_view bytes);
 
 }  // namespace palpate::mesh

@@ -5,9 +5,8 @@
 
 namespace palpate::mesh {
 
-/// Numbers a mesh of linear tetrahedra by its geometry alone: points along a Hilbert curve through
-/// the bounding box, each tetrahedron from its least point on (its volume made positive),
-/// tetrahedra by their points.
+/// Numbers a mesh of linear tetrahedra by geometry alone: points along a Hilbert curve through the
+/// bounding box, corners from the least point (with positive volume), tetrahedra by their points.
 void orderCanonically(TetMesh* mesh);
 
 }  // namespace palpate::mesh

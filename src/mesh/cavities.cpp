@@ -15,7 +15,7 @@ std::vector<std::vector<int>> cavityNodes(const TetMesh& mesh) {
   for (Eigen::Index t = 0; t < faces.cols(); ++t) {
     for (Eigen::Index a = 1; a < faces.rows(); ++a) pieces.join(faces(0, t), faces(a, t));
   }
-  // By the divergence theorem; faces are outward from the tetrahedra, into a cavity.
+  // Volume by the divergence theorem; faces point out of the tetrahedra, into a cavity.
   const Vec3 origin = mesh.points.rowwise().mean();
   const Eigen::Matrix3Xi triangles = trianglesOf(faces);
   std::map<int, double> enclosed;

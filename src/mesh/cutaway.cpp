@@ -11,22 +11,22 @@
 namespace palpate::mesh {
 namespace {
 
-constexpr double kClose = 1e-9;       // of the body's size
-constexpr double kLeastArea = 1e-14;  // of its square: what is less is none
+constexpr double kClose = 1e-9;       // over the body's size
+constexpr double kLeastArea = 1e-14;  // least area over the squared size
 
-// Corners of the tetrahedra that a cell is of, in VTK's order of its points.
+// Tetrahedra of a cell, as corner indices in VTK's order.
 using Parts = std::vector<std::array<int, 4>>;
 
-// Round the diagonal from corner 0 to 6: neighbours on a grid cut their common side alike.
+// Around the diagonal from corner 0 to 6: neighbours on a grid split their common side alike.
 const Parts kOfHexahedron = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
                              {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
-// One at each corner, and four round the line between the middles of edges 01 and 23.
+// One at each corner, and four around the line between the mid-edge nodes of 01 and 23.
 const Parts kOfQuadratic = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3},
                             {4, 9, 5, 6}, {4, 9, 6, 7}, {4, 9, 7, 8}, {4, 9, 8, 5}};
 const Parts kOfLinear = {{0, 1, 2, 3}};
 
 struct Tets {
-  Eigen::Matrix4Xi corners;  // of positive volume
+  Eigen::Matrix4Xi corners;  // with positive volume
   std::vector<int> solid;
 };
 
@@ -60,7 +60,7 @@ class Cutter {
     if (X_.cols() > 0) size_ = (X_.rowwise().maxCoeff() - X_.rowwise().minCoeff()).norm();
   }
 
-  // What of a triangle is outside of the box; `fourth` is the corner behind it, -1: none.
+  // Adds the part of a triangle outside the box; `fourth` is the corner behind it, -1: none.
   void addTriangle(const Eigen::Vector3i& t, int fourth, int solid) {
     const Eigen::Vector4i corners(t[0], t[1], t[2], fourth < 0 ? t[2] : fourth);
     pieces_.clear();
@@ -71,7 +71,7 @@ class Cutter {
       add(piece, corners, normal(whole, corners), solid);
     }
   }
-  // The cut through a tetrahedron, whose sides in `outer` (bits) are the body's surface.
+  // Adds the sections of a tetrahedron, whose sides in `outer` (bits) are on the body's surface.
   void addSections(const Eigen::Vector4i& tet, unsigned outer, int solid) {
     const CornerDepths depths = depthsOf(tet);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -119,7 +119,7 @@ class Cutter {
   CornerDepths depthsOf(const Eigen::Vector4i& corners) const {
     return {at(corners), faces_, kClose * size_};
   }
-  // Whether a face of the box goes along a side of the tetrahedron that is the body's surface.
+  // Whether a face of the box contains a side of the tetrahedron on the body's surface.
   static bool inOuterSide(const Eigen::Vector4d& depth, unsigned outer) {
     for (int k = 0; k < 4; ++k) {
       const bool others = (depth.array() == 0.0).count() == 3 && depth[k] != 0.0;
@@ -136,7 +136,7 @@ class Cutter {
     }
     return sum;
   }
-  // As triangles round its first vertex, towards `out`.
+  // Adds a polygon as a triangle fan, oriented towards `out`.
   void add(const CutPolygon& polygon, const Eigen::Vector4i& corners, const Vec3& out, int solid) {
     const Vec3 area = normal(polygon, corners);
     if (area.norm() < kLeastArea * size_ * size_) return;

@@ -26,7 +26,7 @@ FieldPoint DistanceGrid::at(const Vec3& p) const {
   const double beyond = (p - q).squaredNorm();
   if (beyond == 0.0) return on_box;
 
-  // f^2 = |p - q|^2 + s(q)^2, where q follows p along the axes on which p is not outside.
+  // f^2 = |p - q|^2 + s(q)^2; q moves with p along axes on which p is within the box.
   FieldPoint point;
   const double f = std::sqrt(beyond + on_box.value * on_box.value);
   const Vec3 follows = (p.array() == q.array()).cast<double>();

@@ -14,7 +14,7 @@
 namespace palpate::mesh {
 namespace {
 
-// Raise it when other grids are made of the same surface, or the file changes.
+// Version of the grids and of the file format; increase it with each change.
 constexpr std::uint64_t kGridVersion = 1;
 constexpr char kGridMagic[8] = {'p', 'a', 'l', 'p', 's', 'd', 'f', '\n'};
 
@@ -32,7 +32,7 @@ std::uint64_t gridKey(const SurfaceMesh& surface, const DistanceGridSettings& se
   return hash.value();
 }
 
-/// All of a grid but the splines and the surface, which is at hand.
+/// All of a grid but the splines and the surface, which the caller has.
 struct GridHeader {
   char magic[8];
   std::uint64_t version, checksum, limited;
@@ -66,7 +66,7 @@ GridHeader headerOf(const DistanceGrid& grid) {
   return header;
 }
 
-// Without its surface.
+// Reads a grid without its surface.
 std::optional<DistanceGrid> readGrid(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   GridHeader header{};
@@ -83,7 +83,7 @@ std::optional<DistanceGrid> readGrid(const std::string& path) {
     grid.field.box.low[axis] = header.low[axis];
     grid.deepest[axis] = header.deepest[axis];
   }
-  // The counts are believed only if the file is as long as they say.
+  // The counts are valid only if the file has the matching length.
   const Eigen::Index count = SplineGrid::numCoefficients(grid.field.box.cells);
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);

@@ -13,14 +13,14 @@
 namespace palpate::mesh {
 namespace {
 
-// So far the box reaches beyond the surface: where the splines end they are less exact.
+// Margin of the box beyond the surface: splines are less accurate at their ends.
 constexpr double kMarginCells = 4.0, kMarginOfDiagonal = 0.02;
 constexpr int kErrorPoints = 20000;
 constexpr int kMostRounds = 6;
-// A wanted spacing that is so much coarser than what memory allows is not looked for again.
+// Refinement stops when this times the spacing is below the memory limit's spacing [-].
 constexpr double kWorthwhile = 0.99;
 
-/// A surface that is asked for exact distances with their signs.
+/// Exact signed distance of a surface.
 class ExactDistance {
  public:
   explicit ExactDistance(const SurfaceMesh& surface) : distance_(surface), inside_(surface) {}
@@ -51,7 +51,7 @@ double megabytesOf(const SurfaceMesh& surface, double margin, double spacing) {
          (boxAround(surface, margin, spacing).cells.array() + 3).cast<double>().prod();
 }
 
-// The finest spacing whose grid has at most so many megabytes.
+// Finest spacing within the memory limit.
 double finestSpacing(const SurfaceMesh& surface, double coarsest,
                      const DistanceGridSettings& settings) {
   const auto fits = [&](double spacing) {
@@ -67,8 +67,8 @@ double finestSpacing(const SurfaceMesh& surface, double coarsest,
   return coarse;
 }
 
-// Two points that are together farther from the surface than from one another are on one side of
-// it: few have to be asked for their side.
+// Two points lie on the same side if the sum of their distances exceeds their separation. So few
+// points need the exact sign.
 Eigen::VectorXd sample(const ExactDistance& exact, const GridBox& box,
                        const std::function<void(double)>& progress) {
   const Eigen::Vector3i n = box.cells.array() + 1;
@@ -96,7 +96,7 @@ Eigen::VectorXd sample(const ExactDistance& exact, const GridBox& box,
   return values;
 }
 
-/// Points near the surface, evenly spread over it; always the same ones.
+/// Reproducible points near the surface, uniformly distributed over it.
 class PointsNear {
  public:
   PointsNear(const SurfaceMesh& surface, double within) : surface_(surface), within_(within) {
@@ -121,7 +121,7 @@ class PointsNear {
   }
 
  private:
-  // The standard fixes the bits of the generator, not those of its distributions.
+  // The standard defines the generator's bits, but not those of distributions.
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
   Mat3 corners(Eigen::Index t) const {
     Mat3 c;
@@ -131,7 +131,7 @@ class PointsNear {
 
   const SurfaceMesh& surface_;
   double within_;
-  std::vector<double> areas_;  // of the triangles up to each
+  std::vector<double> areas_;  // cumulative over triangles
   std::mt19937_64 random_{1};
 };
 
@@ -178,7 +178,7 @@ DistanceGrid makeDistanceGrid(const SurfaceMesh& surface, const DistanceGridSett
     grid.field = interpolate(box, values);
     findDeepest(values, &grid);
     measureError(exact, &grid);
-    // At edges the error goes with the spacing.
+    // The error is proportional to the spacing at edges.
     const double ratio = settings.error / grid.largest_error;
     const bool exact_enough = ratio >= 1.0 && grid.inscribed_radius > 0.0;
     grid.limited = !exact_enough;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kBounds[] = {1.0, 1.5, 2.0, 3.0, 5.0, 7.0};
 constexpr int kBoundsADecade = 6;
 
-/// The bound number `k`, of which number 0 is 1 m; the decimal number itself, not a product.
+/// Bound number `k`, with bound 0 at 1 m, as the exact decimal number.
 double bound(int k) {
   const int decade = static_cast<int>(std::floor(static_cast<double>(k) / kBoundsADecade));
   const std::string text =
@@ -21,7 +21,7 @@ double bound(int k) {
   return parseNumber(text).value_or(0.0);
 }
 
-/// Of the class that `length` > 0 is in.
+/// Class of `length` > 0.
 int classOf(double length) {
   int k = kBoundsADecade * static_cast<int>(std::floor(std::log10(length)));
   while (bound(k) > length) --k;

@@ -10,9 +10,9 @@
 namespace palpate::mesh {
 namespace {
 
-constexpr int kBits = 20;  // per axis: 60 of a key's 64
+constexpr int kBits = 20;  // per axis: 60 of 64 bits
 
-/// Place on the Hilbert curve [Skilling 2004, "Programming the Hilbert curve", AxestoTranspose].
+/// Position on the Hilbert curve [Skilling 2004, "Programming the Hilbert curve", AxestoTranspose].
 std::uint64_t hilbertKey(std::array<std::uint32_t, 3> x) {
   for (std::uint32_t q = 1U << (kBits - 1); q > 1; q >>= 1) {
     const std::uint32_t p = q - 1;

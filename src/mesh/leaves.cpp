@@ -8,11 +8,10 @@
 namespace palpate::mesh {
 namespace {
 
-// Faces of a tetrahedron of positive volume, the k-th opposite corner k, outward.
+// Faces of a tetrahedron of positive volume: face k is opposite corner k, outward.
 constexpr int kLeafFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-// The points of `l` that are between others, if `asked(vertex)`; those that they are between before
-// them.
+// Points of `l` with `asked(vertex)` that are midpoints, in an order in which ends come first.
 template <class Asked>
 std::vector<MeshChange::Middle> middlesOf(const BisectionTree& tree, const Leaves& l,
                                           const Asked& asked) {
@@ -28,7 +27,7 @@ std::vector<MeshChange::Middle> middlesOf(const BisectionTree& tree, const Leave
   return middles;
 }
 
-// Both lists of leaves are in the order of the trees: what lies below a cell is together.
+// Both lists of leaves are in tree order, so descendants of a cell are consecutive.
 void addTets(const BisectionTree& tree, const Leaves& old, const Cut& old_cut, const Leaves& next,
              MeshChange* change) {
   std::vector<int> old_tet(static_cast<std::size_t>(tree.numCells()), -1);

@@ -8,16 +8,16 @@
 
 namespace palpate::mesh {
 
-/// The cells of a tree that are bisected, and the edges that are by that.
+/// Bisected cells of a tree, and the edges bisected by them.
 struct Cut {
   std::vector<char> cells, edges;
 
-  /// Brings it to the tree's size.
+  /// Resizes to the tree's size.
   void cover(const BisectionTree& tree);
   bool has(int cell) const { return cell < static_cast<int>(cells.size()) && cells[cell]; }
 };
 
-/// visit(cell, root) on all cells that are there, parents first, below each of the roots.
+/// Calls visit(cell, root) for all existing cells below each root, parents first.
 template <class Visit>
 void forCells(const BisectionTree& tree, int num_roots, const Cut& cut, const Visit& visit) {
   std::vector<int> stack;
@@ -34,30 +34,29 @@ void forCells(const BisectionTree& tree, int num_roots, const Cut& cut, const Vi
   }
 }
 
-/// The mesh of the cells that are not cut, in the order of the trees; points in the order in which
-/// its tetrahedra name them, corners before middle nodes. A middle node is the vertex that would
-/// cut its edge.
+/// Mesh of the uncut cells in tree order. Points are in order of first use by tetrahedra, corners
+/// before mid-edge nodes. A mid-edge node is the vertex that would bisect its edge.
 struct Leaves {
   Leaves() = default;
-  /// `quadratic`: with middle nodes, for which `tree` gets the vertices that it has not yet.
+  /// `quadratic`: with mid-edge nodes; vertices missing in `tree` are added.
   Leaves(BisectionTree* tree, int num_roots, const Cut& cut, bool quadratic);
 
-  /// Whether a point hangs in the middle of an edge.
+  /// Whether no point hangs at an edge midpoint.
   bool conform(const BisectionTree& tree, const Cut& cut) const;
-  /// Number of a vertex, or -1.
+  /// Index of a vertex in this mesh, or -1.
   int find(int vertex) const {
     return vertex < static_cast<int>(number.size()) ? number[vertex] : -1;
   }
-  /// The cell's vertex that is corner `corner` of its tetrahedron.
+  /// Index of the cell's vertex that is corner `corner` of its tetrahedron.
   static int place(const BisectionTree::Cell& cell, int corner) {
     return cell.odd && corner > 1 ? 5 - corner : corner;
   }
 
   TetMesh mesh;
   Eigen::Matrix3Xi surface;
-  std::vector<int> cells;        ///< Of each tetrahedron.
-  std::vector<int> vertices;     ///< Of each point.
-  std::vector<int> number;       ///< Of each vertex of the tree; -1: none.
+  std::vector<int> cells;        ///< Cell of each tetrahedron.
+  std::vector<int> vertices;     ///< Vertex of each point.
+  std::vector<int> number;       ///< Point of each vertex of the tree; -1: none.
   std::vector<int> coarse_tets;  ///< Root of each tetrahedron.
   std::vector<MeshChange::Middle> middles;
 
@@ -65,11 +64,11 @@ struct Leaves {
   void addMiddleNodes(BisectionTree* tree);
 };
 
-/// From `old`, with the cells that were cut in `old_cut`, to `next`.
+/// Change from `old`, with the cut cells `old_cut`, to `next`.
 MeshChange changeBetween(const BisectionTree& tree, const Leaves& old, const Cut& old_cut,
                          const Leaves& next);
 
-/// What a change of quadratic meshes has besides, after `tets` and `old_point`.
+/// Adds the data of quadratic meshes. @pre `tets` and `old_point` are set.
 void addQuadraticChange(const BisectionTree& tree, const Leaves& old, const Leaves& next,
                         MeshChange* change);
 

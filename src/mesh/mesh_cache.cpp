@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Raise it when the mesher makes other meshes of the same input, or the file changes.
+// Version of the mesher and of the file format; increase it with each change.
 constexpr std::uint64_t kMeshVersion = 1;
 constexpr char kMeshMagic[8] = {'p', 'a', 'l', 'p', 't', 'e', 't', '\n'};
 
@@ -94,7 +94,7 @@ std::optional<TetMesh> readMesh(const fs::path& path) {
       header.version != kMeshVersion) {
     return std::nullopt;
   }
-  // The counts are believed only if the file is as long as they say.
+  // The counts are valid only if the file has the matching length.
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
   constexpr std::uint64_t kMost = std::uint64_t{1} << 31;

@@ -21,12 +21,12 @@ Eigen::MatrixXd MeshChange::transport(const Eigen::MatrixXd& old, const LumpedMa
   Eigen::MatrixXd field = interpolate(old);
   if (quadratic()) keepAmount(old, old_masses, new_masses, &field);
   if (removed.empty()) return field;
-  // The new field at the old points that are no more, coarse ones first, ...
+  // First the new field at removed points, coarse ones first,
   Eigen::MatrixXd there = old;
   for (auto m = removed.rbegin(); m != removed.rend(); ++m) {
     there.col(m->point) = 0.5 * (there.col(m->a) + there.col(m->b));
   }
-  // ... and what is lost there, handed on to the points around, fine ones first.
+  // then the loss there, distributed to the adjacent points, fine ones first.
   Eigen::MatrixXd lost = Eigen::MatrixXd::Zero(old.rows(), old.cols());
   for (const Middle& m : removed) {
     const Eigen::VectorXd amount =
@@ -52,7 +52,7 @@ void MeshChange::keepAmount(const Eigen::MatrixXd& old, const LumpedMasses& old_
   };
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(old.rows(), numNewPoints());
   const int num_tets = static_cast<int>(tets.size());
-  // Patches of the same matter: new tetrahedra begin .. end - 1, old ones first .. last - 1.
+  // Patches of equal material points: new tetrahedra begin .. end - 1, old ones first .. last - 1.
   for (int begin = 0, end = 0; begin < num_tets; begin = end) {
     const auto [first, last] = tets[begin];
     while (end < num_tets && tets[end].first == first) ++end;

@@ -8,15 +8,14 @@
 
 namespace palpate::mesh {
 
-/// @throws InputError that names the edge length, or its coarsest.
+/// @throws InputError naming the edge length, or its coarsest value.
 [[noreturn]] void refuseEdgeLength(const MeshingOptions& options, const std::string& reason);
 
-/// Refuses what cannot be meshed, whatever it is that bounds the body. @throws InputError
+/// Checks that apply to every body. @throws InputError
 void checkMeshing(const SurfaceMesh& surface, const MeshingOptions& options);
 
-/// About how many tetrahedra each of the bodies becomes.
-/// @throws InputError if they are more than kMaxTets, or a place of the size field makes nothing
-/// finer.
+/// Estimated number of tetrahedra of each body.
+/// @throws InputError beyond kMaxTets, or for a refinement zone without effect.
 std::vector<double> expectTets(const std::vector<SurfaceMesh>& bodies,
                                const MeshingOptions& options);
 

@@ -6,7 +6,7 @@
 namespace palpate::mesh {
 namespace {
 
-constexpr double kInside = 1e-6;  // of the barycentric coordinates
+constexpr double kInside = 1e-6;  // tolerance of barycentric coordinates
 constexpr int kMidnodeEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
 Eigen::Vector4d cornerWeights(const TetMesh& mesh, Eigen::Index e, const Vec3& p) {
@@ -15,7 +15,7 @@ Eigen::Vector4d cornerWeights(const TetMesh& mesh, Eigen::Index e, const Vec3& p
   return corners.inverse() * p.homogeneous();
 }
 
-// Columns d p / d w_k of a quadratic tetrahedron.
+// Columns dp/dw_k of a quadratic tetrahedron.
 Eigen::Matrix<double, 3, 4> derivatives(const TetMesh& mesh, const Location& at) {
   Eigen::Matrix<double, 3, 4> d;
   for (int a = 0; a < 4; ++a) {
@@ -29,7 +29,7 @@ Eigen::Matrix<double, 3, 4> derivatives(const TetMesh& mesh, const Location& at)
   return d;
 }
 
-// Newton's method for the coordinates at which a curved tetrahedron is at p.
+// Newton's method for the barycentric coordinates of p in a curved tetrahedron.
 void refine(const TetMesh& mesh, const Vec3& p, Location* at) {
   for (int iteration = 0; iteration < 30; ++iteration) {
     Eigen::Matrix4d J;
@@ -72,7 +72,7 @@ std::optional<Location> locate(const TetMesh& mesh, const Vec3& p) {
   double best_inside = -kInside;
   for (Eigen::Index e = 0; e < mesh.numTets(); ++e) {
     Location at{static_cast<int>(e), cornerWeights(mesh, e, p)};
-    // Curved edges bulge by less than the size of the tetrahedron.
+    // Curved edges bulge by less than the tetrahedron's size.
     if (mesh.quadratic() && at.w.minCoeff() > -0.5) refine(mesh, p, &at);
     if (at.w.minCoeff() < best_inside) continue;
     best = at;

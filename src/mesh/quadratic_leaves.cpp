@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves have besides where their tetrahedra are quadratic.
+// Additional data of leaves with quadratic tetrahedra.
 #include <array>
 
 #include "leaves.h"
@@ -15,8 +15,8 @@ Eigen::Matrix<int, 10, Eigen::Dynamic> nodesOf(const TetMesh& mesh) {
   return nodes;
 }
 
-// Barycentric coordinates of the vertices of `cell` in `whole`, a column each, both in the order of
-// the cells.
+// Barycentric coordinates of the vertices of `cell` in `whole`, one column each, both in cell
+// order.
 CornerWeights weightsIn(const BisectionTree& tree, int whole, int cell) {
   if (cell == whole) return CornerWeights::Identity();
   const int parent = tree.cell(cell).parent;
@@ -32,7 +32,7 @@ CornerWeights weightsIn(const BisectionTree& tree, int whole, int cell) {
   return weights;
 }
 
-// The same of the corners of their tetrahedra.
+// The same for corners in the order of the tetrahedra.
 CornerWeights cornersIn(const BisectionTree& tree, int whole, int cell) {
   const CornerWeights of_cells = weightsIn(tree, whole, cell);
   CornerWeights corners;
@@ -55,7 +55,7 @@ std::array<double, 10> shapeFunctions(const Eigen::Vector4d& w) {
   return values;
 }
 
-// Barycentric coordinates of a node, given those of the corners.
+// Barycentric coordinates of a node by those of the corners.
 Eigen::Vector4d weightsOfNode(const CornerWeights& corners, int node) {
   if (node < 4) return corners.col(node);
   const auto [i, j] = kMiddlesBetween[node - 4];

@@ -16,8 +16,8 @@ namespace {
 constexpr int kOppositeEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 constexpr double kDegrees = 57.295779513082320877;
 
-/// Least angle between two faces [degrees]: at edge ij, between the other two corners as seen
-/// along the edge.
+/// Least dihedral angle [degrees]: at edge ij, the angle between the other two corners seen along
+/// the edge.
 double leastDihedral(const Mat3& rest, const Vec3& origin) {
   const Vec3 corner[4] = {origin, rest.col(0), rest.col(1), rest.col(2)};
   double least = 180.0;
@@ -31,7 +31,7 @@ double leastDihedral(const Mat3& rest, const Vec3& origin) {
   return least;
 }
 
-/// Radius of the ball through the corners 0, a, b, c: |a^2 bxc + b^2 cxa + c^2 axb| / 12 V.
+/// Circumradius of the corners 0, a, b, c: |a^2 bxc + b^2 cxa + c^2 axb| / 12 V.
 double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double six_volumes = std::abs(a.cross(b).dot(c));
   if (six_volumes == 0.0) return std::numeric_limits<double>::infinity();

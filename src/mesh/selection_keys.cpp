@@ -8,7 +8,7 @@
 namespace palpate::mesh {
 namespace {
 
-// What a region is, if it is a T.
+// The region as a T, if it is one.
 template <class T, class Any>
 std::optional<T> regionAs(const Any& region) {
   const T* is = std::get_if<T>(&region);

@@ -14,7 +14,7 @@ struct Unit {
   double scale;
 };
 
-// In the order in which medical meshes use them.
+// In the order of frequency in medical meshes.
 constexpr Unit kUnits[] = {
     {"millimetres", 1e-3}, {"centimetres", 1e-2}, {"micrometres", 1e-6}, {"kilometres", 1e3}};
 constexpr double kUsualMin = 0.02, kUsualMax = 0.5, kUsual = 0.15;  // [m]

@@ -7,15 +7,15 @@
 namespace palpate::mesh {
 namespace {
 
-// Measured on the shipped organs: the mean tetrahedron has this part of the cube of the mean edge;
-// a regular one has 0.118.
+// Measured on the shipped organs: mean tetrahedron volume over the cube of the mean edge; 0.118 for
+// a regular tetrahedron.
 constexpr double kTetPerCube = 0.095;
 
-constexpr double kSizeChange = 0.5;  // of the size in a box, from its nearest to its farthest point
-constexpr double kBorder = 1.0 / 40.0;  // of the body's diagonal: boxes on the surface are as small
-constexpr long kMostBoxes = 1000000;    // beyond it they are taken as they are
+constexpr double kSizeChange = 0.5;     // largest relative change of the size within a box
+constexpr double kBorder = 1.0 / 40.0;  // size of boxes at the surface, over the body's diagonal
+constexpr long kMostBoxes = 1000000;    // further boxes are not split
 
-// Where a box is known to be.
+// Position of a box.
 enum class Side { kUnknown, kInside };
 
 class Counter {
@@ -27,7 +27,7 @@ class Counter {
     smallest_ = 0.5 * kBorder * (high - low).norm();
     result_.of_zone.assign(field.near.size(), 0.0);
     result_.felt.assign(field.near.size(), false);
-    // The large ones first, so that all of the body is looked at before time is up.
+    // Large boxes first, so that a count that stops early has covered the whole body.
     boxes_.push_back({0.5 * (low + high), 0.5 * (high - low), Side::kUnknown});
     for (long looked = 0; !boxes_.empty() && result_.complete; ++looked) {
       const Box box = boxes_.front();
@@ -40,7 +40,7 @@ class Counter {
 
  private:
   struct Box {
-    Vec3 middle, half;  // half: of the sides
+    Vec3 middle, half;  // half: half side lengths
     Side side;
   };
 

@@ -11,8 +11,8 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-/// The four splines that reach a point, along one axis: the cube's first one, and their values and
-/// derivatives by the part of the cube.
+/// The four splines that overlap a point along one axis: index of the first, values and derivatives
+/// by the local coordinate.
 struct Axis {
   Eigen::Index first;
   double part;
@@ -37,7 +37,7 @@ struct Axis {
   }
 };
 
-// sum_bc wy[b] wz[c] row(b, c), where row gives what is already summed along x.
+// sum_bc wy[b] wz[c] row(b, c), with row(b, c) already summed along x.
 template <class Row>
 double sumOver(const Weights& wy, const Weights& wz, const Row& row) {
   double sum = 0.0;
@@ -49,8 +49,8 @@ double sumOver(const Weights& wy, const Weights& wz, const Row& row) {
   return sum;
 }
 
-// Solves c[i-1] + 4 c[i] + c[i+1] = 6 f[i] for the inner nodes of a line of n, its ends being as
-// they are; f becomes c.
+// Solves c[i-1] + 4 c[i] + c[i+1] = 6 f[i] for the inner nodes of a line of n, with fixed ends; f
+// becomes c.
 void prefilter(Eigen::Index n, std::vector<double>* line, std::vector<double>* pivots) {
   std::vector<double>&f = *line, &p = *pivots;
   p[0] = 0.0;
@@ -78,7 +78,7 @@ FieldPoint SplineGrid::at(const Vec3& p) const {
   const Axis x(place.x(), box.cells.x()), y(place.y(), box.cells.y()), z(place.z(), box.cells.z());
   const Eigen::Index nx = box.cells.x() + 3, ny = box.cells.y() + 3;
   const Weights x0 = x.values(), x1 = x.slopes(), x2 = x.curvatures();
-  Eigen::Matrix4d rows, slopes, curvatures;  // summed along x, of splines b along y and c along z
+  Eigen::Matrix4d rows, slopes, curvatures;  // sums along x for splines b along y, c along z
   for (int c = 0; c < 4; ++c) {
     for (int b = 0; b < 4; ++b) {
       const Weights row =

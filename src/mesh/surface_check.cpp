@@ -38,7 +38,7 @@ int countComponents(const std::vector<EdgeUse>& uses, Eigen::Index triangles) {
   return count;
 }
 
-/// Points whose triangle corners do not all hang together by edges at the point.
+/// Number of points whose triangles are not all connected by edges at the point.
 int countSplitPoints(const std::vector<EdgeUse>& uses, const SurfaceMesh& surface) {
   const auto corner_at = [&](const EdgeUse& use, int point) {
     const int corner =

@@ -7,17 +7,17 @@
 
 namespace palpate::mesh {
 
-/// One side of a triangle: from corner `side` to the next.
+/// A side of a triangle, from corner `side` to the next.
 struct EdgeUse {
-  int low, high;  ///< The points of the edge, low <= high.
+  int low, high;  ///< Ends of the edge, low <= high.
   int triangle;
   int side;
-  bool forward;  ///< The triangle runs from `low` to `high`.
+  bool forward;  ///< Whether the triangle runs from `low` to `high`.
 
   bool sameEdge(const EdgeUse& other) const { return low == other.low && high == other.high; }
 };
 
-/// All 3 m sides, those of one edge side by side; edges ascending, then triangles.
+/// All 3 m sides, sorted by edge, then by triangle.
 std::vector<EdgeUse> sortedEdges(const Eigen::Matrix3Xi& triangles);
 
 /// Calls `f(first, last)` for each edge with the range of its uses.
@@ -31,7 +31,7 @@ void forEachEdge(const std::vector<EdgeUse>& uses, F&& f) {
   }
 }
 
-/// Least representative sets: who hangs together with whom.
+/// Disjoint sets with their least elements as representatives.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n);

@@ -18,7 +18,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 trianglePoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-// Barycentric coordinates of a point in the plane of a triangle, within it.
+// Barycentric coordinates of a point in a triangle's plane, clamped to the triangle.
 Vec3 weightsOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const Vec3 normal = (b - a).cross(c - a);
   const double square = normal.squaredNorm();

@@ -30,7 +30,7 @@ void refuseUnusable(const SurfaceMesh& surface, const std::string& file) {
 
 class Repairs {
  public:
-  /// `text` follows the count: "point" becomes "3 points".
+  /// `text` follows the count; "point" becomes "3 points".
   void add(const std::string& verb, int count, const std::string& noun,
            const std::string& rest = "") {
     if (count == 0) return;
@@ -49,7 +49,7 @@ Vec3 normal(const SurfaceMesh& surface, Eigen::Index t) {
   return (surface.points.col(c[1]) - a).cross(surface.points.col(c[2]) - a);
 }
 
-/// Triangles that turn the other way round than they did; `after` begins with those of `before`.
+/// Number of triangles with reversed orientation; `after` begins with the triangles of `before`.
 int countTurned(const SurfaceMesh& before, const SurfaceMesh& after) {
   int turned = 0;
   for (Eigen::Index t = 0; t < before.triangles.cols(); ++t) {
@@ -58,7 +58,7 @@ int countTurned(const SurfaceMesh& before, const SurfaceMesh& after) {
   return turned;
 }
 
-/// The triangles that cut others, with `rings` of neighbours.
+/// Triangles that intersect others, with `rings` of neighbours.
 std::vector<bool> findCutting(const SurfaceMesh& surface, int rings) {
   std::vector<bool> found(surface.triangles.cols(), false);
   for (const int t : cgal::selfIntersections(surface)) found[t] = true;
@@ -78,7 +78,7 @@ std::string count(int n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// What forbids to mesh the surface, as it is now.
+/// Defects that prevent meshing of the present surface.
 std::vector<Problem> listDefects(const SurfaceReport& report) {
   std::vector<Problem> problems;
   if (!report.closed) {
@@ -111,8 +111,8 @@ bool onlyCutsItself(const SurfaceReport& report) {
          report.degenerate_triangles == 0;
 }
 
-/// Replaces what cuts itself by a patch. `before` are the triangles as they came in, in the order
-/// of `surface`; those that are cut out are removed there too.
+/// Replaces self-intersections by a patch. `before`: the input triangles in the order of `surface`;
+/// removed ones are removed there, too.
 void patchSelfIntersections(SurfaceMesh* surface, SurfaceMesh* before, SurfaceReport* found,
                             Repairs* repairs) {
   constexpr int kMaxRings = 2;

@@ -16,7 +16,7 @@ bool repeatsCorner(const Eigen::Vector3i& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// The side opposite to the corner in the middle of a flat triangle: its longest.
+/// The side opposite the middle corner of a flat triangle, which is the longest.
 int longestSide(const SurfaceMesh& surface, const Eigen::Vector3i& t) {
   std::array<double, 3> length{};
   for (int s = 0; s < 3; ++s) {
@@ -25,8 +25,8 @@ int longestSide(const SurfaceMesh& surface, const Eigen::Vector3i& t) {
   return static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
 }
 
-/// Takes one flat triangle of three different corners out: a neighbour along its longest side is
-/// cut in two at the corner that lies there. False if there is no such neighbour.
+/// Removes a flat triangle with three different corners: splits a neighbour along the longest side
+/// at the corner on that side. Returns false without such a neighbour.
 bool splitNeighbour(SurfaceMesh* surface, Eigen::Index flat) {
   Eigen::Matrix3Xi& triangles = surface->triangles;
   const Eigen::Vector3i t = triangles.col(flat);
@@ -114,7 +114,7 @@ int removeDegenerateTriangles(SurfaceMesh* surface) {
     drop[t] = repeatsCorner(surface->triangles.col(t));
   }
   int removed = removeTriangles(surface, drop);
-  // A split may leave smaller flat triangles, before this one too: a few rounds.
+  // A split may leave smaller flat triangles, also before this one, so a few rounds are needed.
   constexpr int kRounds = 10;
   for (int round = 0, found = 1; round < kRounds && found > 0; ++round) {
     found = 0;

@@ -7,18 +7,18 @@
 
 namespace palpate::mesh {
 
-/// For each point the first one in the very same place (itself, mostly).
+/// For each point the first point at the same position, mostly itself.
 std::vector<int> firstInPlace(const Points& points);
 
-/// Whether triangle `t` has a repeated corner or next to no height (kFlatTriangle).
+/// Whether triangle `t` has a repeated corner or a height below kFlatTriangle.
 bool isDegenerate(const SurfaceMesh& surface, Eigen::Index t);
 
-/// For each triangle whether an earlier one has the same three corners.
+/// Whether an earlier triangle has the same three corners, for each triangle.
 std::vector<bool> findDuplicateTriangles(const Eigen::Matrix3Xi& triangles);
 
-// Each of these changes `surface` and returns how many it mended.
+// Each function changes `surface` and returns the number of repairs.
 int removeTriangles(SurfaceMesh* surface, const std::vector<bool>& drop);
-int mergePoints(SurfaceMesh* surface);                ///< Leaves the doubles as isolated points.
+int mergePoints(SurfaceMesh* surface);                ///< Leaves duplicates as isolated points.
 int removeDegenerateTriangles(SurfaceMesh* surface);  ///< See repairSurface().
 int removeDuplicateTriangles(SurfaceMesh* surface);
 int removeIsolatedPoints(SurfaceMesh* surface);

@@ -10,18 +10,18 @@
 namespace palpate::mesh {
 namespace {
 
-// Faces of a tetrahedron of positive volume, seen counter-clockwise from outside.
+// Faces of a tetrahedron of positive volume, counter-clockwise from outside.
 constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-// Kuhn's six tetrahedra of a cell: all monotone paths from corner 000 to corner 111. Bit i of a
-// corner's number is its step along axis i.
+// Kuhn's six tetrahedra of a cell: the monotone paths from corner 000 to corner 111. Bit i of a
+// corner's index is its step along axis i.
 constexpr int kKuhn[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                              {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
-// Edges in the order of their middle nodes.
+// Edges in the order of mid-edge nodes.
 constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
-// Middle nodes this near to the middle of an edge, in units of its length, are there.
+// Largest distance of a straight edge's mid-edge node from the midpoint, over the edge length.
 constexpr double kStraight = 1e-9;
 
 int edgeNumber(int a, int b) {
@@ -34,10 +34,10 @@ int edgeNumber(int a, int b) {
 
 struct Face {
   Eigen::Index tet;
-  int side;  // of kFaces
+  int side;  // index in kFaces
 };
 
-// Faces that only one tetrahedron has, in the order of the tetrahedra.
+// Faces with a single tetrahedron, in the order of the tetrahedra.
 std::vector<Face> outerFaces(const Eigen::Matrix4Xi& tets) {
   const std::vector<std::uint8_t> outer = outerSides(tets);
   std::vector<Face> faces;
@@ -57,9 +57,9 @@ double signedVolume(const Points& points, const Eigen::Vector4i& t) {
 }
 
 std::vector<std::uint8_t> outerSides(const Eigen::Matrix4Xi& tets) {
-  // Every face under its least corner; both that share one are found there.
+  // Faces are stored at their least corner, so the two sides of a face meet there.
   struct Side {
-    int middle, largest;  // of the other two corners
+    int middle, largest;  // the other two corners
     int face;             // 4 tet + side
   };
   std::vector<std::uint8_t> outer(static_cast<std::size_t>(tets.cols()), 0);

@@ -7,14 +7,14 @@
 namespace palpate::mesh {
 namespace {
 
-// The representative of a node's part; halves the path on the way [Tarjan, van Leeuwen 1984].
+// Representative of a node's part, with path halving [Tarjan, van Leeuwen 1984].
 int findRoot(std::vector<int>* parent, int i) {
   std::vector<int>& p = *parent;
   while (p[i] != i) i = p[i] = p[p[i]];
   return i;
 }
 
-// Of each node the number of its part; -1: in no tetrahedron.
+// Part of each node; -1: in no tetrahedron.
 std::vector<int> partOfNodes(const TetMesh& mesh, int* num_parts) {
   std::vector<int> parent(mesh.numPoints());
   std::iota(parent.begin(), parent.end(), 0);
@@ -36,7 +36,8 @@ std::vector<int> partOfNodes(const TetMesh& mesh, int* num_parts) {
   return part;
 }
 
-// Fills the mesh of a part whose nodes and tetrahedra are known; `local` numbers the nodes in it.
+// Extracts the mesh of a part with known nodes and tetrahedra; `local` gives the node indices in
+// it.
 void extract(const TetMesh& whole, const std::vector<int>& local, TetPart* part) {
   const auto n = static_cast<Eigen::Index>(part->nodes.size());
   const auto m = static_cast<Eigen::Index>(part->tets.size());

@@ -17,7 +17,7 @@ namespace palpate::mesh {
 namespace {
 
 constexpr double kSharpDegrees = 60.0;
-constexpr double kMaxVolumeError = 0.25;  // beyond it the mesh is not the body's
+constexpr double kMaxVolumeError = 0.25;  // relative; refused beyond
 
 Vec3 unitNormal(const SurfaceMesh& surface, int t) {
   const Eigen::Vector3i c = surface.triangles.col(t);
@@ -25,9 +25,8 @@ Vec3 unitNormal(const SurfaceMesh& surface, int t) {
   return (surface.points.col(c[1]) - a).cross(surface.points.col(c[2]) - a).normalized();
 }
 
-/// Whether the sharp edges are edges of the body and not of its triangulation: there are some, no
-/// chain of them ends in the middle of a face, and together they are long against the triangles
-/// to come.
+/// Whether sharp edges belong to the body and not only to its triangulation: they exist, no chain
+/// of them ends within a face, and their total length is large against the edge length.
 bool hasSharpNetwork(const SurfaceMesh& surface, double edge_length) {
   const double cosine = std::cos(kSharpDegrees / 180.0 * std::acos(-1.0));
   std::vector<int> sharp_at(surface.points.cols(), 0);
@@ -88,7 +87,7 @@ void appendMesh(TetMesh* all, const TetMesh& mesh) {
 TetMesh meshVolume(const SurfaceMesh& surface, const MeshingOptions& options,
                    const MeshingProgress& progress) {
   checkMeshing(surface, options);
-  // One by one: the mesher starts from rays from the middle, and could miss a body aside.
+  // Separately, since the mesher's initial rays from the centre could miss a body.
   const std::vector<SurfaceMesh> bodies = splitBodies(surface);
   const std::vector<double> expected = expectTets(bodies, options);
   const double share = 1.0 / static_cast<double>(bodies.size());

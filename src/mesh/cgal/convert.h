@@ -33,7 +33,7 @@ inline Soup toSoup(const SurfaceMesh& surface) {
   return soup;
 }
 
-/// The points and polygons of `soup` in their order, as any of CGAL's meshes.
+/// Points and polygons of `soup` in their order, as a CGAL mesh.
 template <class PolygonMesh>
 PolygonMesh toMesh(const Soup& soup) {
   PolygonMesh mesh;
@@ -41,7 +41,7 @@ PolygonMesh toMesh(const Soup& soup) {
   return mesh;
 }
 
-/// Without removed and isolated elements, in the order of the mesh.
+/// Mesh without removed and isolated elements, in its order.
 inline SurfaceMesh fromMesh(Mesh mesh) {
   mesh.collect_garbage();
   SurfaceMesh surface;

@@ -10,7 +10,7 @@ namespace palpate::mesh::cgal {
 struct Inside::Impl {
   explicit Impl(const SurfaceMesh& surface) : mesh(toMesh<Mesh>(toSoup(surface))), side(mesh) {}
 
-  const Mesh mesh;  // `side` refers to it
+  const Mesh mesh;  // referenced by `side`
   const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side;
 };
 

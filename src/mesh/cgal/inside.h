@@ -7,16 +7,16 @@
 
 namespace palpate::mesh::cgal {
 
-/// Which points are inside of a closed surface, told exactly.
+/// Exact test whether points are inside a closed surface.
 class Inside {
  public:
-  /// `surface` is closed and does not cut itself.
+  /// @pre `surface` is closed, without self-intersection.
   explicit Inside(const SurfaceMesh& surface);
   ~Inside();
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
 
-  /// A point of the surface itself counts as inside.
+  /// True also for points of the surface.
   bool contains(const Vec3& p) const;
 
  private:

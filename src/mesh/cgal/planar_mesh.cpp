@@ -30,7 +30,7 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Triangulation>;
 using Mesher = CGAL::Delaunay_mesher_2<Triangulation, Criteria>;
 
-// Twice the area, counter-clockwise positive.
+// Twice the area, positive for counter-clockwise order.
 double turn(const Polygon& p) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < p.cols(); ++i) {
@@ -46,7 +46,7 @@ void check(const Polygon& polygon, const char* name) {
   }
 }
 
-// @returns how many corners.
+// Inserts corners and sides. @returns the number of corners.
 std::size_t insert(const Polygon& polygon, double edge_length, Triangulation* triangulation) {
   std::vector<Triangulation::Vertex_handle> corners;
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
@@ -63,8 +63,8 @@ std::size_t insert(const Polygon& polygon, double edge_length, Triangulation* tr
   return corners.size();
 }
 
-// Where sides meet elsewhere than at their ends there are more vertices, or more than two sides at
-// one.
+// Whether no sides meet except at their ends; otherwise there are more vertices, or more than two
+// sides at one.
 bool simple(const Triangulation& triangulation, std::size_t corners) {
   if (triangulation.number_of_vertices() != corners) return false;
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
@@ -76,7 +76,7 @@ bool simple(const Triangulation& triangulation, std::size_t corners) {
   return true;
 }
 
-// A point inside: the middle of a triangle of the polygon's own triangulation.
+// An inner point: the centroid of a triangle of the polygon's triangulation.
 Kernel::Point_2 inside(const Polygon& polygon) {
   Triangulation own;
   insert(polygon, std::numeric_limits<double>::infinity(), &own);
@@ -87,8 +87,8 @@ Kernel::Point_2 inside(const Polygon& polygon) {
   throw std::invalid_argument("a hole has no inside");
 }
 
-// Points by x, then y; triangles by their corners, the least first: CGAL's order depends on where
-// things are in memory.
+// Sorts points by x, then y; triangles by corners, the least first. CGAL's order depends on memory
+// addresses.
 SurfaceMesh inOrder(const Triangulation& triangulation) {
   std::vector<Triangulation::Face_handle> faces;
   std::map<Kernel::Point_2, int> index;
@@ -142,9 +142,9 @@ SurfaceMesh meshPolygon(const Polygon& outline, const std::vector<Polygon>& hole
         0.5 * std::abs(turn(outline)) < kMaxPlanarTriangles * 0.43 * edge_length * edge_length)) {
     throw std::invalid_argument("edge_length: must be > 0 and not too small for the polygon");
   }
-  // The criterion bounds edges; those of a mesh with this bound are a quarter shorter, mean.
+  // Mean edge over the criterion's bound.
   constexpr double kMeanOfBound = 0.75;
-  constexpr double kShape = 0.125;  // sine of 20.7 degrees, squared: the least angle
+  constexpr double kShape = 0.125;  // squared sine of the least angle, 20.7 degrees
   Triangulation triangulation;
   std::size_t corners = insert(outline, edge_length, &triangulation);
   for (const Polygon& hole : holes) corners += insert(hole, edge_length, &triangulation);

@@ -26,20 +26,19 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::C
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace parameters = CGAL::parameters;
 
-// Sizes as fractions of the mean edge length that is asked for. Measured on the shipped organs:
-// they give a mean edge within 8 % of it.
-constexpr double kFacetSize = 0.68;       // bound on the radius of a surface triangle's ball
+// Sizes over the wanted mean edge length. Measured: on the shipped organs the mean edge is within 8
+// %.
+constexpr double kFacetSize = 0.68;       // bound on a surface triangle's circumscribed ball
 constexpr double kCellSize = 0.76;        // bound on the circumradius of a tetrahedron
 constexpr double kFacetDistance = 0.06;   // bound on the surface's distance from its triangles
-constexpr double kFacetAngle = 28.0;      // [degrees]; 30 is the most that is proven to end
-constexpr double kRadiusEdgeRatio = 2.0;  // 2 is the least that is proven to end
-constexpr double kSliverBound = 12.0;     // [degrees] perturbation works up to here
+constexpr double kFacetAngle = 28.0;      // [degrees]; termination is proven up to 30
+constexpr double kRadiusEdgeRatio = 2.0;  // termination is proven from 2
+constexpr double kSliverBound = 12.0;     // [degrees]; perturbation works up to here
 
-// What is called each time that the mesher asks for a size: the only sign of life that refinement
-// gives.
+// Called at each size query of the mesher, the only available sign of progress.
 using Tick = std::function<void()>;
 
-// A part of the size that is wanted somewhere.
+// A multiple of the wanted local size.
 class PartOfSize {
  public:
   using FT = Kernel::FT;
@@ -113,14 +112,14 @@ TetMesh refine(const SurfaceMesh& surface, const BodySizes& sizes, bool keep_sha
   };
   report("reading the surface", 0.0);
 
-  // All randomness of the mesher, seeded anew: the same bits whatever ran before.
+  // The mesher's only randomness, seeded anew for reproducible bits.
   CGAL::Random random(0);
   CGAL::get_default_random() = CGAL::Random(0);
   const Polyhedron polyhedron = toMesh<Polyhedron>(toSoup(surface));
   Domain domain(polyhedron, &random);
   if (keep_sharp) domain.detect_features(sharp_degrees);
 
-  // A tetrahedron of the final mesh costs about four questions for the size.
+  // Measured: a tetrahedron of the final mesh takes about four size queries.
   double asked = 0.0, next = 0.0;
   const double expected = std::max(1.0, 4.0 * expected_tets);
   const Tick tick = [&] {
@@ -132,7 +131,7 @@ TetMesh refine(const SurfaceMesh& surface, const BodySizes& sizes, bool keep_sha
   const Criteria criteria = criteriaFor(sizes, tick);
   Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::manifold(),
                                                parameters::no_perturb(), parameters::no_exude());
-  // No time limits: the clock must not decide on the result.
+  // No time limits, so that the result does not depend on the clock.
   if (complex.number_of_cells_in_complex() > 0) {
     report("perturbing slivers", 0.7);
     CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = kSliverBound);

@@ -8,9 +8,9 @@
 
 namespace palpate::mesh::cgal {
 
-/// The tetrahedra of CGAL's mesher in its own order, with mean edges of the length that `sizes` has
-/// where they are. `keep_sharp` protects the edges whose normals differ by more than
-/// `sharp_degrees`. `expected_tets` serves the progress only.
+/// Tetrahedra of CGAL's mesher in its order, with local mean edges as in `sizes`. `keep_sharp`
+/// preserves edges whose normals differ by more than `sharp_degrees`. `expected_tets` is for the
+/// progress only.
 TetMesh refine(const SurfaceMesh& surface, const BodySizes& sizes, bool keep_sharp,
                double sharp_degrees, double expected_tets, const MeshingProgress& progress);
 

@@ -14,7 +14,7 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 constexpr int kRelaxations = 3;
-constexpr double kSharp = 60.0;  // degrees between normals
+constexpr double kSharp = 60.0;  // between normals [degrees]
 
 }  // namespace
 

@@ -27,7 +27,7 @@ int countBorderEdges(const Mesh& mesh) {
   return count;
 }
 
-/// One halfedge of each hole's rim, and the rim's length.
+/// One halfedge of each hole's border, and the border's length.
 std::vector<std::pair<Mesh::Halfedge_index, double>> findHoles(const Mesh& mesh) {
   std::vector<std::pair<Mesh::Halfedge_index, double>> holes;
   std::vector<bool> seen(mesh.num_halfedges(), false);

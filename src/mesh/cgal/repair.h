@@ -7,26 +7,25 @@
 
 namespace palpate::mesh::cgal {
 
-/// What orientAndClose() did.
+/// Counts of changes by orientAndClose().
 struct ClosingCounts {
-  int split_points = 0;    ///< Points doubled where sheets touch in a point only.
-  int stitched_edges = 0;  ///< Border edges joined with their twin.
-  int holes = 0;           ///< Filled.
-  int hole_triangles = 0;  ///< Added for it.
+  int split_points = 0;    ///< Points doubled where sheets share only a point.
+  int stitched_edges = 0;  ///< Border edges joined with their twins.
+  int holes = 0;           ///< Filled holes.
+  int hole_triangles = 0;  ///< Triangles added to fill holes.
 };
 
-/// Orients the triangles alike, joins coincident borders and fills the holes whose rim has at most
-/// the length of the rim of a disc of `max_hole_share` of the surface's area. Every triangle has
-/// three different corners; no edge has more than two triangles.
+/// Orients the triangles consistently, joins coincident borders, and fills holes whose border is no
+/// longer than the rim of a disc of `max_hole_share` of the surface's area. @pre Triangles have
+/// three different corners; edges have at most two triangles.
 SurfaceMesh orientAndClose(const SurfaceMesh& surface, double max_hole_share,
                            ClosingCounts* counts);
 
-/// Triangles that cut another one, ascending. The surface is manifold and consistently oriented,
-/// otherwise the result is empty.
+/// Triangles that intersect another one, ascending. Empty unless the surface is manifold and
+/// consistently oriented.
 std::vector<int> selfIntersections(const SurfaceMesh& surface);
 
-/// Orients a closed surface without self-intersections so that it bounds a volume: outward, and
-/// cavities inward.
+/// Orients a closed surface without self-intersections to bound a volume: outward, cavities inward.
 SurfaceMesh orientOutward(const SurfaceMesh& surface);
 
 }  // namespace palpate::mesh::cgal

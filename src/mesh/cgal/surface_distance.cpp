@@ -31,7 +31,7 @@ Triangles trianglesOf(const SurfaceMesh& surface) {
   return triangles;
 }
 
-// Along no axis and no diagonal, so that it meets no edge of a body that is drawn by hand.
+// Not parallel to axes or diagonals, so that the ray misses the edges of simple bodies.
 const Kernel::Vector_3 kRay(0.3819660112501051, 0.2360679774997897, 0.8934241167);
 
 }  // namespace
@@ -40,7 +40,7 @@ struct SurfaceDistance::Tree {
   explicit Tree(const SurfaceMesh& surface)
       : triangles(trianglesOf(surface)), tree(triangles.begin(), triangles.end()) {}
 
-  const Triangles triangles;  // the tree refers to them
+  const Triangles triangles;  // referenced by the tree
   const mesh::Tree tree;
 };
 
