@@ -7,7 +7,7 @@
 
 namespace palpate::solver {
 
-/// Gives memory that begins with a cache line, so that no register is read from two lines.
+/// Allocates memory aligned to cache lines, so that no register is loaded from two lines.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;

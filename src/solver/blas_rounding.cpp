@@ -20,7 +20,7 @@ std::string blasKernels() {
 std::vector<double> blasProduct() {
   const auto dgemm = loadedBlas<Dgemm>("dgemm_");
   if (dgemm == nullptr) return {};
-  constexpr int kSize = 150, kDepth = 1000;  // deeper than its blocks, whose size differs too
+  constexpr int kSize = 150, kDepth = 1000;  // deeper than BLAS's blocks, whose size also differs
   std::vector<double> A(kSize * kDepth), C(kSize * kSize, 0.0);
   for (std::size_t k = 0; k < A.size(); ++k) A[k] = std::sin(static_cast<double>(k));
   const double one = 1.0, zero = 0.0;

@@ -18,13 +18,13 @@ namespace palpate::solver {
 namespace {
 
 constexpr int kSize = 256;      // of the matrices
-constexpr int kRuns = 5;        // of which the fastest counts: the first wakes the library
-constexpr int kSums = 12;       // independent ones hide the latency of the units
-constexpr int kTurns = 20'000;  // some 0.1 ms
+constexpr int kRuns = 5;        // the fastest counts; the first wakes the library
+constexpr int kSums = 12;       // independent sums hide the units' latency
+constexpr int kTurns = 20'000;  // about 0.1 ms
 
 #if defined(__x86_64__)
-// One multiplication and one addition a lane and sum in each turn. The result is of no use but to
-// keep the compiler from leaving the loop out.
+// One multiplication and addition per lane and sum in each turn. The result only prevents removal
+// of the loop by the compiler.
 __attribute__((target("avx512f"))) double multiplyAdd512(double start) {
   __m512d sums[kSums];
   for (__m512d& sum : sums) sum = _mm512_set1_pd(start);

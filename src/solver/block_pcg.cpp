@@ -13,7 +13,7 @@
 namespace palpate::solver {
 namespace {
 
-// Relative residual that iterations with the packed matrix are trusted with.
+// Relative residual that iterations in single precision can reach.
 constexpr double kSinglePrecision = 1e-4;
 constexpr int kMaxRefinements = 10;
 
@@ -22,7 +22,7 @@ constexpr int kMaxRefinements = 10;
 struct BlockPcg::Impl {
   Impl(int iterations, PcgMatrix&& of) : max_iterations(iterations), matrix(std::move(of)) {}
 
-  // r = b, all else 0.
+  // Sets r = b and the rest to 0.
   void load(const Points& b) {
     const SliceOrder& nodes = matrix.nodes();
     const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes.numSlices();
@@ -48,7 +48,7 @@ struct BlockPcg::Impl {
     forNodes(v.x, take);
   }
 
-  // Of the last direction, in double precision.
+  // p . A p of the last direction, in double precision.
   double curvature(const fem::Stiffness& A) {
     residual.resize(3, matrix.nodes().count());
     forNodes(v.p, [&](int i, const Vec3& p_i) { residual.col(i) = p_i; });
@@ -63,7 +63,7 @@ struct BlockPcg::Impl {
     return of_blocks + volume.factor * changes.dot(pressures);
   }
 
-  // From x = 0 to |r| <= target.
+  // Iterates from x = 0 to |r| <= target.
   SolveStatus iterate(const BlockPcg& asked, const Points& b, double target, int* iterations) {
     load(b);
     double rz = 0.0, rr = 0.0;
@@ -74,7 +74,7 @@ struct BlockPcg::Impl {
       if (asked.interrupted(*iterations)) return SolveStatus::kDeadline;
       const double curvature = matrix.apply(v);
       if (!std::isfinite(curvature)) return SolveStatus::kNonFinite;
-      // What was found before is a direction of descent [Nocedal, Wright 2006, alg. 7.1].
+      // The present solution is a descent direction [Nocedal, Wright 2006, alg. 7.1].
       if (!(curvature > 0.0)) {
         return *iterations > 0 ? SolveStatus::kIterationLimit : SolveStatus::kNotPositiveDefinite;
       }
@@ -93,8 +93,8 @@ struct BlockPcg::Impl {
   PcgVectors v{};
   Points residual, Ax;
   Eigen::VectorXd changes, pressures;
-  const std::vector<int>* changed = nullptr;  // of the next matrix
-  bool current = false;                       // the last matrix is packed
+  const std::vector<int>* changed = nullptr;  // slots of the next matrix, see onlyChanged()
+  bool current = false;                       // whether the last matrix is packed
 };
 
 BlockPcg::BlockPcg(int max_iterations, ThreadPool* pool, Isa isa, const Points& points)

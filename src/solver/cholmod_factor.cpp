@@ -36,7 +36,7 @@ void CholmodFactor::analyzeUncoupled(const fem::Stiffness& A) {
   used_ = &uncoupled_;
 }
 
-// The one that was analysed just now.
+// Stores the factor of the last analysis.
 void CholmodFactor::takeFactor(Analysed* analysed, cholmod_factor* factor) {
   analysed->factor = factor;
   analysed->flops = common_.fl;
@@ -67,8 +67,8 @@ void CholmodFactor::analyze(const fem::Stiffness& A) {
 }
 
 // A quasi-definite system has as many negative pivots as pressures if and only if A is positive
-// definite [Sylvester's law of inertia]. CHOLMOD factors small matrices as L D L', which it finds
-// nothing wrong with for pivots of either sign.
+// definite [Sylvester's law of inertia]. CHOLMOD factors small matrices as L D L' and accepts
+// pivots of either sign.
 bool CholmodFactor::positiveDefinite() const {
   if (common_.status == CHOLMOD_NOT_POSDEF || used_->factor->minor < used_->factor->n) return false;
   if (used_->factor->is_ll) return true;
@@ -100,7 +100,7 @@ SolveStatus CholmodFactor::solve(const Points& b, Points* x) {
   right.x = padded_.data();
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  // Keeps its work space between calls.
+  // Keeps its workspace between calls.
   if (!cholmod_solve2(CHOLMOD_A, used_->factor, &right, nullptr, &solution_, nullptr, &work_y_,
                       &work_e_, &common_)) {
     return SolveStatus::kNonFinite;

@@ -12,11 +12,11 @@
 
 namespace palpate::solver {
 
-/// A Cholesky factor of a stiffness, by CHOLMOD with a workspace of its own: two of them may work
-/// in two threads. Every matrix must have the pattern of the first, apart from couplings. A matrix
-/// without any is ordered and analysed once; one that couples other nodes than the one before is
-/// analysed again, in the same order. So every factor is exact, says whether its matrix is
-/// definite, and does not depend on what was coupled before.
+/// A Cholesky factor of a stiffness by CHOLMOD, with its own workspace, so that instances can run
+/// in different threads. All matrices have the pattern of the first, apart from couplings. The
+/// fill-reducing order is that of the matrix without couplings; changed couplings need a new
+/// symbolic analysis in that order. So factors are exact, detect indefinite matrices, and do not
+/// depend on earlier couplings.
 class CholmodFactor {
  public:
   explicit CholmodFactor(Volumes volumes = Volumes::kIncluded);
@@ -24,16 +24,16 @@ class CholmodFactor {
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 
-  /// Symbolic analysis, if it has not been done for what A couples.
+  /// Symbolic analysis, unless done for A's couplings.
   void analyze(const fem::Stiffness& A);
-  /// kNotPositiveDefinite, kNonFinite: there is no factor any more.
+  /// After kNotPositiveDefinite or kNonFinite there is no factor.
   SolveStatus factorize(const fem::Stiffness& A);
-  /// x = A^-1 b, both 3 x n, with the last matrix that had a factor. kNonFinite if x is not finite.
+  /// Computes x = A^-1 b, both 3 x n, by the last factor. kNonFinite: x is not finite.
   SolveStatus solve(const Points& b, Points* x);
 
-  /// Multiplications and additions of one factorize() of the matrix that was analysed last.
+  /// Multiplications and additions of factorize() for the last analysed matrix.
   double flops() const { return used_->flops; }
-  /// Numbers in its factor.
+  /// Nonzeros of its factor.
   double nonzeros() const { return used_->nonzeros; }
 
  private:
@@ -50,9 +50,9 @@ class CholmodFactor {
 
   Volumes volumes_;
   cholmod_common common_;
-  Analysed uncoupled_, coupled_;  // the second where there are couplings, those of the last matrix
-  Analysed* used_ = nullptr;      // one of them, by the last matrix
-  std::vector<int> order_;        // of the matrix without couplings, and so of all
+  Analysed uncoupled_, coupled_;  // the second is for couplings, those of the last matrix
+  Analysed* used_ = nullptr;      // one of them, for the last matrix
+  std::vector<int> order_;        // order of the uncoupled matrix, used for all
   cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
   Eigen::VectorXd padded_;
 };

@@ -6,8 +6,8 @@
 namespace palpate::solver {
 namespace {
 
-// Rows of the lower triangle in column 3 i + c. Block column i of the lower triangle is block row
-// i of the upper one, transposed.
+// Rows of the lower triangle in column 3 i + c. Block column i of the lower triangle is the
+// transposed block row i of the upper one.
 void appendBlockRows(const fem::BlockMatrix& A, int i, int c, std::vector<int>* rows) {
   for (int slot = A.diagonal(i); slot < A.rowEnd(i); ++slot) {
     for (int r = slot == A.diagonal(i) ? c : 0; r < 3; ++r) rows->push_back(3 * A.column(slot) + r);
@@ -98,7 +98,7 @@ class MixedMatrix final : public CholmodMatrix {
 
  private:
   struct Entry {
-    int pressure, index;  // of the volumes' rows
+    int pressure, index;  // in the rows of the volume stiffness
   };
 
   template <class Visit>

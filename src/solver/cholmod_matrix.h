@@ -10,25 +10,25 @@
 
 namespace palpate::solver {
 
-/// A stiffness as CHOLMOD wants it: the lower triangle, column after column. Built from a first
-/// matrix; later ones have the same pattern and couple the same nodes.
+/// A stiffness in CHOLMOD's format: the lower triangle by columns. Built from a first matrix; later
+/// ones must have its pattern and couplings.
 class CholmodMatrix {
  public:
   virtual ~CholmodMatrix() = default;
 
-  /// Whether A couples the nodes that the first matrix did.
+  /// Whether A has the couplings of the first matrix.
   virtual bool fits(const fem::Stiffness& A) const = 0;
-  /// One that fits A, from this one, which was built from a matrix without couplings.
+  /// Matrix for the couplings of A, from this one, which was built without couplings.
   virtual std::unique_ptr<CholmodMatrix> coupled(const fem::Stiffness& A) const = 0;
-  /// Values of A, which fits.
+  /// Sets the values to those of A. @pre fits(A).
   virtual void assign(const fem::Stiffness& A) = 0;
-  /// Rows beyond the 3 n of the nodes.
+  /// Number of rows beyond the 3 n of the nodes.
   virtual int numPressures() const { return 0; }
   cholmod_sparse* sparse() const { return sparse_; }
 
  protected:
   explicit CholmodMatrix(cholmod_common* common) : common_(common) {}
-  /// Columns of `rows` each, ascending from the diagonal on.
+  /// Allocates columns with these rows, ascending from the diagonal.
   void allocate(const std::vector<std::vector<int>>& rows);
   double* values() const { return static_cast<double*>(sparse_->x); }
   cholmod_common* common() const { return common_; }
@@ -44,11 +44,11 @@ class CholmodMatrix {
   cholmod_sparse* sparse_ = nullptr;
 };
 
-/// Whether the volumes around pressure nodes are part of a matrix.
+/// Whether a matrix contains the volume stiffness.
 enum class Volumes { kLeftOut, kIncluded };
 
-/// Volumes around pressure nodes whose metric is diagonal are assembled into the blocks, over two
-/// rings of elements; others stay unknowns of their own, in a quasi-definite system
+/// Volume stiffness with a diagonal metric is assembled into blocks over two rings of elements;
+/// other pressures stay unknowns of a quasi-definite system
 ///     | K  B^T          |
 ///     | B  -compliance  |   [Vanderbei 1995], which has an LDL^T for every order.
 std::unique_ptr<CholmodMatrix> makeCholmodMatrix(const fem::Stiffness& A, Volumes volumes,

@@ -12,16 +12,16 @@
 namespace palpate::solver {
 namespace {
 
-// What Newton's method gains by a factor, iterations must not lose.
+// Range of relative tolerances: iterations must not lose the precision that a factor would give.
 constexpr double kLoosest = 1e-3, kTightest = 1e-12;
-// So many iterations are cheaper than the factor of a matrix over two rings of elements, always.
+// Estimated iterations below which iterating always beats factorising over two rings of elements.
 constexpr double kIterationsBelowFactor = 30.0;
-// For few right sides solves take 2.6 times what unit_costs.h says, for large fronts factors
-// a 2.3th of it: pressed cube of 24,576 tetrahedra, AVX-512.
+// Correction of unit_costs.h: solves with few right-hand sides take 2.6 times as long, factors of
+// large fronts 1/2.3 times. Measured: pressed cube of 24,576 tetrahedra, AVX-512.
 constexpr double kSolveCostOverFactor = 6.0;
-// About what a factor costs: 12 to 27 of them for blocks of 64 to 6859 nodes, 37 to 150 with
-// averaged volumes; AMD EPYC, beside a build. Random scenes take as long with 12, and a tenth
-// longer with 7.
+// Iterations that cost about as much as a factor. Measured: 12 to 27 for blocks of 64 to 6859
+// nodes, 37 to 150 with averaged volumes; AMD EPYC, during a build. Random scenes take as long with
+// 12, and a tenth longer with 7.
 constexpr int kMostFactorIterations = 20;
 constexpr int kMostFactors = 64;
 
@@ -37,7 +37,7 @@ CholmodSolver::CholmodSolver()
       pressures_(std::make_unique<PressureSystem>()) {}
 CholmodSolver::~CholmodSolver() = default;
 
-// By A and the number of operations alone.
+// Decided by A and operation counts alone.
 bool CholmodSolver::iterationsPay(const fem::Stiffness& A) {
   const double iterations = pressures_->prepare(A);
   if (iterations <= kIterationsBelowFactor || !A.volume().metric->isDiagonal()) return true;
@@ -62,10 +62,10 @@ void CholmodSolver::beginCycle(double /*dt*/) {
   factors_next_ = 1;
 }
 
-// Between two cycles there is nothing to remember.
+// No state outlives a cycle.
 void CholmodSolver::restore(StateReader* /*in*/) { restart(); }
 
-// False: the matrix must be factorised.
+// Returns false if the matrix must be factorised.
 bool CholmodSolver::solveByEarlierFactor(const fem::Stiffness& A, const Points& b,
                                          double relative_tolerance, Points* x,
                                          LinearReport* report) {

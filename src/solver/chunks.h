@@ -8,22 +8,22 @@
 
 namespace palpate::solver {
 
-/// Loops over slices in chunks of a fixed size, so that threads never change a bit of a sum over
-/// chunks.
+/// Loops over slices in chunks of fixed size, so that sums over chunks are bitwise independent of
+/// threads.
 class Chunks {
  public:
-  static constexpr int kSlices = 16;  ///< Of a chunk, which one thread works through in one go.
+  static constexpr int kSlices = 16;  ///< Slices per chunk; a chunk is processed by one thread.
 
   explicit Chunks(ThreadPool* pool) : pool_(pool) {}
 
   static int number(int slices) { return (slices + kSlices - 1) / kSlices; }
 
-  /// From now on every thread works through its part in the other direction. What it read last is
-  /// then read first, while it is still in the cache.
+  /// Reverses the direction of all later loops. What a thread read last, still in the cache, is
+  /// then read first.
   void turn() { backwards_ = !backwards_; }
   bool backwards() const { return backwards_; }
 
-  /// body(first, last): the chunks of one thread.
+  /// Calls body(first, last) with the chunks of each thread.
   template <class Body>
   void forParts(int slices, const Body& body) const {
     const int chunks = number(slices);
@@ -35,14 +35,14 @@ class Chunks {
       body(0, chunks);
     }
   }
-  /// Chunk k of those from `first` to `last`, in the present direction.
+  /// The k-th chunk of [first, last) in the present direction.
   int at(int k, int first, int last) const { return backwards_ ? last - 1 - k : first + k; }
-  /// body(begin, end): the slices of a chunk.
+  /// Calls body(begin, end) with the slices of a chunk.
   template <class Body>
   static void slicesOf(int chunk, int slices, const Body& body) {
     body(kSlices * chunk, std::min(kSlices * (chunk + 1), slices));
   }
-  /// body(chunk, begin, end), for all.
+  /// Calls body(chunk, begin, end) for all chunks.
   template <class Body>
   void forAll(int slices, const Body& body) const {
     forParts(slices, [&](int first, int last) {
@@ -54,7 +54,7 @@ class Chunks {
   }
 
  private:
-  static constexpr int kWorthThreads = 2;  // chunks
+  static constexpr int kWorthThreads = 2;  // least number of chunks for threads
 
   ThreadPool* pool_;
   bool backwards_ = false;

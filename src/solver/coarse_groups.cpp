@@ -9,13 +9,13 @@
 namespace palpate::solver {
 namespace {
 
-constexpr double kLeastPart = 0.01;  // less is nothing but work
+constexpr double kLeastPart = 0.01;  // smaller weights are not worth their cost
 
 struct Near {
   double squared_distance = std::numeric_limits<double>::infinity();
   int group = 0;
 };
-// The nearest groups, and the next one.
+// The nearest groups, and one more.
 using Nearest = std::array<Near, kGroupsOfANode + 1>;
 
 Nearest nearest(const Points& middles, const Vec3& p) {

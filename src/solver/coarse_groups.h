@@ -9,17 +9,17 @@
 
 namespace palpate::solver {
 
-/// Overlapping groups of neighbouring nodes. A node has parts in the kGroupsOfANode groups whose
-/// middles are nearest to it. Weights fall to nothing where the next middle is as near, and sum to
-/// one [as Shepard 1968 interpolates; with local support Franke, Nielson 1980].
+/// Overlapping groups of neighbouring nodes. A node has weights for the kGroupsOfANode groups with
+/// the nearest centres. Weights fall to zero where the next centre is equally near, and sum to one
+/// [as Shepard 1968 interpolates; with local support Franke, Nielson 1980].
 struct CoarseGroups {
-  /// Groups of `size` nodes each, that follow one another in `nodes`, have their middles.
+  /// Centres are those of `size` consecutive nodes each of `nodes`.
   CoarseGroups(const Points& points, const SliceOrder& nodes, int size);
 
   int count() const { return static_cast<int>(middle.cols()); }
 
-  Points middle;           ///< [m], of each group.
-  Eigen::VectorXd radius;  ///< [m], of each group's own nodes.
+  Points middle;           ///< Centre of each group [m].
+  Eigen::VectorXd radius;  ///< Radius of each group's own nodes [m].
   std::vector<int> group;  ///< [node][kGroupsOfANode]
   std::vector<double> weight;
 };

@@ -10,14 +10,14 @@ namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-// e_c x d, the motions of what is at d when it turns.
+// e_c x d: motion of a point at d due to unit rotations.
 Mat3 turns(const Vec3& d) {
   Mat3 columns;
   for (int c = 0; c < 3; ++c) columns.col(c) = Vec3::Unit(c).cross(d);
   return columns;
 }
 
-// The motions of groups about the points' middle, in units of their extent.
+// Motions of groups expressed by motions about the points' centre, in units of their extent.
 class CommonMotions {
  public:
   CommonMotions(const Points& points, const Points& moving)
@@ -34,7 +34,7 @@ class CommonMotions {
     }
   }
   const double* data() const { return motions_.data(); }
-  /// The motions of a group about its own middle by those.
+  /// Motions of a group about its own centre.
   Mat6 ofGroup(const Vec3& middle, double radius) const {
     Mat6 own = Mat6::Zero();
     own.topLeftCorner<3, 3>().setIdentity();
@@ -77,7 +77,7 @@ Eigen::MatrixXd coarseMatrix(const fem::Stiffness& A, const CoarseGroups& groups
                         product.data());
     }
   }
-  using Block = Eigen::Matrix<double, kMotions, 6>;  // transposed, for it lies row by row
+  using Block = Eigen::Matrix<double, kMotions, 6>;  // transposed, since it is stored by rows
   std::vector<Mat6> own;
   own.reserve(static_cast<std::size_t>(count));
   for (int g = 0; g < count; ++g)

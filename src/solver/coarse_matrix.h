@@ -7,9 +7,9 @@
 
 namespace palpate::solver {
 
-/// P^T A P, symmetric, six rows a group: its translations, and its rotations around its middle by
-/// which what is its radius away moves by one. `moving`, 3 x n: 0 at components that P does not
-/// move. Of a metric that is not diagonal A has what PressureMetric::weights() say.
+/// P^T A P, symmetric, six rows per group: translations, and rotations about its centre that move
+/// points at its radius by one. `moving`, 3 x n: 0 for components that P does not move. A metric
+/// that is not diagonal is replaced by PressureMetric::weights().
 Eigen::MatrixXd coarseMatrix(const fem::Stiffness& A, const CoarseGroups& groups,
                              const Points& points, const Points& moving, const PcgKernels& kernels);
 

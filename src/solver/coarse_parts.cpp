@@ -13,7 +13,7 @@ namespace {
 
 static_assert(kWindow == kSlice * Chunks::kSlices);
 
-/// What a node has of a group.
+/// A slice's weights for a group.
 struct Piece {
   int group, slice, lane;
   double weight;
@@ -35,7 +35,7 @@ CoarseParts::CoarseParts(const CoarseGroups& groups, const Points& points, const
   }
 }
 
-// Which groups the window's nodes, and those of its slices, have parts in.
+// Lists the groups of the window's nodes and of its slices.
 void CoarseParts::addWindow(int window, const CoarseGroups& groups, const SliceOrder& nodes) {
   std::vector<Piece> all;
   const int end = std::min(kWindow * (window + 1), nodes.count());
@@ -72,7 +72,7 @@ void CoarseParts::addWindow(int window, const CoarseGroups& groups, const SliceO
   }
 }
 
-// From the middle of a window, in units of its radius.
+// Arms from the centre of a window, in units of its radius.
 void CoarseParts::placeArms(int window, const CoarseGroups& groups, const Points& points,
                             const SliceOrder& nodes) {
   const int begin = kWindow * window, end = std::min(begin + kWindow, nodes.count());

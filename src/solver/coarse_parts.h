@@ -8,13 +8,13 @@
 
 namespace palpate::solver {
 
-/// Where groups are in the kernels' vectors: their parts in windows, and the pieces of these in
-/// slices, as PcgCoarse has them.
+/// Layout of groups for the kernels: their parts in windows, and the pieces of parts in slices, see
+/// PcgCoarse.
 struct CoarseParts {
   struct Part {
     int group;
-    Vec3 shift;    ///< From the group's middle to the window's, in radii of the group.
-    double scale;  ///< Radius of the window, in radii of the group.
+    Vec3 shift;    ///< From the group's centre to the window's, over the group's radius.
+    double scale;  ///< Radius of the window over that of the group.
   };
 
   CoarseParts(const CoarseGroups& groups, const Points& points, const SliceOrder& nodes);

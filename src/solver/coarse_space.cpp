@@ -12,19 +12,19 @@
 namespace palpate::solver {
 namespace {
 
-// Nodes along the longest side of the body, which news of one end takes as many iterations to
-// cross. With fewer of them the iterations that are spared are worth less than their own work, and
-// where it soon has another mesh, than the making.
+// Least number of nodes along the body's longest side. Information crosses the body in as many
+// iterations; for fewer, the iterations saved cost less than the coarse space. The second bound is
+// for a mesh that is soon replaced.
 constexpr double kFewestAlong = 12.0, kFewestAlongForNow = 30.0;
-// Nodes of a group at least, and groups at most: the dense matrix is six times as large, and is to
-// stay in the second-level cache.
+// Least nodes per group, and most groups: the dense matrix has six rows per group and should fit
+// into the second-level cache.
 constexpr int kSmallestGroup = 64, kMostGroups = 64;
-// How many times more than its neighbours something else holds a node that is left out.
+// Excess of the diagonal over the neighbours' part from which a node counts as held.
 constexpr double kHeld = 4.0, kNoLimit = std::numeric_limits<double>::infinity();
 
-constexpr int kWorthThreads = 192;  // rows of the dense matrix
+constexpr int kWorthThreads = 192;  // least rows of the dense matrix for threads
 
-// As if they lay in a box, evenly.
+// Estimate for evenly spaced nodes in a box.
 double nodesAlong(const Points& points) {
   if (points.cols() < kSmallestGroup) return 0.0;
   const Points d = points.colwise() - Vec3(points.rowwise().mean());
@@ -80,8 +80,8 @@ CoarseSpace::CoarseSpace(const fem::Stiffness& A, const Points& points, const Sl
   invert(coarseMatrix(A, groups_, points, moving, kernels_));
 }
 
-// What a node has on its diagonal from its neighbours is what vanishes when all of them are shifted
-// with it: minus the sum of the blocks beside the diagonal.
+// The neighbours' part of a node's diagonal vanishes for common translations, so it is minus the
+// sum of the off-diagonal blocks.
 void CoarseSpace::findHeld(const fem::Stiffness& A) {
   const fem::BlockMatrix& K = A.blocks();
   for (int i = 0; i < K.numNodes(); ++i) {

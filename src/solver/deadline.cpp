@@ -6,7 +6,7 @@
 namespace palpate::solver {
 namespace {
 
-// Of the longest landing, after a cycle that was asked and took less.
+// Decay of the remembered delay after a shorter one, per cycle [-].
 constexpr double kRemembers = 0.95;
 
 }  // namespace
@@ -25,7 +25,7 @@ bool Deadline::isLate(double now) {
 
 void Deadline::end(double now) {
   if (!asked_) return;
-  // No more than all there is, or cycles that are quick again would be cut at once for as long.
+  // Bounded by the given time; otherwise later quick cycles would be cut at once for as long.
   landing_ = std::min(std::max(now - ask_at_, kRemembers * landing_), given_);
 }
 

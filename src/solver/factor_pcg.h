@@ -12,12 +12,12 @@ namespace palpate::solver {
 /// [Courtecuisse et al. 2014, sec. 4].
 class FactorPcg {
  public:
-  /// What an iteration with A takes [s], by unit_costs.h.
+  /// Estimated time of an iteration with A [s], by unit_costs.h.
   static double iterationSeconds(const fem::Stiffness& A, const StaleFactor& factor);
 
-  /// A x = b as by a LinearSolver, in at most `most` iterations: at these `in_vain`, and `x` is a
-  /// direction of descent. `factor` must be ready; it is scaled to A. kNotPositiveDefinite: A is
-  /// not, but for rounding.
+  /// Solves A x = b as LinearSolver, in at most `most` iterations; then `in_vain` is set, and `x`
+  /// is a descent direction. @pre `factor` is ready; it is scaled to A. kNotPositiveDefinite: A is
+  /// not, up to rounding.
   LinearReport solve(const fem::Stiffness& A, const Points& b, double relative_tolerance, int most,
                      const Interrupt* interrupt, StaleFactor* factor, Points* x);
 

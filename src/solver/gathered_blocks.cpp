@@ -4,7 +4,7 @@
 namespace palpate::solver {
 namespace {
 
-/// visit(i, j) for each two nodes i <= j of a volume, volume after volume.
+/// Calls visit(i, j) for each two nodes i <= j of each volume, in order.
 template <class Visit>
 void forPairs(const fem::VolumeStiffness::Pattern& pattern, const Visit& visit) {
   for (std::size_t p = 0; p + 1 < pattern.start.size(); ++p) {

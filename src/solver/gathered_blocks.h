@@ -8,31 +8,30 @@
 
 namespace palpate::solver {
 
-/// All of a stiffness that goes into one matrix of 3 x 3 blocks: its blocks, its couplings and, if
-/// asked for, its volumes, which must have a diagonal metric. The pattern holds what couples the
-/// nodes of the matrix that it was made from, and nothing that earlier ones had, so that a factor
-/// depends on its matrix alone.
+/// A stiffness as one matrix of 3 x 3 blocks: its blocks, couplings and, if requested, its volume
+/// stiffness, with diagonal metric. The pattern has the couplings of the matrix at construction
+/// only, so factors do not depend on earlier matrices.
 class GatheredBlocks {
  public:
   GatheredBlocks(const fem::Stiffness& A, bool with_volumes);
-  /// `uncoupled` with the couplings of A, for less than from the beginning.
+  /// Adds the couplings of A to `uncoupled`, cheaper than from scratch.
   GatheredBlocks(const GatheredBlocks& uncoupled, const fem::Stiffness& A);
 
-  /// Whether A couples the same nodes.
+  /// Whether A has the same couplings.
   bool fits(const fem::Stiffness& A) const { return A.couplings().pairs() == coupled_; }
   const fem::BlockMatrix& pattern(const fem::Stiffness& A) const {
     return wide_ ? own_ : A.blocks();
   }
-  /// Its upper triangle has the values of A, which fits.
+  /// Sets the upper triangle to the values of A. @pre fits(A).
   const fem::BlockMatrix& gather(const fem::Stiffness& A);
 
  private:
   void addVolumes(const fem::VolumeStiffness& volume);
 
-  bool with_volumes_, wide_;  // wide: there is more than A.blocks()
+  bool with_volumes_, wide_;  // wide: more than A.blocks()
   std::vector<std::pair<int, int>> coupled_;
   fem::BlockMatrix own_;
-  std::vector<int> slot_;  // in own_, of the pairs of entries of the volumes, one after another
+  std::vector<int> slot_;  // slots in own_ of the pairs of entries of each volume, in order
 };
 
 }  // namespace palpate::solver

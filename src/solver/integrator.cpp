@@ -9,7 +9,7 @@
 namespace palpate::solver {
 namespace {
 
-// Of the elastic forces: what may be out of balance for them to be those of a motion.
+// Residual over elastic forces up to which these count as forces of a motion [-].
 constexpr double kBalanced = 0.1;
 
 }  // namespace
@@ -99,12 +99,12 @@ void Integrator::goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
                           const std::function<Points(const Points&)>& elastic_gradient) {
   h_old_ = old.h_old_;
   if (h_old_ == 0.0) return;
-  // The past by its difference to the present, so that this and what the present lost or got when
-  // it was carried over do not become an acceleration.
+  // Transfers the difference of past and present, so that interpolation errors of both cancel and
+  // cause no acceleration.
   x_old_ = x_ + carry(old.x_old_ - old.x_);
   v_old_ = v_ + carry(old.v_old_ - old.v_).cwiseProduct(free);
   if (!needsElasticGradient()) return;
-  // Forces on nodes are no field: carried like one they would add up to a force.
+  // Nodal forces are not a field; interpolation would change their sum, so they are recomputed.
   g_old_ = elastic_gradient(x_old_);
   if (!g_old_.allFinite()) g_old_ = g_;
   balanced_ = old.balanced_;
@@ -112,7 +112,7 @@ void Integrator::goOnFrom(const Integrator& old, const Eigen::Matrix3Xd& free,
 }
 
 void Integrator::save(StateWriter* out) const {
-  // Forces that nothing follows from are left out.
+  // Forces that later steps do not use are omitted.
   const Points none;
   const Points& g = balanced_ ? g_ : none;
   const Points& g_old = balanced_old_ ? g_old_ : none;

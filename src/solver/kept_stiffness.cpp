@@ -10,7 +10,7 @@ enum class Saved : unsigned char { kNothing, kPlace, kAll };
 
 }  // namespace
 
-// The pattern has a block for every edge.
+// The pattern has a block for each edge.
 bool KeptStiffness::near(const Points& x) const {
   const fem::BlockMatrix& K = elastic_.blocks();
   const double strain = of_this_cycle_ ? kMostStrainInCycle : kMostStrain;
@@ -88,7 +88,7 @@ KeptStiffness::Assembled KeptStiffness::hessian(const Potential& potential, cons
   potential.addTermHessians(x, tangent, A);
   changed_.insert(changed_.end(), blocks.added().begin(), blocks.added().end());
   if (in_matrix) {
-    A->constrainBlocks(potential.free);  // the volumes are constrained already
+    A->constrainBlocks(potential.free);  // the volume stiffness is constrained already
   } else {
     A->constrain(potential.free);
   }

@@ -11,13 +11,13 @@
 namespace palpate::solver {
 namespace {
 
-// More are taken for a sign that the factor is old. A fresh one needs about three; to renew it at
-// once would cost a jolt in a live cycle, for little.
+// Iterations per minimisation beyond which the factor counts as old; a fresh factor needs about
+// three. Immediate renewal would delay a live cycle for little gain.
 constexpr int kIterationsOfRenewal = 8;
-// In one minimisation, before the factor is renewed whatever it costs.
+// Iterations of a minimisation before the factor is renewed at any cost.
 constexpr int kPatience = 30;
 
-// Pairs whose curvature is no more than noise are left out.
+// Pairs with less relative curvature are noise and are left out.
 constexpr double kLeastCurvature = 1e-10;
 
 }  // namespace
@@ -74,7 +74,7 @@ void Lbfgs::restore(StateReader* in) {
   num_pairs_ = pairs;
 }
 
-// The projected tangent: always positive definite where masses or supports hold the body.
+// Uses the projected tangent, positive definite where masses or supports hold the body.
 SolveStatus Lbfgs::renew(const Potential& potential, const Points& x, PhaseTimes* phases) {
   {
     const PhaseTimer timer(phases, Phase::kAssembly);
@@ -108,7 +108,7 @@ bool Lbfgs::scaleFactor(const Potential& potential, const Points& x) {
   return factor_->scaleTo(diagonal_);
 }
 
-// d = -H g by the two loops of alg. 7.4.
+// Computes d = -H g by the two loops of alg. 7.4.
 bool Lbfgs::direction(const Potential& potential, const Points& x, PhaseTimes* phases) {
   const PhaseTimer timer(phases, Phase::kLinearSolve);
   if (!scaleFactor(potential, x)) return false;
@@ -127,7 +127,7 @@ bool Lbfgs::direction(const Potential& potential, const Points& x, PhaseTimes* p
   return d_.cwiseProduct(g_).sum() < 0.0;
 }
 
-// From the step that led to x.
+// Stores the secant pair of the step to x.
 void Lbfgs::learn(const Potential& potential, const Points& x) {
   const int place = (newest_ + 1) % kPairs;
   Pair& p = pairs_[place];
@@ -135,7 +135,7 @@ void Lbfgs::learn(const Potential& potential, const Points& x) {
   p.y = (g_ - g_begin_).cwiseProduct(potential.free);
   p.sy = p.s.cwiseProduct(p.y).sum();
   if (!(p.sy > kLeastCurvature * p.s.norm() * p.y.norm())) {
-    if (num_pairs_ == kPairs) --num_pairs_;  // its place is gone
+    if (num_pairs_ == kPairs) --num_pairs_;  // its storage was overwritten
     return;
   }
   newest_ = place;
@@ -177,7 +177,7 @@ NewtonReport Lbfgs::minimize(const Potential& potential, const NewtonSettings& s
     while (!direction(potential, *x, &report.phases) ||
            !search(potential, settings, x, &value, &report)) {
       if (settings.interrupted()) {
-        wasted_ = renewal_;  // the factor is renewed when there is time
+        wasted_ = renewal_;  // requests a renewal at a later time
         report.status = SolveStatus::kDeadline;
         return report;
       }
@@ -199,7 +199,7 @@ SolveStatus Lbfgs::predict(const Potential& potential, const Points& move, Point
   if (!tangentSystem(potential, *x, move, &A_, &g_, &right_)) return SolveStatus::kNonFinite;
   restart();
   SolveStatus status = factor_->factorize(A_);
-  factor_->forget();  // its diagonal has not been split into parts
+  factor_->forget();  // its diagonal was not split into parts
   if (status == SolveStatus::kConverged && !factor_->apply(right_, &d_)) {
     status = SolveStatus::kNonFinite;
   }

@@ -7,8 +7,8 @@ namespace palpate::solver {
 namespace {
 
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kRoundoff = 1e-11;  // of the value: below it, differences of values are noise
-// In radii of gyration: one and a half times the width of a ball. Nothing in it has to go farther.
+constexpr double kRoundoff = 1e-11;  // relative to the value: smaller differences are noise
+// Largest step of a node in radii of gyration: one and a half times the diameter of a ball.
 constexpr double kFarthest = 4.0;
 
 double radiusOfGyration(const Points& x) {
@@ -20,8 +20,8 @@ double radiusOfGyration(const Points& x) {
 
 double freeNorm(const Points& g, const fem::FreeMask& free) { return g.cwiseProduct(free).norm(); }
 
-// Where a matrix has almost no stiffness somewhere, a few nodes would fly off, and energy may fall
-// all the way: they stop, and the others go where they would. Where that is uphill, all are slower.
+// Bounds steps of nodes without stiffness, which would fly off while the energy still falls. Only
+// these are shortened; if the result is not downhill, all are.
 const Points& LineSearch::bounded(const Points& x, const Points& g, const Points& d) {
   const double farthest = std::sqrt(d.colwise().squaredNorm().maxCoeff());
   const double most = kFarthest * radiusOfGyration(x);

@@ -5,8 +5,8 @@
 
 namespace palpate::solver {
 
-/// A function of the BLAS of this process, whichever library the system's alternatives chose:
-/// CHOLMOD calls the same. Null where the library has none of this name.
+/// A function of this process's BLAS, chosen by the system's alternatives and shared with CHOLMOD.
+/// Null if the library lacks it.
 template <class Function>
 Function loadedBlas(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));

@@ -39,11 +39,11 @@ std::unique_ptr<Minimizer> lbfgs(const MinimizerSettings&, fem::Stiffness A) {
   return std::make_unique<Lbfgs>(std::move(A));
 }
 
-// To add one: write its header and source, add it here.
+// To add one: write its header and source, list it here.
 struct Entry {
   const char* name;
   std::unique_ptr<Minimizer> (*make)(const MinimizerSettings&, fem::Stiffness);
-  MinimizerFacts facts;  // linear systems, wants fast BLAS, shares linear systems, for auto
+  MinimizerFacts facts;  // linear systems, needs fast BLAS, shares linear systems, for auto
 };
 constexpr Entry kMinimizers[] = {
     {"implicit_pcg", implicitPcg, {LinearSystems::kIterations, false, true, true}},

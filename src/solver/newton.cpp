@@ -12,11 +12,11 @@
 namespace palpate::solver {
 namespace {
 
-// A kept stiffness is old when an iteration with it leaves more of the residual than this.
+// Reduction of the residual per iteration above which a kept stiffness is too old [-].
 constexpr double kWell = 0.5;
 
-// Forcing terms of choice 2 with its safeguard [Eisenstat, Walker 1996, (2.6)]: a linear solve need
-// not be better than the model that Newton's last step has shown to be.
+// Forcing terms of choice 2 with safeguard [Eisenstat, Walker 1996, (2.6)]: a linear solve need not
+// be more accurate than Newton's last linear model.
 double forcingTerm(double bound, double residual, double before, double last_term) {
   constexpr double kGamma = 0.9;
   const double ratio = residual / before;
@@ -25,8 +25,7 @@ double forcingTerm(double bound, double residual, double before, double last_ter
   return std::min(bound, safeguard > 0.1 ? std::max(term, safeguard) : term);
 }
 
-// Near the end a linear solve to the last digit asked for is cheaper than another iteration with
-// its assembly.
+// In the last iteration a tight linear solve is cheaper than another iteration with assembly.
 double atTheEnd(const NewtonSettings& settings, double residual, double term) {
   const double last = 0.3 * settings.tolerance / residual;
   return last >= 0.03 * settings.linear_tolerance ? std::min(settings.linear_tolerance, last)
@@ -74,8 +73,8 @@ void Newton::restore(StateReader* in) {
   linear_->restore(in);
 }
 
-// A_ at x, without what is held, and about to be solved with, unless the cycle is cut (false): what
-// it is then is not known to the linear solver, nor what changed since.
+// Assembles A_ at x, constrained, before a linear solve. Returns false if the cycle is interrupted:
+// the linear solver then does not know A_, nor later changes.
 bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent tangent,
                       const Interrupt* interrupt) {
   kept_ = false;
@@ -94,7 +93,7 @@ bool Newton::assemble(const Potential& potential, const Points& x, fem::Tangent 
   return true;
 }
 
-// Whether a kept stiffness may serve on.
+// Whether a kept stiffness may be reused.
 bool Newton::servedWell(double residual, double before) const {
   return line_search_.halvings() == 0 && residual <= kWell * before;
 }

@@ -11,7 +11,7 @@ OrderedMatrix::OrderedMatrix(const cholmod_sparse& lower, cholmod_factor* factor
     : matrix_(nullptr, Free{common}) {
   auto* order = static_cast<int*>(factor->Perm);
   order_.assign(order, order + factor->n);
-  // The entries' places take their values' way.
+  // Permutes the entries' positions as values.
   std::vector<double> places(lower.nzmax);
   std::iota(places.begin(), places.end(), 0.0);
   cholmod_sparse numbered = lower;

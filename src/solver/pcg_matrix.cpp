@@ -41,7 +41,7 @@ void PcgMatrix::takePattern(const fem::Stiffness& A) {
   const std::size_t lanes = static_cast<std::size_t>(kSlice) * nodes_.numSlices();
   inverse_diagonal_.resize(6 * lanes);
   for (int p = 0; p < static_cast<int>(lanes); ++p) {
-    diagonal_.push_back(9 * K.diagonal(std::max(nodes_.at(p), 0)));  // beyond the last: any
+    diagonal_.push_back(9 * K.diagonal(std::max(nodes_.at(p), 0)));  // padding lanes: any block
   }
   partial_.resize(static_cast<std::size_t>(Chunks::number(nodes_.numSlices())));
   partial_2_ = partial_;
@@ -53,7 +53,7 @@ void PcgMatrix::addCoarse(const fem::Stiffness& A) {
   parts_.front().coarse = coarse_.get();
 }
 
-// Rows of K, with those of B that are at home in them.
+// Packs rows of K with those of B of their home pressures.
 void PcgMatrix::takeRows(const fem::Stiffness& A) {
   const fem::BlockMatrix& K = A.blocks();
   std::vector<std::vector<SlicedRows::Entry>> rows(static_cast<std::size_t>(K.numNodes()));
@@ -95,7 +95,7 @@ void PcgMatrix::takeVolumes(const fem::BlockMatrix& K,
   weights_ = c_;
 }
 
-// Of chunks in entries of columns; those of others are beyond all nodes.
+// Ranges of pressure chunks in the columns; other pressures come after all nodes.
 void PcgMatrix::takeReach(const std::vector<std::vector<SlicedRows::Entry>>& columns) {
   constexpr int kNodes = kSlice * Chunks::kSlices;
   const int beyond = kSlice * nodes_.numSlices();

@@ -16,58 +16,57 @@
 
 namespace palpate::solver {
 
-/// A stiffness packed for conjugate gradients: single precision, with the inverses of its diagonal
-/// blocks. Sums over nodes run over chunks of a fixed size, so that threads never change a bit.
+/// A stiffness packed for conjugate gradients in single precision, with inverse diagonal blocks.
+/// Sums over nodes use chunks of fixed size, so results are bitwise independent of threads.
 class PcgMatrix {
  public:
-  /// `points`, 3 x n: where the nodes are; empty: they keep their order, without a coarse space.
+  /// `points`: nodes, 3 x n; empty: nodes keep their order, without a coarse space.
   PcgMatrix(ThreadPool* pool, Isa isa, Points points)
       : kernels_(pcgKernels(isa)), pool_(pool), chunks_(pool), points_(std::move(points)) {}
 
-  /// For matrices of several bodies side by side, of which each has a PcgMatrix that has taken its
-  /// pattern: with their orders, and the coarse spaces that they have by now. They outlive this,
-  /// and are not used at the same time.
+  /// Block-diagonal matrices of several bodies. @pre Each has a PcgMatrix with its pattern, whose
+  /// order and present coarse space are used; these outlive this and are not used concurrently.
   PcgMatrix(ThreadPool* pool, Isa isa, const std::vector<PcgMatrix*>& bodies);
 
   /// Takes the pattern of A.
   void takePattern(const fem::Stiffness& A);
-  /// Takes the values of A, and at the first call its pattern if that is not known. `changed`:
-  /// slots off the diagonal that alone, with those on it and the couplings, differ from what was
-  /// taken last; null: all may. False: a diagonal block is not positive definite.
+  /// Packs the values of A, and at the first call its pattern. `changed`: off-diagonal slots that
+  /// may differ from the last call, in addition to the diagonal and couplings; null: all. Returns
+  /// false if a diagonal block is not positive definite.
   bool assign(const fem::Stiffness& A, const std::vector<int>* changed = nullptr);
 
-  /// Of the matrix, all of which a product reads.
+  /// Size of the matrix data that a product reads.
   std::size_t bytes() const { return rows_.bytes() + others_.bytes() + columns_.bytes(); }
 
-  /// Where the kernels' vectors have the nodes.
+  /// Positions of the nodes in the kernels' vectors.
   const SliceOrder& nodes() const { return nodes_; }
 
-  /// Ap = A p; returns p . Ap.
+  /// Computes Ap = A p; returns p . Ap.
   double apply(const PcgVectors& v);
   /// Whether addCoarse() pays.
   bool wantsCoarse(bool lasting) const { return CoarseSpace::pays(points_, lasting); }
-  /// A coarse space from here on, of the body at rest; assign() may leave parts of it out.
+  /// Adds a coarse space for the body at rest; assign() may exclude nodes of it.
   void addCoarse(const fem::Stiffness& A);
-  /// r -= alpha Ap, z = D^-1 r, with the correction of the coarse space if there is one; gives
-  /// r . z and r . r.
+  /// Computes r -= alpha Ap and z = D^-1 r, with the coarse correction if present; gives r . z and
+  /// r . r.
   void update(double alpha, const PcgVectors& v, double* rz, double* rr);
-  /// x += alpha p, p = z + beta p.
+  /// Computes x += alpha p and p = z + beta p.
   void direct(double alpha, double beta, const PcgVectors& v);
 
  private:
-  /// Chunks whose pressures a chunk's nodes belong to.
+  /// Range of chunks with the pressures of a chunk's nodes.
   struct Reach {
     int first = std::numeric_limits<int>::max(), last = -1;
-    bool others = false;  ///< Also some that are not at home.
+    bool others = false;  ///< Whether pressures without home node are among them.
   };
-  /// The nodes of a body, with its coarse space.
+  /// Nodes of a body, with its coarse space.
   struct Part {
-    CoarseSpace* coarse;  ///< Null: none.
+    CoarseSpace* coarse;  ///< May be null.
     int first_node, first_slice, slices;
 
     int chunk(int of_all) const { return of_all - first_slice / Chunks::kSlices; }
   };
-  /// A block beside the pattern, between nodes that begin there in the vectors.
+  /// A block outside the pattern, between nodes at these offsets in the vectors.
   struct Coupling {
     std::ptrdiff_t row, column;
     Mat3 values;
@@ -84,13 +83,13 @@ class PcgMatrix {
   PcgVolumes volumes(const float* weights);
   void takeCouplings(const fem::Couplings& couplings);
   void takeRankOnes(const fem::RankOnes& rank_ones);
-  /// Ap += their part; returns p . that.
+  /// Adds the couplings' part to Ap; returns its product with p.
   double addCouplings(const PcgVectors& v) const;
-  /// Likewise.
+  /// Adds the rank-one updates' part to Ap; returns its product with p.
   double addRankOnes(const PcgVectors& v) const;
-  /// Ap = K p; returns p . Ap.
+  /// Computes Ap = K p; returns p . Ap.
   double applyBlocks(const PcgVectors& v);
-  /// Ap = K p + B^T M B p; returns p . Ap.
+  /// Computes Ap = K p + B^T M B p; returns p . Ap.
   double applyWithVolumes(const PcgVectors& v);
   void sweep(const PcgVolumes& B, int first, int last, const PcgVectors& v);
   void applyMetric();
@@ -101,27 +100,27 @@ class PcgMatrix {
   Points points_;
   SliceOrder nodes_;
   PressureLayout pressures_;
-  SlicedRows rows_, others_, columns_;     // of K, of B (those not in rows_), of B^T
-  std::vector<int> diagonal_;              // where it begins in the values, [slice][lane]
-  std::vector<int> place_;                 // in rows_, of each slot
-  AlignedVector<float> inverse_diagonal_;  // as PcgKernels::invert() has it
-  std::vector<PcgMatrix*> bodies_;         // empty: it is of one
+  SlicedRows rows_, others_, columns_;     // of K, of B (without those in rows_), of B^T
+  std::vector<int> diagonal_;              // offset in the values, [slice][lane]
+  std::vector<int> place_;                 // position of each slot in rows_
+  AlignedVector<float> inverse_diagonal_;  // layout of PcgKernels::invert()
+  std::vector<PcgMatrix*> bodies_;         // empty: a single body
   std::unique_ptr<CoarseSpace> coarse_;
   std::vector<Part> parts_;
   AlignedVector<float> weights_, c_;
   std::vector<Coupling> couplings_;
-  /// c a a^T over nodes that begin there in the vectors.
+  /// c a a^T over nodes at these offsets in the vectors.
   struct RankOne {
     std::vector<std::ptrdiff_t> nodes;
     Points a;
     double c;
   };
   std::vector<RankOne> rank_ones_;
-  std::size_t num_rank_ones_ = 0;                // of them in use
-  const fem::PressureMetric* metric_ = nullptr;  // null: weights_ are all of it
+  std::size_t num_rank_ones_ = 0;                // number in use
+  const fem::PressureMetric* metric_ = nullptr;  // null: the metric is diag(weights_)
   double factor_ = 1.0;
   std::vector<Reach> reach_;                        // of each chunk
-  std::vector<char> added_;                         // of each chunk: B^T c is in Ap
+  std::vector<char> added_;                         // whether each chunk's B^T c is in Ap
   Eigen::VectorXd changes_, metric_times_changes_;  // for a metric that is not diagonal
   std::vector<double> partial_, partial_2_;
 };

@@ -8,11 +8,11 @@
 namespace palpate::solver {
 namespace {
 
-// A factor is never cheaper than so many iterations.
+// Least cost of a factor, in iterations.
 constexpr double kFewIterations = 50.0;
-// One may be by chance.
+// Failed solves before factorising; a single one may be accidental.
 constexpr double kFewSolves = 2.0;
-// Of what was in vain, a cycle later.
+// Decay of the failed work per cycle [-].
 constexpr double kKept = 0.5;
 constexpr int kMostCycles = 64;
 

@@ -6,7 +6,7 @@
 
 namespace palpate::solver {
 
-// c = M c.
+// Computes c = M c.
 void PcgMatrix::applyMetric() {
   changes_.resize(pressures_.count());
   for (int p = 0; p < pressures_.count(); ++p) changes_[p] = c_[pressures_.position(p)];
@@ -16,8 +16,8 @@ void PcgMatrix::applyMetric() {
   }
 }
 
-// Ap = K p and c = M B p of one thread's chunks, and right behind it, as soon as all c that a chunk
-// reaches are there, Ap += B^T c. Both arrays are then read in one go, from one end to the other.
+// Computes Ap = K p and c = M B p of one thread's chunks, and Ap += B^T c as soon as all c of a
+// chunk are known, so that both arrays are read in one pass.
 void PcgMatrix::sweep(const PcgVolumes& B, int first, int last, const PcgVectors& v) {
   const int slices = nodes_.numSlices();
   for (int k = 0, next = 0; k < last - first; ++k) {
@@ -54,7 +54,7 @@ double PcgMatrix::applyWithVolumes(const PcgVectors& v) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// In one thread and in plain loops: there are few, and every build adds them up alike.
+// Serial plain loops: couplings are few, and the sum is equal in all builds.
 double PcgMatrix::addCouplings(const PcgVectors& v) const {
   double sum = 0.0;
   for (const Coupling& c : couplings_) {
@@ -105,7 +105,7 @@ const PcgMatrix::Part& PcgMatrix::partAt(int slice) const {
   return parts_[k];
 }
 
-// Beyond the last node of a part there are zeros, up to its last chunk's end.
+// Padding after the last node of a part is zero up to its last chunk's end.
 void PcgMatrix::update(double alpha, const PcgVectors& v, double* rz, double* rr) {
   chunks_.forAll(nodes_.numSlices(), [&](int chunk, int begin, int end) {
     kernels_.update(inverse_diagonal_.data(), begin, end, alpha, v, &partial_[chunk],

@@ -12,8 +12,8 @@ bool reachesAll(const fem::BlockMatrix& K, int i, const int* begin, const int* e
 
 }  // namespace
 
-// Of the nodes that are free and reach far enough, the one with the shortest row: in a body of one
-// solid, rows of B are as long as that of their node, and all find one.
+// Chooses the free node with the shortest row that covers the pressure's row. In a body of one
+// solid, rows of B are as long as those of their nodes, and all pressures find a home.
 void PressureLayout::assignPositions(const fem::BlockMatrix& K,
                                      const fem::VolumeStiffness::Pattern& pattern) {
   const auto length = [&](int i) { return K.rowEnd(i) - K.rowBegin(i); };

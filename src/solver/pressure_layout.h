@@ -6,10 +6,10 @@
 
 namespace palpate::solver {
 
-/// Where the pressures of a VolumeStiffness lie in slices. One at most is at home at each node: its
-/// row of B reaches no further than the node's row of K, so both are worked through together. It
-/// lies where the node lies. The others (nodes between solids have several pressures) lie in slices
-/// of their own behind those of the nodes.
+/// Positions of the pressures of a VolumeStiffness in slices. At most one pressure has its home at
+/// each node: its row of B reaches no further than the node's row of K, so both are processed
+/// together, at the node's position. The others (several pressures per node between solids) have
+/// slices of their own after the nodes'.
 class PressureLayout {
  public:
   PressureLayout() = default;
@@ -19,13 +19,13 @@ class PressureLayout {
   int count() const { return static_cast<int>(position_.size()); }
   int numSlices() const { return node_slices_ + others_.numSlices(); }
   int position(int p) const { return position_[p]; }
-  /// Pressure at home at a node, or -1.
+  /// Pressure with home at a node, or -1.
   int atHome(int node) const { return at_home_[node]; }
 
-  /// The others: pressure `numbers()[k]` is number k of them.
+  /// Pressures without home: number k of them is pressure `numbers()[k]`.
   const SliceOrder& others() const { return others_; }
   const std::vector<int>& numbers() const { return numbers_; }
-  /// Slice where they begin.
+  /// Their first slice.
   int othersBegin() const { return node_slices_; }
 
  private:

@@ -10,26 +10,26 @@ namespace palpate::solver {
 
 class CholmodFactor;
 
-/// Solves with a stiffness that has volumes, K = K_dist + B^T W B, by the Cholesky factor of
-/// K_dist, whose pattern reaches over one ring of elements where K's reaches over two, and by
-/// conjugate gradients for the pressures p = W B x [Benzi, Golub, Liesen 2005, sec. 5]:
+/// Solves with a stiffness with volumes, K = K_dist + B^T W B, by the Cholesky factor of K_dist and
+/// by conjugate gradients for the pressures p = W B x [Benzi, Golub, Liesen 2005, sec. 5]. K_dist
+/// couples one ring of elements, K two.
 ///
 ///   (W^-1 + B K_dist^-1 B^T) p = B K_dist^-1 b,   x = K_dist^-1 (b - B^T p),
 ///
-/// preconditioned by the diagonal of W^-1 + B D^-1 B^T, D the diagonal blocks of K_dist: their
-/// number hardly depends on the mesh, nor on how incompressible the body is.
+/// The preconditioner is the diagonal of W^-1 + B D^-1 B^T, D the diagonal blocks of K_dist. The
+/// number of iterations hardly depends on the mesh or on incompressibility.
 class PressureSystem {
  public:
   PressureSystem();
   ~PressureSystem();
 
-  /// Takes K, without the factor; returns about how many iterations a solve will take.
+  /// Sets K without factorising; returns the estimated number of iterations of a solve.
   double prepare(const fem::Stiffness& K);
-  /// Symbolic analysis of K_dist: what factorize() and each iteration will cost.
+  /// Symbolic analysis of K_dist, for the costs of factorize() and of an iteration.
   const CholmodFactor& analyze(const fem::Stiffness& K);
-  /// After prepare(). kNotPositiveDefinite: K_dist is not, which says nothing of K.
+  /// @pre prepare(K) was called. kNotPositiveDefinite: K_dist is not; K may be.
   SolveStatus factorize(const fem::Stiffness& K);
-  /// To |b - K x| <= `relative_tolerance` |b|, with the stiffness of the last factorize().
+  /// Solves to |b - K x| <= `relative_tolerance` |b|, with the stiffness of the last factorize().
   LinearReport solve(const fem::Stiffness& K, const Points& b, double relative_tolerance,
                      Points* x);
 

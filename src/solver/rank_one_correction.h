@@ -8,7 +8,7 @@
 
 namespace palpate::solver {
 
-/// x of (R + sum_j c_j a_j a_j^T) x = b, all 3 x n, where `solve_rest` solves with R, once more for
+/// Solves (R + sum_j c_j a_j a_j^T) x = b, all 3 x n. `solve_rest` solves with R, once more for
 /// each j [Sherman, Morrison 1950; Woodbury 1950]:
 ///
 ///   x = R^-1 b - Z (diag(1/c) + U^T Z)^-1 U^T R^-1 b,   Z = R^-1 U, U the columns a_j

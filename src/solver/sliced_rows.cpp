@@ -50,7 +50,7 @@ SlicedRows::SlicedRows(const std::vector<std::vector<Entry>>& rows, std::array<i
       if (of[lane]->size() > longest->size()) longest = of[lane];
     }
     for (std::size_t k = 0; k < longest->size(); ++k) {
-      const Entry filler{(*longest)[k].source, -1};  // nothing that the slice does not reach
+      const Entry filler{(*longest)[k].source, -1};  // a source that the slice reads anyway
       for (const std::vector<Entry>* row : of) {
         const Entry& entry = k < row->size() ? (*row)[k] : filler;
         source_.push_back(entry.source);

@@ -6,16 +6,15 @@
 namespace palpate::solver {
 namespace {
 
-// Blocks that have changed by less than this part of themselves are left alone: conjugate gradients
-// and secant pairs take care of small changes better than a scaling that knows nothing of
-// neighbours.
+// Blocks with smaller relative change are not scaled: iterations and secant pairs handle small
+// changes better than a scaling that ignores neighbours.
 constexpr double kSmallChange = 0.5;
 
 using Eigen3 = Eigen::SelfAdjointEigenSolver<Mat3>;
 
-// The symmetric S with S F S = A, both positive definite: the geometric mean of A and F^-1
-// [Bhatia 2007, sec. 4.1]. Of all matrices with S F S^T = A it turns the least. False where F or A
-// is not positive definite.
+// Symmetric S with S F S = A, F and A positive definite: the geometric mean of A and F^-1 [Bhatia
+// 2007, sec. 4.1]. Among all S with S F S^T = A it rotates least. Returns false if F or A is not
+// positive definite.
 bool scaleBetween(const Mat3& F, const Mat3& A, Mat3* inverse_scale) {
   const Eigen3 of_F(F);
   if (!(of_F.eigenvalues().minCoeff() > 0.0)) return false;

@@ -11,11 +11,11 @@
 namespace palpate::solver {
 namespace {
 
-// With no more iterations than this the factor is young enough.
+// Iterations up to which the factor counts as fresh.
 constexpr int kLeastMostIterations = 12;
-// What the factorisation is allowed beyond its own time: the core is not its alone.
+// Factor on the estimated time of a factorisation, which may share its core.
 constexpr double kLeeway = 1.5;
-// Of what was in vain, a cycle later.
+// Decay of the failed work per cycle [-].
 constexpr double kKeptPart = 0.5;
 
 }  // namespace
@@ -75,7 +75,7 @@ void StalePcg::restore(StateReader* in) {
 }
 
 void StalePcg::prepare(const fem::Stiffness& A) {
-  used_->factorize(A);  // or BlockPcg goes on
+  used_->factorize(A);  // if it fails, BlockPcg is used
   wanted_ = !used_->ready();
 }
 
@@ -109,7 +109,7 @@ double StalePcg::iterationSeconds(const fem::Stiffness& A) const {
   return used_->ready() ? FactorPcg::iterationSeconds(A, *used_) : BlockPcg::iterationSeconds(A);
 }
 
-// Until they cost what a factor does.
+// Iterations are limited by the cost of a factor.
 int StalePcg::mostIterations(const fem::Stiffness& A) const {
   const double left = (factorizationSeconds(flops_) - in_vain_) / iterationSeconds(A);
   const int affordable = static_cast<int>(std::ceil(std::min(left, 1e6)));

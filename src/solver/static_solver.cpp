@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSmallestCut = 1.0 / 256.0;
 
-// Norm of what loads and supports do to the body at x: what a residual is compared with.
+// Scale of the residual: norm of the forces of loads and supports on the body at x.
 double forceScale(const Potential& potential, const Points& x, Points* g) {
   potential.gradient(x, g);
   const double reactions = (g->array() * (1.0 - potential.free.array())).matrix().norm();
@@ -45,7 +45,7 @@ StaticReport solveStatic(const Potential& potential, const std::function<Points(
       solved = newton.minimize(potential, newton_settings, &trial);
       report.newton_iterations += solved.iterations + 1;
       if (solved.status == SolveStatus::kConverged) {
-        // The scale at the guess may be far above the one at equilibrium: ask again.
+        // The scale at the guess may far exceed that at equilibrium, so it is evaluated again.
         const double final_scale = forceScale(potential, trial, &g);
         newton_settings.tolerance =
             std::max(settings.tolerance * final_scale, newton.roundoffForce(trial));

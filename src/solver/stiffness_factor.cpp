@@ -32,7 +32,7 @@ StiffnessFactor::StiffnessFactor(const fem::Stiffness& A) : impl_(std::make_uniq
   cholmod_common* common = &impl_->common;
   impl_->matrix = makeCholmodMatrix(A, Volumes::kIncluded, common);
   impl_->matrix->assign(A);
-  // Pressures that stay unknowns make the system quasi-definite: L D L^T.
+  // Pressures as unknowns make the system quasi-definite: L D L^T.
   if (impl_->matrix->numPressures() > 0) {
     common->supernodal = CHOLMOD_SIMPLICIAL;
     common->final_ll = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: what a coarse space does.
+// For kernels only: operations of a coarse space.
 
 #include "palpate/base/float_lanes.h"
 #include "pcg_arrays.h"
@@ -10,8 +10,8 @@
 namespace palpate::solver::PALPATE_ISA {
 namespace {
 
-// r and arm x r of the slices of a window, in two sweeps: what was stored in halves is not at once
-// loaded as a whole.
+// r and arm x r of a window's slices, in two passes, to avoid loads of just stored halves, which
+// stall.
 inline void takeForces(const PcgCoarse& coarse, int begin, int end, const double* r,
                        float (*forces)[6 * kSlice]) {
   for (long s = begin; s < end; ++s) {
@@ -36,7 +36,7 @@ inline void takeForces(const PcgCoarse& coarse, int begin, int end, const double
   }
 }
 
-// The same tree for all widths.
+// The same summation tree for all widths.
 template <int kHalf>
 inline float sumOfLanes(float* lanes) {
   for (int lane = 0; lane < kHalf; ++lane) lanes[lane] += lanes[lane + kHalf];
@@ -63,7 +63,7 @@ void restrictTo(const PcgCoarse& coarse, int begin, int end, const double* r, do
   }
 }
 
-// What it moves the nodes of slice s by.
+// Motion of the nodes of slice s.
 inline void prolong(const PcgCoarse& coarse, long s, float* motion) {
   for (int lane = 0; lane < kSlice; lane += kFloatWidth) {
     FloatLanes of[6] = {}, arm[3];
@@ -95,7 +95,7 @@ void multiplyDense(const float* A, int columns, int stride, int begin, int end, 
   }
 }
 
-// In place, by sweeps over all pivots but those that are nothing but rounding [Goodnight 1979].
+// In-place inverse by sweeps over all pivots above rounding [Goodnight 1979].
 void invertDense(int n, int stride, double* A) {
   constexpr double kRounding = 1e-10;
   const auto column = [&](int j) { return A + static_cast<long>(stride) * j; };

@@ -14,7 +14,7 @@ inline void addScaled(double s, const double* from, double* to) {
   for (int m = 0; m < kMotions; m += kWidth) store(to + m, load(to + m) + s * load(from + m));
 }
 
-// Sums over what the columns of a row have in each group, `kRows` times kMotions numbers.
+// Sums by group over the columns of a row: `kRows` times kMotions numbers.
 template <int kRows>
 class SumsOfGroups {
  public:

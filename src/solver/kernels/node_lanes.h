@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// For kernels only: nodes of four floats each, from and to registers of one component each. A node
-// is fetched by one load where a gather takes three, and transposed within the registers.
+// For kernels only: loads and stores of nodes of four floats as registers of one component each.
+// One load and a transposition replace three gathers per node.
 
 #include "palpate/base/float_lanes.h"
 

@@ -5,123 +5,121 @@
 
 namespace palpate::solver {
 
-/// Rows that are worked through side by side, one in each lane.
+/// Number of rows in a slice, one per lane.
 constexpr int kSlice = 16;
 
-// Vectors have the three components of the nodes of a slice one after the other: component c of the
-// node in a lane of slice s is at 3 kSlice s + kSlice c + lane. Lanes beyond the last node are
-// zero. What is gathered from lies node by node instead: kNodeStride numbers each, the last zero,
-// so that a node is fetched by one load.
+// Vectors store the components of a slice's nodes separately: component c of the node in a lane of
+// slice s is at 3 kSlice s + kSlice c + lane. Lanes beyond the last node are zero. Gathered vectors
+// are stored by node instead: kNodeStride numbers each, the last zero, so that one load fetches a
+// node.
 constexpr int kNodeStride = 4;
-/// Rows of dense matrices are filled up to a multiple of this.
+/// Rows of dense matrices are padded to a multiple of this.
 constexpr int kDenseRows = 32;
 
-/// Sliced rows of entries. Rows of a slice are as long as the longest of them: the others are
-/// filled up with entries of zeros.
+/// Sliced rows of entries. Rows of a slice are padded with zero entries to the length of the
+/// longest.
 struct PcgRows {
-  const int* start;     ///< Slice s has the entries start[s] .. start[s + 1] of each of its rows.
-  const int* source;    ///< [entry][lane]: where that begins which an entry is multiplied with.
+  const int* start;     ///< Slice s has the entries [start[s], start[s + 1]) of each row.
+  const int* source;    ///< [entry][lane]: offset of the vector's factor of each entry.
   const float* values;  ///< [entry][component][lane]
 };
 
-/// A part of the components of each entry, and where its values come from.
+/// Components of each entry that come from one source of values.
 struct PcgPart {
-  int first, count, size;  ///< Components first .. first + count, of `size` all in all.
-  const int* from;         ///< [entry][lane]: where they begin; negative: zeros.
+  int first, count, size;  ///< Components first .. first + count - 1, of `size` in total.
+  const int* from;         ///< [entry][lane]: their offset; negative: zeros.
 };
 
-/// B^T M B, M = diag(weights). Changes c = M B p lie in slices: first those of pressures that are
-/// at home at the node in the same place, whose rows of B are part of K's; then the others.
+/// B^T M B, M = diag(weights). Volume changes c = M B p are in slices: first those of home
+/// pressures, at the position of their home node, with rows of B as part of K's; then the others.
 struct PcgVolumes {
-  PcgRows others;        ///< Rows of B of the others, 3 numbers an entry.
-  PcgRows columns;       ///< B by columns (nodes), 3 numbers an entry; sources lie in c.
-  const float* weights;  ///< As c; null: the metric is applied by somebody else.
+  PcgRows others;        ///< Rows of B of the other pressures, 3 numbers per entry.
+  PcgRows columns;       ///< B by columns (nodes), 3 numbers per entry; sources are in c.
+  const float* weights;  ///< Layout of c; null: the caller applies the metric.
   float* c;
 };
 
 struct PcgVectors {
   double *x, *r, *p;
   float *z, *Ap;
-  float* p_nodes;  ///< p, rounded, node by node.
+  float* p_nodes;  ///< p in single precision, by node.
 };
 
-/// Nodes are sorted within windows of so many.
+/// Window of nodes within which slices are sorted.
 constexpr int kWindow = 256;
 
-/// Something that moves overlapping groups of nodes as rigid bodies: a node by the sum over its
-/// groups of weight (t + w x arm), but for those of its components whose mask is 0, not 1. Arms are
-/// from the middle of a window. What a window has of a group is a part, what a slice has of a part
-/// a piece.
+/// Rigid motions of overlapping groups of nodes. A node moves by the sum over its groups of weight
+/// (t + w x arm), except components with mask 0. Arms start at the centre of a window. A part is a
+/// group within a window, a piece is a part within a slice.
 struct PcgCoarse {
-  const int* parts;           ///< Window w has the parts parts[w] .. parts[w + 1].
-  const int* pieces;          ///< Part k has the pieces pieces[k] .. pieces[k + 1].
-  const int* slice;           ///< Of each piece, in its window.
+  const int* parts;           ///< Window w has the parts parts[w] .. parts[w + 1] - 1.
+  const int* pieces;          ///< Part k has the pieces pieces[k] .. pieces[k + 1] - 1.
+  const int* slice;           ///< Slice of each piece in its window.
   const float* weights;       ///< [piece][lane]
   const float* motions;       ///< t and w of each part.
   const int* start_of_slice;  ///< Slice s has the pieces piece_of_slice[start_of_slice[s] ..].
   const int* piece_of_slice;
-  const int* part_of_slice;  ///< The same pieces' parts.
-  const float* mask;         ///< As the vectors.
-  const float* arm;          ///< As the vectors.
+  const int* part_of_slice;  ///< Part of each of these pieces.
+  const float* mask;         ///< Layout of the vectors.
+  const float* arm;          ///< Layout of the vectors.
 };
 
-/// Groups that a node has a part in, at most.
+/// Largest number of groups per node.
 constexpr int kGroupsOfANode = 2;
-/// The six motions of a rigid body, filled up.
+/// Six rigid motions, padded.
 constexpr int kMotions = 8;
 
-/// The same P for A P: the motions of all groups are about one point.
+/// The same P for A P, with motions of all groups about one point.
 struct PcgMotions {
   const int* group;      ///< [node][kGroupsOfANode]
   const double* weight;  ///< [node][kGroupsOfANode]
   const double* motion;  ///< [node][component][kMotions]
   int groups;
-  double* sums;  ///< [group][component][kMotions], for kernels to write to.
-  int* reached;  ///< [group], the same.
+  double* sums;  ///< [group][component][kMotions], workspace.
+  int* reached;  ///< [group], workspace.
 };
 
-/// Every kernel works on the slices from `begin` to `end`.
+/// Kernels process the slices from `begin` to `end`.
 struct PcgKernels {
-  /// Takes one part of the entries: from[entry][lane] and following of `values`.
+  /// Packs one part of the entries: from[entry][lane] and following of `values`.
   void (*pack)(const int* start, const PcgPart&, int begin, int end, const double* values,
                float* to);
-  /// Ap = K p, K with 9 numbers an entry (blocks, column-major); returns p . Ap.
+  /// Computes Ap = K p, K with 9 numbers per entry (blocks, column-major); returns p . Ap.
   double (*multiply)(const PcgRows& K, int begin, int end, const PcgVectors&);
-  /// Ap = K p and c = M B p of the pressures at home, K with 12 numbers an entry: those of the
-  /// block, then those of B.
+  /// Computes Ap = K p and c = M B p of home pressures, K with 12 numbers per entry: the block,
+  /// then that of B.
   void (*multiplyWithVolumes)(const PcgRows& K, const PcgVolumes&, int begin, int end,
                               const PcgVectors&);
-  /// c = M B p of others; `first` is the slice of c where they begin.
+  /// Computes c = M B p of the other pressures; `first` is their first slice of c.
   void (*changeOthers)(const PcgVolumes&, int first, int begin, int end, const PcgVectors&);
-  /// Ap += B^T c; returns p . Ap.
+  /// Computes Ap += B^T c; returns p . Ap.
   double (*addVolumes)(const PcgVolumes&, int begin, int end, const PcgVectors&);
-  /// Inverses of the diagonal blocks of K, which begin at values[from[slice][lane]], with their
-  /// part of B^T M B if there are volumes: [slice][xx xy yy xz yz zz][lane]. 0: one is not
+  /// Inverses of the diagonal blocks of K, at values[from[slice][lane]], with those of B^T M B if
+  /// there are volumes: [slice][xx xy yy xz yz zz][lane]. Returns 0 if one is not positive
   /// definite.
   int (*invert)(const double* values, const int* from, const PcgVolumes*, int begin, int end,
                 float* inverse_diagonal);
-  /// r -= alpha Ap, z = D^-1 r; gives r . z and r . r.
+  /// Computes r -= alpha Ap and z = D^-1 r; gives r . z and r . r.
   void (*update)(const float* inverse_diagonal, int begin, int end, double alpha, const PcgVectors&,
                  double* rz, double* rr);
-  /// x += alpha p, p = z + beta p; `coarse`, which may be null, adds its motion to z.
+  /// Computes x += alpha p and p = z + beta p; `coarse`, if not null, adds its motion to z.
   void (*direct)(int begin, int end, double alpha, double beta, const PcgVectors&,
                  const PcgCoarse* coarse);
-  /// For each part of a group in the window, in which the slices are: the sums of weight r and of
-  /// weight arm x r.
+  /// Sums of weight r and weight arm x r, for each part of a group in the window of the slices.
   void (*restrictTo)(const PcgCoarse&, int begin, int end, const double* r, double* sums);
-  /// C += P^T A P, as far as row i of A adds to it, which has `count` blocks of nine in `columns`.
-  /// C is [group a][group b >= a][6][kMotions].
+  /// Adds to C the part of P^T A P due to row i of A, with `count` blocks of nine in `columns`. C
+  /// is [group a][group b >= a][6][kMotions].
   void (*addBlocks)(const PcgMotions&, int i, int count, const int* columns, const double* blocks,
                     double* C);
-  /// C += weight P^T b b^T P, b with three numbers in each of `columns`.
+  /// Adds weight P^T b b^T P to C; b has three numbers for each of `columns`.
   void (*addSquare)(const PcgMotions&, int count, const int* columns, const double* b,
                     double weight, double* C);
-  /// Rows `begin` to `end`, multiples of kDenseRows, of y = A x, A with `columns` columns of
-  /// `stride` rows.
+  /// Rows [begin, end), multiples of kDenseRows, of y = A x; A has `columns` columns of `stride`
+  /// rows.
   void (*multiplyDense)(const float* A, int columns, int stride, int begin, int end, const float* x,
                         float* y);
-  /// The inverse of A, symmetric and positive semidefinite with n columns of `stride` rows, without
-  /// the rows and columns that follow from those before.
+  /// Inverts A in place: symmetric positive semidefinite, n columns of `stride` rows. Rows and
+  /// columns that depend on earlier ones are left out.
   void (*invertDense)(int n, int stride, double* A);
 };
 

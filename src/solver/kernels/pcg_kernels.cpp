@@ -20,7 +20,7 @@ void pack(const int* start, const PcgPart& part, int begin, int end, const doubl
   }
 }
 
-// Diagonal of B^T M B: sum of weight times b b^T, xx xy yy xz yz zz.
+// Diagonal blocks of B^T M B: sum of weight b b^T, xx xy yy xz yz zz.
 inline void addDiagonal(const PcgVolumes& B, int s, int lane, FloatLanes* D) {
   for (long k = B.columns.start[s]; k < B.columns.start[s + 1]; ++k) {
     const FloatLanes weight = gather(B.weights, B.columns.source + kSlice * k + lane);
@@ -33,7 +33,7 @@ inline void addDiagonal(const PcgVolumes& B, int s, int lane, FloatLanes* D) {
   }
 }
 
-// Where the upper triangle is in a block of nine.
+// Positions of the upper triangle in a block of nine.
 constexpr int kUpper[6] = {0, 3, 4, 6, 7, 8};
 
 int invert(const double* values, const int* from, const PcgVolumes* B, int begin, int end,
@@ -57,7 +57,7 @@ int invert(const double* values, const int* from, const PcgVolumes* B, int begin
       const Lanes cofactors[6] = {yy * zz - yz * yz, xz * yz - xy * zz, xx * zz - xz * xz,
                                   xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy};
       const Lanes determinant = xx * cofactors[0] + xy * cofactors[1] + xz * cofactors[3];
-      // Sylvester's criterion: leading minors.
+      // Sylvester's criterion on leading minors.
       definite &= (xx > 0.0) & (cofactors[5] > 0.0) & (determinant > 0.0);
       for (int c = 0; c < 6; ++c) {
         storeAsFloats(out + kSlice * c + lane, cofactors[c] / determinant);

@@ -6,7 +6,7 @@
 
 namespace palpate::solver {
 
-/// The kernels as built for `isa`, which must be available.
+/// Kernels compiled for `isa`, which must be available.
 const PcgKernels& pcgKernels(Isa isa);
 
 }  // namespace palpate::solver

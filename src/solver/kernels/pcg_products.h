@@ -9,7 +9,7 @@
 namespace palpate::solver::PALPATE_ISA {
 namespace {
 
-// Sums over nodes are kept lane by lane, whatever the width of a register.
+// Sums over nodes by lane, independent of the register width.
 struct alignas(64) LaneSums {
   double lanes[kSlice] = {};
 
@@ -21,10 +21,10 @@ struct alignas(64) LaneSums {
   }
 };
 
-constexpr int kAhead = 8;  // entries that are fetched in advance
+constexpr int kAhead = 8;  // prefetched entries
 
-// Rows of slice s times p, for the lanes of one register: three sums of blocks, and with kSize 12
-// three more of rows of B.
+// Products of the rows of slice s with p, for the lanes of one register: three sums of blocks and,
+// for kSize 12, the sum of rows of B.
 template <int kSize>
 inline void addRows(const PcgRows& K, int s, int lane, const float* p, FloatLanes* y,
                     FloatLanes* change) {
@@ -46,7 +46,7 @@ inline void storeChange(const FloatLanes* change, const float* weights, long at,
   store(c + at, sum);
 }
 
-// Ap of slice s, and its part of p . Ap.
+// Stores Ap of slice s and adds its part of p . Ap.
 inline void finish(int s, const float* Ap, const PcgVectors& v, LaneSums* curvature) {
   for (int lane = 0; lane < 3 * kSlice; lane += kWidth) {
     curvature->add(lane % kSlice, loadAsDoubles(Ap + lane) * load(v.p + 3L * kSlice * s + lane));
