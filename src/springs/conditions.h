@@ -10,27 +10,25 @@
 
 namespace palpate::springs {
 
-/// Linear conditions on unknowns, sum of factor times unknown = right, in families.
+/// Linear conditions sum of factor times unknown = right, in weighted families.
 class Conditions {
  public:
   explicit Conditions(Eigen::Index unknowns) : unknowns_(unknowns) {}
 
-  /// @returns the new family's number. Its conditions are met in the least squares with this
-  /// weight.
+  /// Adds a family with this weight in the least squares. @returns its index.
   std::size_t addFamily(std::string name, double weight = 1.0);
 
-  /// Begins a condition that is measured against `scale`.
+  /// Begins a condition relative to `scale`.
   void begin(std::size_t family, double scale, double right = 0.0);
-  /// Adds to the condition that was begun last.
+  /// Adds a term to the last condition.
   void add(Eigen::Index unknown, double factor) {
     entries_.emplace_back(rows() - 1, unknown, factor / scales_.back());
   }
 
   SparseMatrix matrix()
-      const;  ///< Of conditions over their scales, times the roots of the weights.
+      const;  ///< Conditions over their scales, times the square roots of the weights.
   Eigen::VectorXd right() const;
-  /// By what x must be multiplied for the sum of a family's conditions to be that of their right
-  /// sides.
+  /// Factor on x with which the sum of a family's conditions equals that of their right-hand sides.
   double matchingFactor(std::size_t family, const Eigen::VectorXd& x) const;
   std::vector<ConstraintFamily> residuals(const Eigen::VectorXd& x) const;
 
@@ -41,7 +39,7 @@ class Conditions {
   std::vector<std::string> names_;
   std::vector<double> weights_;  // of families
   std::vector<std::size_t> family_;
-  std::vector<double> scales_, right_;  // of conditions; the latter over the scale
+  std::vector<double> scales_, right_;  // of conditions; right-hand sides are over the scale
   std::vector<Eigen::Triplet<double>> entries_;
 };
 

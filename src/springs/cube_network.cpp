@@ -15,7 +15,7 @@ struct Part {
   SpringKind kind = SpringKind::kEdge;
 };
 
-// What one cube brings to the spring between two of its corners.
+// Contribution of one cube to the spring between two of its corners.
 Part share(const CubeSprings& springs, int k, int l) {
   switch ((corner(k) - corner(l)).cwiseAbs().sum()) {
     case 1:

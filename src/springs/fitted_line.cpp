@@ -36,7 +36,7 @@ SpringNetwork unfitted(const Eigen::VectorXd& places, double line_density) {
   return line;
 }
 
-// Calls f(spring, length, direction away) for those of each mass.
+// Calls f(spring, length, direction away) for the springs of a mass.
 template <class F>
 void forEachAt(const SpringNetwork& line, int mass, const F& f) {
   for (std::size_t i = 0; i < line.springs.size(); ++i) {
@@ -64,7 +64,7 @@ LineFit fitLine(const BeamSection& beam, const Eigen::VectorXd& places, double l
   const auto modulus = stretch.addFamily("stretch", weights.stretch),
              even = stretch.addFamily("evenness", weights.evenness);
   for (int m = 0; m < places.size(); ++m) {
-    const double V = 2.0 * line.masses[m] / line_density;  // both spacings
+    const double V = 2.0 * line.masses[m] / line_density;  // sum of both spacings
     const double B = 0.25 * beam.young_modulus * beam.second_moment * V;
     const double C = 0.25 * beam.young_modulus * beam.area * V;
     soft.begin(bending, 48.0 * B, -48.0 * B);

@@ -12,12 +12,12 @@
 namespace palpate::springs {
 namespace {
 
-// A spring as one of its masses sees it.
+// A spring as seen from one of its masses.
 struct Arm {
   Eigen::Index spring;
-  double U;               // [m]
+  double U;               // length [m]
   Vec3 e;                 // away from the mass
-  double s2, c2, s4, c4;  // of twice and four times its angle in the tangent plane
+  double s2, c2, s4, c4;  // sine, cosine of 2 and 4 times its angle in the tangent plane
 };
 
 Points normals(const mesh::SurfaceMesh& surface) {
@@ -33,7 +33,7 @@ Points normals(const mesh::SurfaceMesh& surface) {
 
 Arm arm(Eigen::Index spring, const Vec3& d, const Vec3& normal) {
   const Vec3 n = normal.normalized();
-  // An axis of the plane: the same one at all points of a flat sheet.
+  // Axis of the tangent plane, equal at all points of a flat sheet.
   int least = 0;
   n.cwiseAbs().minCoeff(&least);
   const Vec3 axis = n.cross(Vec3::Unit(least)).normalized();
@@ -71,7 +71,7 @@ double meanSquareEdge(const std::vector<Spring>& springs) {
   return sum / count;
 }
 
-// Conditions of one family at one mass: `factor(arm)` for each spring.
+// Adds a condition of a family at one mass: `factor(arm)` for each spring.
 template <class F>
 void addCondition(const std::vector<Arm>& arms, std::size_t family, double scale, double right,
                   const F& factor, Conditions* conditions) {

@@ -36,7 +36,7 @@ std::vector<Spring> edgesOf(const mesh::TetMesh& mesh) {
   return springs;
 }
 
-/// Points of corners only: middle nodes of quadratic tetrahedra have no mass here.
+/// The corners only: mid-edge nodes of quadratic tetrahedra have no mass here.
 mesh::TetMesh linearPart(const mesh::TetMesh& mesh) {
   mesh::TetMesh linear;
   linear.points = mesh.points.leftCols(mesh.tets.maxCoeff() + 1);
@@ -44,7 +44,7 @@ mesh::TetMesh linearPart(const mesh::TetMesh& mesh) {
   return linear;
 }
 
-/// sum k U^2 e e e e over 4/5 E V, of each point.
+/// Conditions on sum k U^2 e e e e over 4/5 E V, at each point.
 class TensorConditions {
  public:
   TensorConditions(const SpringNetwork& network, const Eigen::VectorXd& volumes, double E)
@@ -67,7 +67,7 @@ class TensorConditions {
     for (Eigen::Index m = 0; m < volumes.size(); ++m) b.segment<15>(15 * m) = isotropicFourth();
   }
 
-  /// By what k must be multiplied for the sum of all k U^2 to be that of 12 E V.
+  /// Factor on k with which the sum of all k U^2 is that of 12 E V.
   double matchingFactor(const Eigen::VectorXd& k) const {
     const Eigen::VectorXd left = A * k;
     double sum = 0.0;

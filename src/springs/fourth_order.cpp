@@ -27,7 +27,7 @@ void forEachComponent(const F& f) {
   }
 }
 
-// The symmetric tensor d S + ..., six terms.
+// Symmetrised d S: six terms.
 FourthOrder spread(const Mat3& S) {
   const Mat3 d = Mat3::Identity();
   FourthOrder t;
@@ -38,7 +38,7 @@ FourthOrder spread(const Mat3& S) {
   return t;
 }
 
-// T_ijkk.
+// Contraction T_ijkk.
 Mat3 contraction(const FourthOrder& t) {
   Mat3 sum = Mat3::Zero();
   const auto component = [&](std::array<int, 4> wanted) {

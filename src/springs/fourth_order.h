@@ -7,18 +7,18 @@
 
 namespace palpate::springs {
 
-/// A tensor of fourth order and three dimensions that is symmetric in all indices, by its 15
-/// components, each times the root of how often it occurs: lengths are those of the tensor.
+/// A fully symmetric tensor of fourth order in three dimensions, as its 15 components times the
+/// square roots of their multiplicities, so norms agree.
 using FourthOrder = Eigen::Matrix<double, 15, 1>;
 
-/// v v v v.
+/// The tensor v v v v.
 FourthOrder fourthPower(const Vec3& v);
 
-/// d_ij d_kl + d_ik d_jl + d_il d_jk; its length is the root of 45.
+/// d_ij d_kl + d_ik d_jl + d_il d_jk, of norm sqrt(45).
 FourthOrder isotropicFourth();
 
-/// The parts of a tensor that turn among themselves: a multiple of isotropicFourth(), what a
-/// traceless symmetric matrix makes, and the rest, which has no trace. Orthogonal to each other.
+/// Orthogonal, rotation-invariant parts of a tensor: a multiple of isotropicFourth(), the part of a
+/// traceless symmetric matrix, and a traceless rest.
 struct FourthOrderParts {
   FourthOrder isotropic, second, rest;
 };

@@ -7,7 +7,7 @@
 namespace palpate::springs {
 namespace {
 
-// 1 - sin(x)/x, and the derivative of that, without cancellation.
+// 1 - sin(x)/x and its derivative, without cancellation.
 double sincLoss(double x) {
   const double y = x * x;
   if (y < 1e-2) return y / 6.0 * (1.0 - y / 20.0 * (1.0 - y / 42.0 * (1.0 - y / 72.0)));
@@ -19,8 +19,8 @@ double sincLossSlope(double x) {
   return (std::sin(x) - x * std::cos(x)) / y;
 }
 
-// Of a curve at theta = U rho / 2, with forces as parts of the limit's and lengths of U. The line
-// with slope s has the force 1 + s stretch here.
+// Point of a curve at theta = U rho / 2, forces over the limit's force and lengths over U. The line
+// with slope s has the force 1 + s stretch.
 struct CurvePoint {
   double stretch;
   double force;
@@ -32,13 +32,13 @@ CurvePoint structuralPoint(double theta) {
   return {-sincLoss(theta), std::cos(theta) / (sinc * sinc), sincLossSlope(theta)};
 }
 
-// Its stretch is 2 - v/U: a flexion spring pushes more as it is shortened.
+// The stretch is 2 - v/U: a flexion spring pushes more when shortened.
 CurvePoint flexionPoint(double theta) {
   const double sinc = 1.0 - sincLoss(theta);
   return {2.0 * sincLoss(2.0 * theta), 1.0 / (sinc * sinc), 4.0 * sincLossSlope(2.0 * theta)};
 }
 
-// Integral of f over the curve from 0 to theta, by Gauss's rule of five points in each of 32 parts.
+// Integral of f over the curve from 0 to theta, by five-point Gauss rules on 32 parts.
 template <class F>
 double integrate(CurvePoint (*curve)(double), double theta, const F& f) {
   constexpr int kParts = 32;

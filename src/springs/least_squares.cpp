@@ -14,7 +14,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// 1 over the length of each column; 1 where it is empty.
+// Inverse norm of each column; 1 for empty columns.
 Eigen::VectorXd columnScales(const SparseMatrix& A) {
   Eigen::VectorXd scales(A.cols());
   for (int c = 0; c < A.outerSize(); ++c) {
@@ -32,23 +32,23 @@ void append(const SparseMatrix& block, Eigen::Index row, Eigen::Index column, Tr
   }
 }
 
-/// |A x - b|^2/2 between bounds, with A's columns of length 1.
+/// |A x - b|^2/2 within bounds, with A's columns of length 1.
 class BoundedProblem {
  public:
   BoundedProblem(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd upper)
       : upper_(std::move(upper)), H_(A.transpose() * A), g_(A.transpose() * b) {}
 
-  /// Without the constant |b|^2/2.
+  /// Value without the constant |b|^2/2.
   double value(const Eigen::VectorXd& x) const { return x.dot(0.5 * (H_ * x) - g_); }
   Eigen::VectorXd slope(const Eigen::VectorXd& x) const { return H_ * x - g_; }
   Eigen::VectorXd within(const Eigen::VectorXd& x) const {
     return x.cwiseMax(0.0).cwiseMin(upper_);
   }
-  /// Pressed against a bound that is within `reach`.
+  /// Whether x is within `reach` of a bound and the slope points beyond it.
   bool bound(Eigen::Index i, double x, double slope, double reach) const {
     return (x <= reach && slope >= 0.0) || (x >= upper_[i] - reach && slope <= 0.0);
   }
-  /// Newton's step of those that are not bound, down the slope of the others.
+  /// Newton step of the unbound unknowns, steepest descent of the others.
   Eigen::VectorXd newtonStep(const Eigen::VectorXd& x, const Eigen::VectorXd& slope,
                              double reach) const;
 
@@ -95,7 +95,7 @@ Eigen::VectorXd BoundedProblem::newtonStep(const Eigen::VectorXd& x, const Eigen
 
 Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                      const SparseMatrix& C) {
-  constexpr double kProximity = 1e-8;  // small beside the columns and rows, whose length is 1
+  constexpr double kProximity = 1e-8;  // small against columns and rows of unit length
   constexpr int kSteps = 40;
   const Eigen::Index n = A.cols(), m = C.rows();
   const Eigen::VectorXd scale = columnScales(A);
@@ -115,7 +115,7 @@ Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorX
   if (factor.info() != Eigen::Success) throw std::runtime_error("least squares: no factor");
   Eigen::VectorXd z = Eigen::VectorXd::Zero(n + m), left(n + m);
   for (int step = 0; step < kSteps; ++step) {
-    // What is left of the system without the proximity.
+    // Residual of the system without the proximal term.
     left.head(n) =
         scaled.transpose() * (b - scaled * z.head(n)) - rows_of_unit_length.transpose() * z.tail(m);
     left.tail(m) = -(rows_of_unit_length * z.head(n));
@@ -131,11 +131,11 @@ Eigen::VectorXd equalityLeastSquares(const SparseMatrix& A, const Eigen::VectorX
 
 BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd& b,
                                     const Eigen::VectorXd& upper) {
-  constexpr double kFlat = 1e-10;  // of |b|: as good as optimal
+  constexpr double kFlat = 1e-10;  // over |b|: accepted as optimal
   constexpr double kNearlyFlat = 1e-7;
   constexpr double kSufficientDecrease = 1e-4, kRounding = 1e-15;
   constexpr int kPatience = 5;
-  constexpr double kReach = 1e-7;  // of |b|: bounds that Newton's step does not run into
+  constexpr double kReach = 1e-7;  // over |b|: reach of bounds
   constexpr int kLimit = 500;
   const Eigen::VectorXd scale = columnScales(A);
   const BoundedProblem problem(A * scale.asDiagonal(), b, upper.cwiseQuotient(scale));
@@ -147,7 +147,7 @@ BoundedSolution boundedLeastSquares(const SparseMatrix& A, const Eigen::VectorXd
   BoundedSolution solution;
   for (;;) {
     const Eigen::VectorXd slope = problem.slope(x);
-    // How far x would go down the slope; 0 at the optimum.
+    // Projected gradient step; 0 at the optimum.
     const Eigen::VectorXd pushed = (problem.within(x - slope) - x).cwiseAbs();
     const double push = pushed.size() == 0 ? 0.0 : pushed.maxCoeff();
     solution.worst_gradient = push / size;

@@ -13,8 +13,8 @@
 namespace palpate::springs {
 namespace {
 
-// Adds 1/corners of `measure(cell)` to each corner. A cell of dimension d is flat if its measure is
-// below mesh::kFlatTriangle of its longest side to the power d.
+// Adds 1/corners of `measure(cell)` to each corner. A cell of dimension d is degenerate if its
+// measure is below mesh::kFlatTriangle times its longest side to the power d.
 template <class Cells, class Measure>
 Eigen::VectorXd shares(const Points& points, const Cells& cells, int dimension, const char* what,
                        const Measure& measure) {

@@ -11,7 +11,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Factor = Eigen::CholmodSupernodalLLT<Matrix>;
 
-/// Free components, numbered.
+/// Indices of the free components.
 class FreeParts {
  public:
   explicit FreeParts(const Points& free) : number_(static_cast<std::size_t>(free.size()), -1) {
@@ -53,7 +53,7 @@ class FreeParts {
   int size_ = 0;
 };
 
-// What rounding in the distances does to the energy [J].
+// Error of the energy due to rounding of distances [J].
 double energyNoise(const SpringNetwork& network, const Points& x) {
   double sum = 0.0;
   for (const Spring& s : network.springs) {
@@ -67,7 +67,7 @@ double energyUnderLoads(const SpringNetwork& network, const NetworkLoads& loads,
   return networkEnergy(network, x) - loads.forces.cwiseProduct(x - network.points).sum();
 }
 
-// K plus the least of 0 and some powers of ten of its largest diagonal that is positive definite.
+// Factorises K plus the least shift (0 or 10^k times its largest diagonal) that makes it definite.
 bool factorizeShifted(Matrix K, Factor* factor) {
   const double largest = K.diagonal().cwiseAbs().maxCoeff();
   Matrix identity(K.rows(), K.cols());

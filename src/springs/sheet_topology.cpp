@@ -17,7 +17,7 @@ using Ends = std::pair<int, int>;
 
 Ends sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-// The corners opposite to each edge. Neighbours turn alike: they run along their edge to and fro.
+// Corners opposite each edge. Consistent neighbours traverse their edge in opposite directions.
 std::map<Ends, std::vector<int>> oppositeCorners(const Eigen::Matrix3Xi& triangles) {
   std::map<Ends, std::vector<int>> edges;
   std::set<Ends> directed;

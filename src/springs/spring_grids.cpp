@@ -19,7 +19,7 @@ void requireAtLeast(const char* name, int value, int least) {
                               "; must be >= " + std::to_string(least));
 }
 
-/// Nodes of a sheet by their steps.
+/// Nodes of a sheet by position.
 class Grid {
  public:
   explicit Grid(const std::vector<GridNode>& nodes) : nodes_(nodes) {
@@ -35,7 +35,7 @@ class Grid {
     return found == index_.end() ? -1 : found->second;
   }
 
-  // A spring from every node to the one that is `step` away; `passing` what lies between.
+  // Connects every node with the one at `step`; `passing`: requires the node between.
   void connect(const GridNode& step, bool passing, const StencilSpring& values, SpringKind kind,
                SpringNetwork* network) const {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -46,7 +46,7 @@ class Grid {
     }
   }
 
-  // Cells with these corners relative to each node, where all are there.
+  // Cells with these corners relative to a node, for nodes where all corners exist.
   template <int Corners>
   Eigen::Matrix<int, Corners, Eigen::Dynamic> cells(
       const std::vector<std::array<GridNode, Corners>>& shapes) const {

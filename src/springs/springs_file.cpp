@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kPointColumns = "point,x,y,z,mass";
 constexpr std::string_view kSpringColumns = "a,b,kind,stiffness,preload,length,damping";
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
-constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
+constexpr std::size_t kMaxProblems = 20;  // limit of reported problems
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -40,7 +40,7 @@ bool isHeader(const std::vector<std::string_view>& cells, std::string_view colum
   return cells == cellsOf(columns);
 }
 
-/// Goes through a text line by line, takes rows and gathers problems.
+/// Reads a text line by line and collects rows and problems.
 class Reader {
  public:
   void readLine(std::string_view line) {

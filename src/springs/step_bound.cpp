@@ -44,7 +44,7 @@ Eigen::VectorXd largestStiffness(const std::vector<Spring>& springs, const Eigen
 
 double largestStep(const SpringNetwork& network) {
   const Eigen::VectorXd shares = inverseShares(network.springs, network.masses);
-  double square = 0.0;  // of the highest frequency
+  double square = 0.0;  // of the largest frequency
   for (std::size_t i = 0; i < network.springs.size(); ++i) {
     const Spring& s = network.springs[i];
     square = std::max(square, std::max(s.stiffness, std::abs(s.preload) / s.length) *

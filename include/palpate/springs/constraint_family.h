@@ -5,22 +5,22 @@
 
 namespace palpate::springs {
 
-/// How far springs are from one kind of condition that the continuum puts on those of each point.
+/// Violation of one family of the continuum's conditions by the springs.
 struct ConstraintFamily {
   std::string name;
-  double scale;  ///< What a point's condition is measured against, mean [the condition's unit].
-  double rms;    ///< Over all points, each relative to its own scale.
-  double worst;  ///< Of any point, relative to its own scale.
+  double scale;  ///< Mean scale of the conditions, in the condition's unit.
+  double rms;    ///< Root mean square over all points, relative to their scales.
+  double worst;  ///< Largest value of all points, relative to its scale.
 };
 
-/// How springs are fitted to an irregular mesh.
+/// Settings of fitting springs to an irregular mesh.
 struct FitSettings {
-  /// Time step of an explicit integrator [s] that bounds each stiffness, see largestStiffness().
-  /// 0: there is no bound.
+  /// Time step of an explicit integrator [s], which bounds each stiffness by largestStiffness().
+  /// Zero: no bound.
   double explicit_step = 0.0;
-  /// Multiplies what the least squares give by one number, so that its mean over all points has the
-  /// magnitude that the continuum demands. Least squares alone make springs too soft, for what asks
-  /// for nothing is the nearer the smaller they are. Not in [Wang 2005].
+  /// Scales the least-squares solution so that its mean over all points satisfies the continuum's
+  /// condition. Least squares alone give too soft springs, since zero conditions favour small
+  /// values. Not in [Wang 2005].
   bool match_mean = false;
 };
 

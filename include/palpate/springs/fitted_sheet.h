@@ -12,28 +12,26 @@
 
 namespace palpate::springs {
 
-/// Springs and what they lack of their conditions.
+/// Springs, and the violation of their conditions.
 struct SheetFit {
   SpringNetwork network;
   SheetCounts counts;
-  std::vector<ConstraintFamily> preload;    ///< The first is kept exactly.
-  std::vector<ConstraintFamily> stiffness;  ///< Given the preloads.
+  std::vector<ConstraintFamily> preload;    ///< The first is exact.
+  std::vector<ConstraintFamily> stiffness;  ///< For given preloads.
 };
 
-/// Weights of the families of conditions in the least squares, in the order of SheetFit without
-/// `balance`; [Wang 2005] has them without values. Tension that is left over counts beside bending
-/// as the square of a wave's length, so it must be small: with equal weights a plate of 300 points
-/// has 50 modes in which it buckles by itself. With these none of 15 plates and discs of 100 to 300
-/// points does, and they bend with 0.71 to 0.95 of their stiffness. There is no guarantee:
-/// networkModes() tells.
+/// Weights of families of conditions in the least squares, in the order of SheetFit without
+/// `balance`; [Wang 2005] gives no values. Residual tension grows against bending with the squared
+/// wavelength, so it must be small: with equal weights a plate of 300 points has 50 buckling modes
+/// without load. With these weights, 15 plates and discs of 100 to 300 points have none, and 0.71
+/// to 0.95 of the exact bending stiffness. This is not guaranteed: check by networkModes().
 struct SheetWeights {
   std::array<double, 5> of_preload = {200.0, 200.0, 1.0, 1.0, 10.0};
   std::array<double, 3> of_stiffness = {1.0, 1.0, 1.0};
 };
 
-/// Springs of an irregular sheet of triangles, where sheetTopology() has them [Wang 2005, 6.3].
-/// Over the springs of a mass with the area A, U long and at the angles b in the tangent plane
-/// there:
+/// Springs of an irregular sheet of triangles, as in sheetTopology() [Wang 2005, 6.3]. The sums are
+/// over the springs of a mass with area A, with length U and angle b in its tangent plane:
 ///
 ///     preload   balance       sum P e = 0, exactly, in space (6.67, 6.68)
 ///               no_tension    sum P U = 0 (6.55)
@@ -45,13 +43,13 @@ struct SheetWeights {
 ///               stretch_4     sum (P U - k U^2) {sin 4b, cos 4b} = 0 (6.77, 6.78)
 ///               stretch       sum k U^2 = 6 E A h (6.81), with 0 <= k <= M (6.82)
 ///
-/// Two least squares, the first for P, each condition over the size of the last one's right side, U
-/// taken as the root of the mean square of the edges where it is missing. Met by all, bending to a
-/// cylinder and stretch along a line are exact, Poisson's ratio is 1/3. `match_mean` is about
+/// Two least-squares problems, first for P; conditions are relative to the right-hand side of their
+/// problem's last one, with the root mean square edge for a missing U. If all hold, cylindrical
+/// bending and stretch along a line are exact, with Poisson's ratio 1/3. `match_mean` applies to
 /// `bending` and `stretch`.
 ///
 /// @throws std::invalid_argument as sheetTopology(), check() and requirePositive(); `areal_density`
-/// [kg/m^2].
+/// in [kg/m^2].
 SheetFit fitSheet(const Sheet& sheet, const mesh::SurfaceMesh& surface, double areal_density,
                   const SheetWeights& weights = {}, const FitSettings& settings = {});
 

@@ -5,15 +5,15 @@
 
 namespace palpate::springs {
 
-/// A force at a spacing and how it grows with it.
+/// Tangent of a force curve at a spacing.
 struct ForceLine {
   double spacing;  ///< [m]
-  double force;    ///< There [N]; > 0 pulls.
+  double force;    ///< Force at the spacing [N]; > 0 pulls.
   double slope;    ///< [N/m]
 };
 
-/// The forces with which springs to neighbours (structural) and past them (flexion) bend as a beam
-/// or a plate does, at every curvature rho [1/m] [Wang 2005, 4.2, 4.3]:
+/// Forces of springs to neighbours (structural) and second neighbours (flexion) that give the
+/// bending of a beam or plate at every curvature rho [1/m] [Wang 2005, 4.2, 4.3]:
 ///
 ///     flexion     W2'(v) = B rho^2 / (cos(U rho) - 1),                  v = (2/rho) sin(U rho)
 ///     structural  W1'(u) = 2 B rho^2 cos(U rho/2) / (1 - cos(U rho)),   u = (2/rho) sin(U rho/2)
@@ -31,12 +31,12 @@ class IdealSprings {
   double flexionSpacing(double rho) const;     ///< v [m]
   double flexionForce(double rho) const;       ///< W2' [N], < 0
 
-  /// Of the line that passes through the limit rho -> 0 and through no force at no length (4.17,
-  /// 4.18, 4.25-4.30, 4.50-4.61): its rest length is 0 of structural, 6 U of flexion springs.
+  /// The line through the limit rho -> 0 and zero force at zero length (4.17, 4.18, 4.25-4.30,
+  /// 4.50-4.61). Its rest length is 0 for structural and 6 U for flexion springs.
   ForceLine structuralLimit() const;  ///< At U: 4 B/U^2, slope 4 B/U^3.
   ForceLine flexionLimit() const;     ///< At 2 U: -2 B/U^2, slope B/(2 U^3).
 
-  /// Square error of the line through the limit with its zero at `rest_length` [m],
+  /// Squared error of the line through the limit with zero force at `rest_length` [m],
   ///
   ///     G1 = integral of (a1 (u - L1) - W1'(u))^2 du                         [N^2 m]
   ///
@@ -44,7 +44,7 @@ class IdealSprings {
   double structuralError(double rest_length, double rho_max) const;  ///< 0 <= L1 < U
   double flexionError(double rest_length, double rho_max) const;     ///< L2 > 2 U
 
-  /// The rest length with the least error [m].
+  /// Rest length with the least error [m].
   double structuralRestLength(double rho_max) const;  ///< In [0, U).
   double flexionRestLength(double rho_max) const;     ///< Above 2 U.
 

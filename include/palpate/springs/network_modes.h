@@ -5,14 +5,14 @@
 
 namespace palpate::springs {
 
-/// Small motions of a free network about its points, where it is in balance.
+/// Small motions of a free network about its equilibrium.
 struct NetworkModes {
-  int falling;  ///< That lose energy: preload buckles the network by itself.
-  int neutral;  ///< Without any: six rigid motions, the others are mechanisms.
+  int falling;  ///< Number of modes with negative stiffness: the preload buckles the network.
+  int neutral;  ///< Number of modes without stiffness: six rigid motions, the others mechanisms.
 };
 
-/// Counts eigenvalues of the tangent at rest that are below -1e-9 and within 1e-9 of its largest,
-/// by a dense decomposition: time grows with the cube of the points, some seconds for 500.
+/// Counts eigenvalues of the tangent at rest below -1e-9 and within 1e-9 of its largest, by a dense
+/// decomposition of cubic cost; some seconds for 500 points.
 NetworkModes networkModes(const SpringNetwork& network);
 
 }  // namespace palpate::springs

@@ -9,29 +9,28 @@
 
 namespace palpate::springs {
 
-/// What acts on the points of a network at rest. Both 3 x n.
+/// Loads and supports of a network at rest, both 3 x n.
 struct NetworkLoads {
   Points forces;  ///< [N]
-  Points free;    ///< 1 where a component may move, 0 where it is held.
+  Points free;    ///< 1 for free, 0 for held components.
 };
 
-/// Nothing acts, and every component is free.
+/// No forces, all components free.
 NetworkLoads noLoads(const SpringNetwork& network);
 
-/// Second derivative of the energy by the positions, at x (3 x n): 3n x 3n, symmetric [N/m]. With
-/// preload it is not that of the lengths alone: a spring in tension resists to be turned.
+/// Second derivative of the energy by the positions at x (3 x n): 3n x 3n, symmetric [N/m].
+/// Includes the geometric stiffness of preloads: springs in tension resist rotation.
 Eigen::SparseMatrix<double> networkTangent(const SpringNetwork& network, const Points& x);
 
-/// Displacements of the free components in linear equilibrium about x under the forces, where the
-/// held ones are displaced by `prescribed` (3 x n; its free components are not read) [m]. The
-/// forces of the springs at x are not counted. Nothing if the tangent is not positive definite: the
-/// network is a mechanism, or buckles by itself.
+/// Linear equilibrium displacements about x under the forces, with held components displaced by
+/// `prescribed` (3 x n, free components ignored) [m]. Spring forces at x are not counted. Empty if
+/// the tangent is not positive definite: the network is a mechanism, or buckles.
 std::optional<Points> linearDisplacements(const SpringNetwork& network, const Points& x,
                                           const NetworkLoads& loads, const Points& prescribed);
 
-/// When an equilibrium is found.
+/// Convergence criteria of an equilibrium.
 struct NetworkStaticsSettings {
-  double largest_imbalance;   ///< [N] a component
+  double largest_imbalance;   ///< [N] per component
   int iteration_limit = 200;  ///< Newton iterations
 };
 

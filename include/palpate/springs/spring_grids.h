@@ -9,18 +9,18 @@
 
 namespace palpate::springs {
 
-/// Where a point is in a regular mesh of a sheet, in steps along its two axes.
+/// Position of a node in a regular sheet mesh, in steps along its two axes.
 using GridNode = Eigen::Vector2i;
 
-/// Masses on the x axis from 0 on, `spacing` apart [m]; `line_density` [kg/m].
-/// @throws std::invalid_argument for fewer than 2 nodes, and as requirePositive(); so do the next.
+/// Masses on the x axis from 0, `spacing` apart [m]; `line_density` [kg/m].
+/// @throws std::invalid_argument for fewer than 2 nodes, and as requirePositive(); so do all below.
 SpringNetwork lineNetwork(const LineSprings& springs, double spacing, int nodes,
                           double line_density);
 
-/// A sheet of squares in the plane z = 0: node (i, j) is at (i U, j U). Springs connect what there
-/// is; a flexion spring needs the node that it passes. Masses of whole squares; `areal_density`
+/// A sheet of squares in the plane z = 0 with node (i, j) at (i U, j U). Springs connect existing
+/// nodes; a flexion spring needs its middle node. Masses are of whole squares; `areal_density`
 /// [kg/m^2].
-/// @throws std::invalid_argument also for a node that is listed twice, or is in no square.
+/// @throws std::invalid_argument also for a repeated node, or one without square.
 SpringNetwork rectangleNetwork(const RectangleSprings& springs, double spacing,
                                const std::vector<GridNode>& nodes, double areal_density);
 
@@ -28,15 +28,15 @@ SpringNetwork rectangleNetwork(const RectangleSprings& springs, double spacing,
 SpringNetwork triangleNetwork(const TriangleSprings& springs, double spacing,
                               const std::vector<GridNode>& nodes, double areal_density);
 
-/// columns x rows nodes from (0, 0) on, row after row.
+/// columns x rows nodes from (0, 0), row after row.
 std::vector<GridNode> rectangleNodes(int columns, int rows);
-/// The same of triangles; every second row is half a spacing to the right.
+/// As rectangleNodes(), for triangles; every second row is shifted right by half a spacing.
 std::vector<GridNode> triangleNodes(int columns, int rows);
 
-/// `cells` cubes along each axis from the origin on; `density` [kg/m^3]. Every cube brings 1/4 of
-/// its edges', 1/2 of its face diagonals' and all of its body diagonals' stiffness, so that edges
-/// and faces at the boundary are as stiff as the cubes that share them [Wang 2005, 7.3]. No spring
-/// has the stiffness 0.
+/// `cells` cubes along each axis from the origin; `density` [kg/m^3]. Each cube contributes 1/4 of
+/// the stiffness of its edges, 1/2 of its face diagonals and all of its body diagonals, so boundary
+/// springs have the stiffness of their cubes [Wang 2005, 7.3]. Springs with zero stiffness are left
+/// out.
 SpringNetwork cubeNetwork(const CubeSprings& springs, double edge, const Eigen::Vector3i& cells,
                           double density);
 

@@ -11,8 +11,8 @@
 
 namespace palpate::springs {
 
-/// What a spring stands for: to the neighbour, past it, across a rectangle; in a solid the sides
-/// and diagonals of cells, and the edges of tetrahedra.
+/// Role of a spring: to the neighbour, to the second neighbour, across a rectangle; in solids the
+/// edges and diagonals of cells, and the edges of tetrahedra.
 enum class SpringKind { kStructural, kFlexion, kShear, kEdge, kFaceDiagonal, kBodyDiagonal };
 
 /// "structural", "flexion", "shear", "edge", "face_diagonal", "body_diagonal".
@@ -20,38 +20,38 @@ std::string_view toString(SpringKind kind);
 std::optional<SpringKind> springKindOf(std::string_view name);
 std::vector<std::string> springKindNames();
 
-/// A linear spring between two points, with preload: at the distance u it pulls them together by
+/// A linear spring between two points, with preload. At the distance u it pulls them together by
 ///
 ///     F(u) = preload + stiffness (u - length)
 ///
-/// [Wang 2005, chapter 5]. A damper beside it pulls by damping times the relative velocity [(2.2)].
+/// [Wang 2005, chapter 5]. A parallel damper pulls by damping times relative velocity [(2.2)].
 struct Spring {
-  int a;             ///< Its ends, as columns of the network's points.
-  int b;             ///< Another point than a.
+  int a;             ///< First end, as a column of the network's points.
+  int b;             ///< Second end, another point.
   double stiffness;  ///< [N/m], >= 0
   double preload;    ///< Force at the distance `length` [N]; > 0 pulls.
   double damping;    ///< [N s/m], >= 0
-  double length;  ///< Distance at which the force is the preload [m], > 0; not the force-free one.
+  double length;     ///< Distance with the force `preload` [m], > 0.
   SpringKind kind;
 };
 
-/// Point masses and what connects them.
+/// Point masses with springs.
 struct SpringNetwork {
-  Points points;  ///< Where every spring is as long as its `length`, 3 x n [m].
+  Points points;  ///< Positions at which all springs have their `length`, 3 x n [m].
   std::vector<Spring> springs;
-  Eigen::VectorXd masses;  ///< One a point [kg].
+  Eigen::VectorXd masses;  ///< One per point [kg].
 };
 
-/// Energy of a spring at the distance u [m], 0 at `length` [J]; its first and second derivative are
-/// springForce() [N] and the stiffness.
+/// Energy of a spring at the distance u [m], 0 at `length` [J]. Its derivatives are springForce()
+/// [N] and the stiffness.
 double springEnergy(const Spring& spring, double u);
 double springForce(const Spring& spring, double u);
 
-/// Force on end a where end b is d = x_b - x_a away [N]; that on b is the opposite one. Zero where
-/// the ends meet, for there is no direction.
+/// Force on end a with end b at d = x_b - x_a; that on b is opposite. Zero for coincident ends,
+/// which have no direction.
 Vec3 springForceOnA(const Spring& spring, const Vec3& d);
 
-/// Second derivative of the energy by d, 3 x 3 [N/m]: stiffness along d, F(u)/u across.
+/// Second derivative of the energy by d, 3 x 3 [N/m]: stiffness along d, F(u)/u across d.
 Mat3 springTangent(const Spring& spring, const Vec3& d);
 
 /// Sum over all springs [J], with the points at x (3 x n).
@@ -59,9 +59,8 @@ double networkEnergy(const SpringNetwork& network, const Points& x);
 /// Forces of the springs on the points, 3 x n [N].
 Points networkForces(const SpringNetwork& network, const Points& x);
 
-/// @throws std::invalid_argument naming the first spring or point, counted from 0, that cannot be:
-/// an end that there is not, equal ends, a length or mass that is not > 0, a negative stiffness or
-/// damping, a number that is not finite.
+/// @throws std::invalid_argument naming the first wrong spring or point, counted from 0: an unknown
+/// end, equal ends, a length or mass not > 0, negative stiffness or damping, a non-finite number.
 void checkNetwork(const SpringNetwork& network);
 
 }  // namespace palpate::springs

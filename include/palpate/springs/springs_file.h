@@ -16,19 +16,18 @@ namespace palpate::springs {
 ///     0,1,structural,120,0.5,0.01,0
 ///     ...
 ///
-/// Points are numbered from 0 on, kinds are springKindNames(). The same network gives the same
-/// bytes, and reading gives back the same bits. The file appears whole or not at all.
+/// Points are numbered from 0; kinds are springKindNames(). Equal networks give equal bytes;
+/// numbers are read back exactly. Writes atomically.
 ///
 /// @throws InputError if the file cannot be written; std::invalid_argument, see checkNetwork().
 void writeSprings(const std::string& file, const SpringNetwork& network);
 
-/// Reads what writeSprings() writes. Lines that begin with # and empty ones are skipped; blanks
-/// around values do not count.
+/// Reads the files of writeSprings(). Empty lines, lines beginning with # and blanks around values
+/// are ignored.
 ///
-/// @throws InputError naming line, column, value and what is allowed, of all that is wrong: no or a
-/// wrong first row of a table, a row of another length, points that are not numbered in order, no
-/// number, a mass or length that is not > 0, a negative stiffness or damping, an end that there is
-/// not, equal ends, an unknown kind.
+/// @throws InputError with line, column, value and allowed values of all errors: a missing or wrong
+/// first row of a table, a row of another length, points not numbered in order, no number, a mass
+/// or length not > 0, negative stiffness or damping, unknown or equal ends, an unknown kind.
 SpringNetwork readSprings(const std::string& file);
 
 }  // namespace palpate::springs

@@ -5,29 +5,29 @@
 
 namespace palpate::springs {
 
-/// Every spring of one kind in a regular mesh.
+/// Values of one kind of springs in a regular mesh.
 struct StencilSpring {
   double preload;    ///< [N]
   double stiffness;  ///< [N/m]
 };
 
-/// A straight line of masses: springs to the neighbours and to the second ones.
+/// A straight line of masses with springs to neighbours and second neighbours.
 struct LineSprings {
   StencilSpring structural, flexion;
 };
 
-/// A mesh of squares: structural springs along sides, flexion springs along two of them, shear
-/// springs along diagonals.
+/// A mesh of squares: structural springs along sides, flexion springs over two sides, shear springs
+/// along diagonals.
 struct RectangleSprings {
   StencilSpring structural, flexion, shear;
 };
 
-/// A mesh of equilateral triangles: structural springs along sides, flexion springs along two.
+/// A mesh of equilateral triangles: structural springs along sides, flexion springs over two sides.
 struct TriangleSprings {
   StencilSpring structural, flexion;
 };
 
-/// A lattice of cubes, without preload; stiffnesses inside the body [N/m].
+/// A lattice of cubes without preload; stiffnesses of inner springs [N/m].
 struct CubeSprings {
   double edge, face_diagonal, body_diagonal;
 };
@@ -38,11 +38,11 @@ struct CubeSprings {
 ///
 /// With k2 = 0 (5.29) free ends contract in their last spring only.
 ///
-/// @throws std::invalid_argument for a constant that is out of range, or if k1 would be negative.
+/// @throws std::invalid_argument for a constant out of range, or a negative k1.
 LineSprings lineSprings(const BeamSection& beam, double spacing, double flexion_stiffness = 0.0);
 
-/// The same preloads, and stiffnesses that pass through no force at no length (5.21, 5.22): right
-/// in bending, far too soft in stretch.
+/// The same preloads, and stiffnesses with zero force at zero length (5.21, 5.22): right in
+/// bending, far too soft in stretch.
 LineSprings bendingLineSprings(const BeamSection& beam, double spacing);
 
 /// P1 = E h^3/(2 (1 - nu) U), P2 = -P1/4, P3 = -sqrt(2) P1/4 (5.69-5.71),
@@ -61,10 +61,10 @@ TriangleSprings triangleSprings(const Sheet& sheet, double spacing);
 /// The springs of chapter 4 (4.50-4.61, 5.116, 5.117): right in bending, far too soft in stretch.
 TriangleSprings bendingTriangleSprings(const Sheet& sheet, double spacing);
 
-/// Which diagonals a lattice of cubes has beside its edges.
+/// Diagonals of a lattice of cubes in addition to its edges.
 enum class CubeDiagonals {
   kFaces,  ///< k1 = k2 = 2 E h/5 (7.71)
-  kBody    ///< k1 = 4 E h/5, k3 = 3 E h/10 (7.72, 7.73): three ways to collapse without a force.
+  kBody    ///< k1 = 4 E h/5, k3 = 3 E h/10 (7.72, 7.73): has three mechanisms.
 };
 
 /// Cubes of edge `edge` h of a solid with Poisson's ratio 1/4: 3 k1 - 3 k2 - 8 k3 = 0 (7.69) and
