@@ -48,7 +48,7 @@ std::string bodyBytes(const mesh::SurfaceMesh& coarse, const mesh::SurfaceMesh& 
   return out.bytes();
 }
 
-// What follows `head` in a file.
+// The bytes after `head` in a file.
 std::string readAfter(const std::string& file, std::string_view head) {
   std::string bytes = readTextFile(file, kMaxBytes);
   if (bytes.compare(0, head.size(), head) != 0) {
@@ -57,7 +57,7 @@ std::string readAfter(const std::string& file, std::string_view head) {
   return bytes.substr(head.size());
 }
 
-// Whether the surfaces can be what they are said to be.
+// Whether the surfaces have valid data.
 bool sound(const mesh::SurfaceMesh& surface) {
   return surface.points.cols() > 0 && surface.points.allFinite() && surface.triangles.size() > 0 &&
          surface.triangles.minCoeff() >= 0 && surface.triangles.maxCoeff() < surface.points.cols();
@@ -81,7 +81,7 @@ void readBody(const std::string& file, const std::string& bytes, DeformationData
   }
 }
 
-// Whether it was solved.
+// Reads a sample; returns whether it was solved.
 bool readSample(const std::string& file, std::uint64_t mark, const DeformationDatabase& database,
                 Deformation* sample) {
   const std::string bytes = readAfter(file, kSample);

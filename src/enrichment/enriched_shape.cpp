@@ -24,7 +24,7 @@ std::vector<std::vector<int>> ordersOf(const Points& points, Eigen::Index contac
   return orders;
 }
 
-// Root of the mean square distance of two columns.
+// Root mean square distance between columns.
 double spreadOf(const Eigen::MatrixXd& features) {
   const Eigen::Index k = features.cols();
   double sum = 0.0;
@@ -74,7 +74,7 @@ const std::vector<int>& EnrichedShape::orderOf(const std::vector<std::vector<int
   return orders[settings_.from_contact ? static_cast<std::size_t>(contact) : 0];
 }
 
-// Its length; that of residuals is 1 then, or 0.
+// Sets the feature and returns its norm; a residual's feature is then normalised.
 double EnrichedShape::takeFeature(int contact, const Points& coarse) {
   const std::vector<int>& order = orderOf(coarse_orders_, contact);
   for (Eigen::Index i = 0; i < settings_.points; ++i) {
@@ -85,7 +85,7 @@ double EnrichedShape::takeFeature(int contact, const Points& coarse) {
   return length;
 }
 
-// What was learned, at the feature, which is so long.
+// The learned values at the feature, of norm `length`.
 void EnrichedShape::mix(int contact, double length, Points* fine) {
   regressor_->weights(feature_, &weights_);
   if (settings_.residual) {

@@ -11,8 +11,8 @@
 namespace palpate::enrichment {
 namespace {
 
-// Columns of samples that a Cholesky factorisation with pivots takes first; the smaller one of two
-// that are as far from those before.
+// Columns of samples in the order of a pivoted Cholesky factorisation; ties go to the smaller
+// index.
 std::vector<Eigen::Index> pivots(const Eigen::MatrixXd& K, Eigen::Index most) {
   const Eigen::Index n = K.cols();
   Eigen::VectorXd left = K.diagonal();

@@ -39,7 +39,7 @@ void KernelRegressor::weights(const Eigen::VectorXd& feature, Eigen::VectorXd* w
   Eigen::Index nearest = 0;
   const double least = squares_.minCoeff(&nearest);
   nearness_ = std::exp(-half_precision_ * least);
-  // A common factor of the kernels is gone with the sum: so the nearest is never lost to rounding.
+  // A common factor of the kernels cancels; the nearest one is scaled to 1 and cannot underflow.
   kernels_ = (-half_precision_ * (squares_.array() - least)).exp();
   weights->noalias() = A_ * kernels_;
   const double sum = weights->sum();

@@ -73,7 +73,7 @@ double Perceptron::loss(const ResponseSamples& samples, double decay,
     h.emplace_back((weights(layer) * h.back()).colwise() + offsets(layer));
     if (&layer != &layers_.back()) h.back() = h.back().array().tanh();
   }
-  Eigen::MatrixXd back(3 * outputs_, n);  // d loss / d what comes out of a layer, before tanh
+  Eigen::MatrixXd back(3 * outputs_, n);  // derivative of the loss by a layer's outputs before tanh
   double value = 0.0;
   for (Eigen::Index k = 0; k < n; ++k) {
     const Vec3 d = samples.displacements.col(k);

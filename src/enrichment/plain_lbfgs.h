@@ -6,12 +6,11 @@
 
 namespace palpate::enrichment {
 
-/// A function to be minimised, and its gradient.
+/// A function to minimise, with its gradient.
 using SmoothFunction = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd* gradient)>;
 
-/// L-BFGS [Nocedal, Wright 2006, alg. 7.4, 7.5] with steps that fulfil the condition of Armijo, by
-/// halving. Ends where none does, or after `max_iterations`; `each(k, value)` is called in each.
-/// Returns the value at x.
+/// L-BFGS [Nocedal, Wright 2006, alg. 7.4, 7.5] with Armijo steps by halving. Ends if none exists
+/// or after `max_iterations`; calls `each(k, value)` in each iteration. Returns the value at x.
 double minimizeByLbfgs(const SmoothFunction& function, int max_iterations, Eigen::VectorXd* x,
                        const std::function<void(int, double)>& each = {});
 

@@ -8,7 +8,7 @@
 namespace palpate::enrichment {
 namespace {
 
-// Area-weighted, of a closed surface outward.
+// Area-weighted normal of a closed surface, outward.
 Vec3 normalAt(const mesh::SurfaceMesh& surface, int point) {
   Vec3 normal = Vec3::Zero();
   for (const auto& t : surface.triangles.colwise()) {
@@ -19,7 +19,7 @@ Vec3 normalAt(const mesh::SurfaceMesh& surface, int point) {
   return normal.normalized();
 }
 
-// In [0, 1), the same on every machine.
+// Uniform in [0, 1), equal on every machine.
 class Unit {
  public:
   Unit(int seed, int index)
@@ -42,7 +42,7 @@ Deformation drawPress(const PressPlan& plan, const mesh::SurfaceMesh& coarse,
   press.contact =
       contacts[static_cast<std::size_t>(random() * static_cast<double>(contacts.size()))];
   const Vec3 inward = -normalAt(coarse, press.contact), across = inward.unitOrthogonal();
-  // Uniform on the cap of the sphere.
+  // Uniform on the spherical cap.
   const double cosine = 1.0 - random() * (1.0 - std::cos(plan.cone));
   const double turn = 2.0 * std::acos(-1.0) * random();
   const Vec3 aside = Eigen::AngleAxisd(turn, inward) * across;

@@ -34,7 +34,7 @@ void SampleMaker::run(int threads,
                       const std::function<void(const std::string&, double)>& progress) {
   if (left_.empty()) return;
   std::atomic<std::size_t> next{0};
-  std::mutex mutex;  // of what follows
+  std::mutex mutex;  // guards the members below
   int done = 0;
   std::exception_ptr failure;
   const auto work = [&] {

@@ -40,13 +40,13 @@ void put(const Perceptron& map, StateWriter* out) {
   out->put(map.parameters());
 }
 
-// So large that nothing learned comes near, and so small that no answer of such numbers overflows.
+// Bound of all numbers: far above learned values, small enough that results cannot overflow.
 constexpr double kLargest = 1e12;
 
 template <class Values>
 bool moderate(const Values& values) {
   return (values.array().abs() <= static_cast<typename Values::Scalar>(kLargest))
-      .all();  // NaN is not
+      .all();  // false for NaN
 }
 bool moderateScale(double scale) { return scale >= 1.0 / kLargest && scale <= kLargest; }
 bool moderateScale(const Vec6& scale) {
@@ -93,7 +93,7 @@ bool isSound(const Surrogate& s) {
          s.seen.samples.cols() > 0 && moderate(s.seen.samples) && moderateScale(s.seen.threshold);
 }
 
-// Of each member that is plain data, in the file's order.
+// Calls visit for each plain member, in the file's order.
 template <class Of, class Visit>
 void forMembers(Of& s, const Visit& visit) {
   visit(s.surface.points);

@@ -29,7 +29,7 @@ void check(const TrainingSettings& s) {
   if (!(s.decay >= 0.0)) refuse("decay must be at least 0");
 }
 
-// "..., patch 0.006 m, ..."
+// Reads the radius from "..., patch 0.006 m, ...".
 double patchOf(const std::string& made_by) {
   const std::string name = ", patch ";
   const std::size_t at = made_by.find(name);
@@ -41,7 +41,7 @@ double patchOf(const std::string& made_by) {
   return patch;
 }
 
-// The eigenvectors of the samples' products with the largest eigenvalues give the modes.
+// Modes are from the largest eigenvalues of the samples' Gram matrix.
 void takeModes(const std::vector<Deformation>& samples, Eigen::Index modes, Surrogate* surrogate,
                Eigen::MatrixXd* coefficients) {
   const auto n = static_cast<Eigen::Index>(samples.size());
@@ -65,7 +65,7 @@ double rootOfMeanSquare(const Eigen::MatrixXd& columns) {
   return root > 0.0 ? root : 1.0;
 }
 
-// Inputs are places and displacements, unscaled.
+// Collects unscaled places and displacements as inputs.
 ResponseSamples gather(const DeformationDatabase& database, const std::vector<Deformation>& samples,
                        const Eigen::MatrixXd& coefficients, Surrogate* surrogate) {
   const auto n = static_cast<Eigen::Index>(samples.size());
@@ -191,7 +191,7 @@ std::vector<int> drawnOrder(std::size_t samples, int seed) {
   return order;
 }
 
-// Contacts of which all samples are held out.
+// Contacts whose samples are all held out.
 std::set<int> heldOutPlaces(const DeformationDatabase& database, const TrainingSettings& settings) {
   std::set<int> all, apart;
   for (const Deformation& sample : database.samples) all.insert(sample.contact);
@@ -312,7 +312,7 @@ void setThreshold(const std::vector<SurrogateError>& errors, Surrogate* surrogat
   }
   if (!wrong.empty()) {
     std::sort(wrong.begin(), wrong.end());
-    // Of samples like these k + 1 of n + 1 are let by in the mean, where k of the n are.
+    // If k of n samples are below a threshold, (k + 1)/(n + 1) of similar samples are, on average.
     const double let = (1.0 - kFlagged) * static_cast<double>(wrong.size() + 1) - 1.0;
     const auto missed = static_cast<std::size_t>(std::max(0.0, let));
     right = std::min(right, std::nextafter(wrong[missed], 0.0));

@@ -7,11 +7,11 @@
 
 namespace palpate::enrichment {
 
-/// Indices of `points` (3 x n), nearest to `contact` first, the smaller index where two are as near
-/// [Bounik, Shamsi, Sedaaghi 2020]: equal deformations about different contacts get equal features.
+/// Indices of `points` (3 x n) by distance from `contact`, ties by index [Bounik, Shamsi, Sedaaghi
+/// 2020]. Equal deformations about different contacts thus have equal features.
 std::vector<int> contactOrder(const Points& points, const Vec3& contact);
 
-/// Columns of `values` (3 x n) in the order `order`, only the first `count` of them, as one vector.
+/// The first `count` columns of `values` (3 x n) in the order `order`, stacked as a vector.
 Eigen::VectorXd ordered(const Points& values, const std::vector<int>& order, Eigen::Index count);
 
 }  // namespace palpate::enrichment

@@ -7,20 +7,20 @@
 
 namespace palpate::enrichment {
 
-/// Which points of a surface are pressed: those in a ball, in the organ's frame [m].
+/// Region of the pressed points: a ball in the organ's frame [m].
 struct PressBall {
   Vec3 center = Vec3::Zero();
   double radius = 0.0;
 };
 
-/// Of which surfaces, and how often pressed, a database of an organ's deformations is made.
+/// Surfaces and presses of a database of deformations.
 struct DatabasePlan {
   int samples = 60;
   int triangles = 276;                ///< Of the coarse surface.
-  int splits = 2;                     ///< Of each of them, to the fine one.
-  std::optional<double> edge_length;  ///< Of tetrahedra [m]; else the fine surface's mean.
-  std::optional<double> patch;        ///< [m]; else the coarse surface's mean edge.
-  std::optional<PressBall> within;    ///< Only there; else everywhere.
+  int splits = 2;                     ///< Of each coarse triangle, for the fine surface.
+  std::optional<double> edge_length;  ///< Of tetrahedra [m]; default: the fine surface's mean.
+  std::optional<double> patch;        ///< Radius [m]; default: the coarse surface's mean edge.
+  std::optional<PressBall> within;    ///< Restricts the pressed points; default: all.
   PressPlan press;
 };
 

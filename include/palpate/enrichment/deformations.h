@@ -8,19 +8,18 @@
 
 namespace palpate::enrichment {
 
-/// How a surface deforms under a press at one of its coarse points.
+/// Deformation of a surface under a press at a coarse point.
 struct Deformation {
-  int contact = 0;  ///< Coarse point.
+  int contact = 0;  ///< Index of the coarse point.
   Vec3 force;       ///< [N]
-  Points fine;      ///< Displacements, 3 x n [m]; of the coarse points the first columns.
+  Points fine;      ///< Displacements, 3 x n [m]; the first columns are those of the coarse points.
 };
 
-/// Deformations of a body that is known by a fine surface, whose first points are those of a coarse
-/// one.
+/// Deformations of a body by its fine surface, whose first points are those of the coarse surface.
 struct DeformationDatabase {
   mesh::SurfaceMesh coarse, fine;  ///< At rest [m].
   std::vector<Deformation> samples;
-  std::string made_by;  ///< What DatabaseFolder was told.
+  std::string made_by;  ///< Request text of DatabaseFolder.
 
   Eigen::Index numCoarse() const { return coarse.points.cols(); }
   Eigen::Index numFine() const { return fine.points.cols(); }

@@ -11,37 +11,36 @@
 
 namespace palpate::enrichment {
 
-/// What of a coarse deformation is compared.
+/// Features of a coarse deformation for comparison.
 struct FeatureSettings {
-  bool from_contact = true;  ///< Points in contactOrder(); else all, as they are numbered.
-  int points = 10;           ///< So many of them, the contact's own among them; 0: all.
-  /// What is learned is what interpolation on the coarse triangles leaves out of the fine
-  /// displacements, per length of the feature, and nothing where no sample is near. Else the fine
-  /// displacements themselves, as published: a mean of samples, at rest as well.
+  bool from_contact = true;  ///< Points in contactOrder(); else in their own order.
+  int points = 10;           ///< Number of points, with the contact's own; 0: all.
+  /// Learn residuals: fine displacements minus interpolation on coarse triangles, over the norm of
+  /// the feature, zero far from all samples. Else the fine displacements, as published: means of
+  /// samples, also at rest.
   bool residual = false;
-  /// Displacements are as much more than the samples' as the feature is longer: what is at rest
-  /// stays there.
+  /// Scale displacements by the feature's norm over that of the samples, so that rest is exact.
   bool proportional = false;
 };
 
-/// Displacements of a fine surface from those of a coarse one whose points are its first, after
-/// samples of both [Bounik, Shamsi, Sedaaghi 2020]. In the order from the contact deformations at
-/// one place say something about every other.
+/// Maps displacements of a coarse surface to those of a fine one, whose first points are the coarse
+/// ones, from samples of both [Bounik, Shamsi, Sedaaghi 2020]. Points ordered from the contact make
+/// samples at one contact valid at others.
 class EnrichedShape {
  public:
-  /// `sigma` [m]; of residuals, whose features are of length 1, without unit.
-  /// @throws std::invalid_argument as KernelRegressor, and for samples of other points.
+  /// `sigma` [m]; dimensionless for residuals, whose features have norm 1.
+  /// @throws std::invalid_argument as KernelRegressor, and for samples with other points.
   EnrichedShape(const DeformationDatabase& database, const FeatureSettings& feature, double sigma);
 
-  /// Of `coarse` the first columns are read, 3 x m [m], pressed at the coarse point `contact`;
-  /// `fine`: 3 x n [m]. Allocates nothing when called again.
+  /// Reads the first columns of `coarse`, 3 x m [m], for a press at the coarse point `contact`;
+  /// `fine`: 3 x n [m]. Repeated calls do not allocate.
   void predict(int contact, const Points& coarse, Points* fine);
-  /// What that is beside interpolation of `coarse`, in the same sizes.
+  /// predict() minus interpolation of `coarse`, with the same sizes.
   void predictDetail(int contact, const Points& coarse, Points* detail);
-  /// Interpolation alone.
+  /// Interpolation of `coarse` only.
   void interpolate(const Points& coarse, Points* fine) const;
 
-  /// Root of the mean square distance of the samples' features, a scale for sigma.
+  /// Root mean square distance of the samples' features, a scale for sigma.
   double spread() const { return spread_; }
 
  private:
@@ -50,12 +49,12 @@ class EnrichedShape {
   const std::vector<int>& orderOf(const std::vector<std::vector<int>>& orders, int contact) const;
 
   FeatureSettings settings_;
-  std::vector<mesh::SurfacePoint> places_;                     // of fine points on the coarse
-  std::vector<std::vector<int>> coarse_orders_, fine_orders_;  // by contact, or one for all
+  std::vector<mesh::SurfacePoint> places_;                     // fine points on the coarse
+  std::vector<std::vector<int>> coarse_orders_, fine_orders_;  // per contact, or one for all
   Eigen::MatrixXd learned_;                                    // 3n x k, ordered
   double spread_ = 0.0;
   std::optional<KernelRegressor> regressor_;
-  Eigen::VectorXd lengths_;  // of the samples' features
+  Eigen::VectorXd lengths_;  // norms of the samples' features
   Eigen::VectorXd feature_, weights_, stacked_;
   Points interpolated_;
 };

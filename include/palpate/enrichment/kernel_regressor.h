@@ -5,32 +5,31 @@
 
 namespace palpate::enrichment {
 
-/// Values at a feature from those at k samples, by Gaussian kernels of width sigma [Bounik, Shamsi,
-/// Sedaaghi 2020, (1)-(4)]:
+/// Interpolates values of k samples at a feature by Gaussian kernels of width sigma [Bounik,
+/// Shamsi, Sedaaghi 2020, (1)-(4)]:
 ///
 ///     phi_ij = exp(-|c_i - c_j|^2 / (2 sigma^2)),  a = A phi(c) / sum(A phi(c)),  x = X a
 ///
-/// A is the non-negative matrix with the least |Phi A - I|_F, column by column: entries of the
-/// inverse that are negative would turn pushes into pulls. The source normalises the kernels
-/// instead of the weights, which makes a sample not its own prediction; and its (3) is lost.
+/// A is the non-negative matrix with the least |Phi A - I|_F, column by column; negative entries of
+/// the inverse would turn pushes into pulls. The source normalises kernels instead of weights, so
+/// samples do not reproduce themselves; its (3) is lost.
 class KernelRegressor {
  public:
-  /// `features`: r x k, a sample a column; `sigma` in their unit, above 0.
-  /// @throws std::invalid_argument for no sample or another sigma.
+  /// `features`: r x k, one sample per column; `sigma` > 0 in their unit.
+  /// @throws std::invalid_argument without samples, or for another sigma.
   KernelRegressor(Eigen::MatrixXd features, double sigma);
 
-  /// Weights of the samples at a feature (r), none negative, their sum 1. Where all samples are so
-  /// far that no kernel is left, that of the nearest is 1.
-  /// Allocates nothing when called again.
+  /// Non-negative weights of the samples at a feature (r), with sum 1. If all kernels underflow,
+  /// the weight of the nearest sample is 1. Repeated calls do not allocate.
   void weights(const Eigen::VectorXd& feature, Eigen::VectorXd* weights);
 
-  /// Of all features at once: a column each.
+  /// Weights of all features, one column each.
   Eigen::MatrixXd weights(const Eigen::MatrixXd& features);
 
-  /// The kernel of the nearest sample at the last feature, in [0, 1]: how well that is known.
+  /// Kernel of the nearest sample at the last feature, in [0, 1]: a measure of confidence.
   double nearness() const { return nearness_; }
 
-  /// Squares of the distances to the samples.
+  /// Squared distances to the samples.
   void squareDistances(const Eigen::VectorXd& feature, Eigen::VectorXd* squares) const;
 
   Eigen::Index numSamples() const { return features_.cols(); }

@@ -17,25 +17,25 @@ namespace palpate::enrichment {
 
 /// A force on a patch of a surface.
 struct Press {
-  Vec3 contact;  ///< The patch's middle [m].
+  Vec3 contact;  ///< Centre of the patch [m].
   Vec3 force;    ///< [N]
 };
 
-/// A held body of finite elements that is pressed, one press after another, each from rest. The
-/// force acts on the boundary nodes within `patch` [m] of the contact, in proportion to their area
-/// times 1 - (distance/patch)^2, or on the nearest alone.
+/// A supported finite element body for presses from rest. The force acts on boundary nodes within
+/// `patch` [m] of the contact, in proportion to their area times 1 - (distance/patch)^2, or on the
+/// nearest alone.
 class PressedBody {
  public:
-  /// `mesh`: at rest [m]; `surface`: points of which displacements are wanted, taken from the
-  /// nearest place of the mesh's boundary. `pool` may be null.
-  /// @throws std::invalid_argument for a body that is not held, and as fem::makeElasticity().
+  /// `mesh`: at rest [m]; `surface`: points whose displacements are wanted, at the nearest points
+  /// of the mesh's boundary. `pool` may be null.
+  /// @throws std::invalid_argument for free rigid motions, and as fem::makeElasticity().
   PressedBody(const std::string& element, mesh::TetMesh mesh, const fem::Composition& composition,
               const fem::FreeMask& free, const Points& surface, double patch, ThreadPool* pool);
   PressedBody(const PressedBody&) = delete;
   PressedBody& operator=(const PressedBody&) = delete;
 
-  /// Displacements of the surface's points under a press, 3 x n [m]; where the solve fails those of
-  /// the last load step that did not.
+  /// Displacements of the surface's points under a press, 3 x n [m]; after a failed solve those of
+  /// the last solved load step.
   solver::StaticReport press(const Press& press, const solver::StaticSettings& settings,
                              Points* displacements);
 
@@ -44,7 +44,7 @@ class PressedBody {
  private:
   mesh::TetMesh mesh_;
   mesh::SurfaceMesh boundary_;
-  Eigen::VectorXd areas_;  // of points of the boundary [m^2]
+  Eigen::VectorXd areas_;  // of boundary nodes [m^2]
   std::vector<mesh::SurfacePoint> places_;
   double patch_;
   std::unique_ptr<fem::Elasticity> elasticity_;

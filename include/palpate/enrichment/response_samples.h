@@ -7,11 +7,10 @@ namespace palpate::enrichment {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-/// What a body answers to displacements of single points of its surface, scaled, a sample a column:
-/// values y = A(input) d of q rows are to be learned as the matrix A, q x 3, so that nothing
-/// displaced answers nothing.
+/// Responses of a body to displacements of single surface points, scaled, one sample per column.
+/// The values y = A(input) d of q rows define the matrix A, q x 3, to be learned; y = 0 for d = 0.
 struct ResponseSamples {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> inputs;  ///< Where it is, and its displacement.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> inputs;  ///< Position and displacement.
   Points displacements;                             ///< d.
   Eigen::MatrixXd values;                           ///< y.
 

@@ -12,34 +12,34 @@
 
 namespace palpate::enrichment {
 
-/// A body that is to be pressed again and again.
+/// A body for repeated presses.
 struct PressedSurfaces {
   mesh::SurfaceMesh coarse, fine;  ///< At rest [m].
-  std::vector<int> contacts;       ///< Coarse points that may be pressed.
+  std::vector<int> contacts;       ///< Coarse points to press.
   PressPlan plan;
-  std::string made_by;  ///< All that decides a sample but the surfaces.
-  std::function<std::unique_ptr<PressedBody>()> make_body;  ///< For each thread one.
+  std::string made_by;  ///< Everything that determines a sample, apart from the surfaces.
+  std::function<std::unique_ptr<PressedBody>()> make_body;  ///< Makes a body for one thread.
 };
 
-/// Samples `part`, `part + of`, `part + 2 of` ... of all.
+/// Samples `part`, `part + of`, `part + 2 of` and so on.
 struct SharePart {
   int part = 0, of = 1;
 };
 
-/// Makes those samples of a database that its folder has not.
+/// Makes the missing samples of a database in a folder.
 class SampleMaker {
  public:
   /// @throws InputError as DatabaseFolder.
   SampleMaker(const std::string& folder, PressedSurfaces surfaces, int samples,
               SharePart share = {});
 
-  /// `progress`: what is done, and a part in [0, 1]; may be empty. @throws what make_body() and
-  /// writing throw.
+  /// `progress`: the present task and a fraction in [0, 1]; may be empty. @throws exceptions of
+  /// make_body() and of writing.
   void run(int threads, const std::function<void(const std::string&, double)>& progress);
 
-  int wanted() const { return wanted_; }  ///< Of this share.
+  int wanted() const { return wanted_; }  ///< Number of samples of this share.
   int made() const { return static_cast<int>(left_.size()); }
-  int unsolved() const { return unsolved_; }  ///< Of those that run() made.
+  int unsolved() const { return unsolved_; }  ///< Number of failed samples of run().
 
  private:
   PressedSurfaces surfaces_;

@@ -10,44 +10,44 @@
 
 namespace palpate::enrichment {
 
-/// Displacements of single points that a surrogate was trained with, as inputs: how far others are
-/// from them. A press on the way to one of them, shorter and alike, has been seen with it.
+/// Region covered by training displacements of single points, for the distance of others. A sample
+/// also covers shorter displacements in the same direction.
 struct SeenRegion {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> samples;  ///< Scaled as inputs of KernelMap are.
-  double threshold = 1.0;                            ///< A distance.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> samples;  ///< Scaled as inputs of KernelMap.
+  double threshold = 1.0;                            ///< Distance with strangeness 1.
 
-  /// Distance to the nearest way from (place, 0) to (place, displacement) of a sample.
+  /// Distance to the nearest segment from (place, 0) to (place, displacement) of a sample.
   double distance(const Vec6& x) const;
 };
 
-/// A body's answer to the displacement of one point of its surface, learned from a database of
-/// presses: the force, and how all of the surface is displaced, in a few modes.
+/// Response of a body to the displacement of a surface point, learned from a database of presses:
+/// the force, and the displacement of the whole surface in a few modes.
 struct Surrogate {
   mesh::SurfaceMesh surface;  ///< At rest, in the organ's frame [m].
-  Eigen::MatrixXf modes;      ///< Of its displacements, 3n x m, orthonormal.
-  double patch = 0.0;         ///< Radius of what was pressed [m].
-  std::string made_by;        ///< How the database was made.
+  Eigen::MatrixXf modes;      ///< Modes of displacements, 3n x m, orthonormal.
+  double patch = 0.0;         ///< Radius of the press [m].
+  std::string made_by;        ///< Request text of the database.
 
-  Vec6 middle = Vec6::Zero();  ///< Of places [m] and displacements [m],
+  Vec6 middle = Vec6::Zero();  ///< Mean of places [m] and displacements [m],
   Vec6 scale = Vec6::Ones();   ///< and their scales [m], for inputs of the map.
   double displacement_scale = 1.0, force_scale = 1.0, mode_scale = 1.0;  ///< [m], [N], [m]
-  double longest = 0.0;   ///< Displacement that was seen [m]; beyond it A stays.
-  Eigen::MatrixXd plain;  ///< What of A is everywhere the same, (3 + m) x 3.
+  double longest = 0.0;   ///< Longest displacement in the samples [m]; A is constant beyond.
+  Eigen::MatrixXd plain;  ///< Constant part of A, (3 + m) x 3.
   std::variant<KernelMap, Perceptron> map;
   SeenRegion seen;
   Vec6 seen_scale = Vec6::Ones();  ///< [m]
 
   Eigen::Index numModes() const { return modes.cols(); }
-  /// Of the map.
+  /// Number of parameters of the map.
   Eigen::Index numParameters() const;
 
-  /// Where the point `place` [m] of the surface is displaced by `displacement` [m]: the force [N]
-  /// that does so and, unless null, coefficients of the modes (m) [m]. `work` is of any size.
-  /// Allocates nothing where they have their sizes; finite for all that is finite.
+  /// For the displacement `displacement` [m] of the surface point `place` [m]: the force [N] that
+  /// causes it and, if not null, mode coefficients (m) [m]. `work` may have any size. Does not
+  /// allocate if sizes fit; finite for finite input.
   void predict(const Vec3& place, const Vec3& displacement, Eigen::VectorXd* work, Vec3* force,
                Eigen::VectorXd* coefficients);
 
-  /// How far from all that was seen: up to 1 it is no farther than samples are from each other.
+  /// Distance from the training region; up to 1 within the distances between samples.
   double strangeness(const Vec3& place, const Vec3& displacement) const;
 
   /// Displacements of the surface's points, 3 x n [m].

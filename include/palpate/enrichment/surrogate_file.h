@@ -7,13 +7,11 @@
 
 namespace palpate::enrichment {
 
-/// The file appears when it is whole. For machines of the same byte order.
-/// @throws InputError where it cannot be written.
+/// Writes atomically, in this machine's byte order. @throws InputError if it cannot be written.
 void writeSurrogate(const std::string& file, const Surrogate& surrogate);
 
-/// @throws InputError for a file that is none of this version, is cut off or changed, larger than
-/// 64 MiB, or whose parts do not fit together or have numbers beyond 1e12, of which an answer might
-/// not be finite.
+/// @throws InputError for another file type or version, a truncated, changed or inconsistent file,
+/// one above 64 MiB, or numbers beyond 1e12, for which results might overflow.
 Surrogate readSurrogate(const std::string& file);
 
 }  // namespace palpate::enrichment
