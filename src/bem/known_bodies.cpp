@@ -22,7 +22,7 @@ double poissonRatio(const material::Moduli& m) {
   return (3.0 * m.kappa - 2.0 * m.mu) / (2.0 * (3.0 * m.kappa + m.mu));
 }
 
-// Nodal forces of a uniform stress inside, on the triangles from `first` on.
+// Nodal forces of a uniform inner stress, on the triangles from `first`.
 Points forcesOf(const mesh::SurfaceMesh& surface, const Mat3& stress, Eigen::Index first = 0) {
   Points t = Points::Zero(3, surface.triangles.cols());
   for (Eigen::Index k = first; k < t.cols(); ++k) {
@@ -34,7 +34,7 @@ Points forcesOf(const mesh::SurfaceMesh& surface, const Mat3& stress, Eigen::Ind
   return tractionForces(surface, t);
 }
 
-// Displacements under nodal forces of a body with the coordinate planes as mirrors, which hold it.
+// Displacements under nodal forces; with `mirrors`, symmetry planes support the body.
 Points solve(const mesh::SurfaceMesh& surface, const material::Moduli& moduli, const Points& forces,
              bool mirrors, ThreadPool* pool, KnownBody* made) {
   const SurfaceStiffness stiffness = surfaceStiffness(surface, moduli, pool);
@@ -142,7 +142,7 @@ KnownBody sphericalCavity(const material::Moduli& m, int level, ThreadPool* pool
       solve(cavity, m, forcesOf(cavity, -stress), false, pool, &made) + far * cavity.points;
   const Points right = near * cavity.points;
   made.error = largest(u - right) / largest(right);
-  // The surface's own stress, of the strain that fits the points best.
+  // The stress of the strain that fits the points best.
   const Points& X = cavity.points;
   const Mat3 fit = u * X.transpose() * Mat3(X * X.transpose()).inverse();
   made.stress = E / (1.0 - nu * nu) * (fit(2, 2) + nu * 0.5 * (fit(0, 0) + fit(1, 1)));

@@ -15,8 +15,8 @@ constexpr double kAt[kGauss] = {0.046910077030668018, 0.23076534494715845, 0.5, 
 constexpr double kWeight[kGauss] = {0.11846344252809471, 0.2393143352496831, 0.2844444444444445,
                                     0.2393143352496831, 0.11846344252809471};
 
-// In each of the three parts about the middle, outward and along the edge, slower towards edges and
-// corners.
+// In three parts about the centroid, in directions outward and along the edge, denser towards edges
+// and corners.
 OuterRule crowded() {
   OuterRule rule;
   rule.at.resize(3, 3 * kGauss * kGauss);

@@ -7,16 +7,15 @@
 
 namespace palpate::bem {
 
-/// Points of a triangle, 3 x q in the corners' coordinates, and their weights, which add up to 1.
+/// Points of a triangle, 3 x q barycentric, and weights with sum 1.
 struct OuterRule {
   Eigen::Matrix3Xd at;
   Eigen::VectorXd weights;
 };
 
-/// By which what `source` does is integrated over `over`, by their distance over the size of
-/// `over`: the potential of a triangle has a kink of the kind r ln r at its edges, so that what
-/// shares a corner or is as near gets 75 points that crowd towards all edges, and others 7 or 3
-/// [Dunavant 1985].
+/// Quadrature over the triangle `over` of the potential of `source`, by their distance over the
+/// size of `over`. The potential has r ln r kinks at edges, so triangles that touch or nearly do
+/// use 75 points that are denser near edges; others use 7 or 3 [Dunavant 1985].
 const OuterRule& outerRule(const Triangle& over, const Triangle& source);
 
 }  // namespace palpate::bem

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr double kLeastPivotRatio = 1e-12;  // of the largest pivot
+constexpr double kLeastPivotRatio = 1e-12;  // over the largest pivot
 
 // Gauss-Legendre, ten points, the positive half [Abramowitz, Stegun 1964, table 25.4].
 constexpr double kLineRule[5][2] = {{0.148874338981631211, 0.295524224714752870},
@@ -110,8 +110,8 @@ PlaneSolution PlaneElements::solve(const PlaneConditions& conditions) const {
     throw std::invalid_argument("conditions are of " + std::to_string(conditions.held.cols()) +
                                 " elements, and there are " + std::to_string(size()));
   }
-  // Unknown tractions over the shear modulus, as displacements over D are: no pivot is small by its
-  // unit.
+  // Scales unknown tractions by the shear modulus and displacements by D, so that pivots are
+  // comparable.
   const double unit = solid_.shear_modulus / size_;
   Eigen::MatrixXd A(2 * size(), 2 * size());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(2 * size());

@@ -10,7 +10,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Of a triangle with constant strain, unit thickness: area B^T D B [Zienkiewicz, Taylor, Zhu 2005].
+// Constant-strain triangle of unit thickness: area B^T D B [Zienkiewicz, Taylor, Zhu 2005].
 Eigen::Matrix<double, 6, 6> stiffness(const Eigen::Matrix<double, 2, 3>& x,
                                       const Eigen::Matrix3d& D) {
   const Eigen::Vector2d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0);
@@ -78,7 +78,7 @@ PlateOfTriangles plateOfTriangles(const PlanePlate& plate, int cells) {
   for (int j = 0; j <= cells; ++j) {
     f[2 * (j * (cells + 1) + cells)] = plate.traction / cells * (j == 0 || j == cells ? 0.5 : 1.0);
   }
-  // Clamped nodes: ones in place of their rows and columns.
+  // Clamped nodes: rows and columns of the identity.
   Triplets free;
   const auto clamped = [&](Eigen::Index row) { return made.points(0, row / 2) == 0.0; };
   for (Eigen::Index c = 0; c < size; ++c) {

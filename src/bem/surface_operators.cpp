@@ -9,7 +9,7 @@
 namespace palpate::bem {
 namespace {
 
-// Averages A with its transpose; returns how far they were apart, over the norm.
+// Averages A with its transpose; returns their distance over the norm.
 double symmetrise(Eigen::MatrixXd* A) {
   double apart = 0.0, all = 0.0;
   for (Eigen::Index j = 0; j < A->cols(); ++j) {
@@ -43,7 +43,7 @@ std::vector<Triangle> trianglesOf(const mesh::SurfaceMesh& surface) {
   return triangles;
 }
 
-// A triangle that is tested with has a column, so that threads write to places of their own.
+// Each column belongs to one test triangle, so threads write to disjoint memory.
 SurfaceOperators surfaceOperators(const mesh::SurfaceMesh& surface,
                                   const std::vector<Triangle>& triangles,
                                   const material::Moduli& moduli, ThreadPool* pool) {

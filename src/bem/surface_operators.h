@@ -12,17 +12,17 @@ namespace palpate::bem {
 
 std::vector<Triangle> trianglesOf(const mesh::SurfaceMesh& surface);
 
-/// Integral operators of a surface, tested with functions that are 1 on one of its m triangles and
-/// applied to such functions, or to linear ones of its n points.
+/// Integral operators of a surface: test functions are 1 on one of m triangles; trial functions are
+/// the same, or linear ones of the n points.
 struct SurfaceOperators {
   Eigen::MatrixXd single_layer;  ///< V of Kelvin's kernel U, 3 m x 3 m [m^3/Pa].
   Eigen::MatrixXd inverse;       ///< V of 1 / (4 pi r), m x m [m^3].
-  Eigen::MatrixXd double_layer;  ///< K of its normal derivative, m x n [m^2].
-  double skew;  ///< ||V - V^T|| / ||V|| before both became symmetric: what the outer rules leave.
+  Eigen::MatrixXd double_layer;  ///< K of the normal derivative of 1 / (4 pi r), m x n [m^2].
+  double skew;  ///< ||V - V^T|| / ||V|| before symmetrisation: the error of the outer quadrature.
 };
 
-/// Each triangle's inner integral in closed form, the outer one by outerRule(). The same bits for
-/// any pool; it may be null.
+/// Inner integrals in closed form, outer ones by outerRule(). Bitwise equal for any pool, which may
+/// be null.
 SurfaceOperators surfaceOperators(const mesh::SurfaceMesh& surface,
                                   const std::vector<Triangle>& triangles,
                                   const material::Moduli& moduli, ThreadPool* pool);

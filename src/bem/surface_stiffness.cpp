@@ -19,10 +19,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// Of the pivots of Cholesky's factor, over the largest they can be.
+// Least Cholesky pivot over its largest possible value.
 constexpr double kLeastDiagonalRatio = 1e-7;
 
-// The triangles around a point, and which of their corners it is.
+// Triangles around a point, and the index of their corner there.
 struct Corner {
   Index triangle;
   int corner;
@@ -48,13 +48,13 @@ void check(const mesh::SurfaceMesh& surface, const std::vector<Triangle>& triang
   }
 }
 
-// Of the linear function of a corner: n_j d_i - n_i d_j as row i, column j.
+// n_j d_i - n_i d_j of a corner's linear function, as row i, column j.
 Mat3 turning(const Triangle& t, int corner) {
   const Vec3 g = t.gradients.col(corner);
   return g * t.normal.transpose() - t.normal * g.transpose();
 }
 
-// n x gradient, likewise.
+// n x gradient of a corner's linear function.
 Vec3 curl(const Triangle& t, int corner) { return t.normal.cross(Vec3(t.gradients.col(corner))); }
 
 class Assembly {
@@ -100,7 +100,7 @@ class Assembly {
     return triangles_[static_cast<std::size_t>(c.triangle)];
   }
 
-  // What the potential of 1/r makes of the curls of the points' functions, by component: m x n.
+  // Potential of 1/r of the curls of the points' functions, by component: m x n.
   void layCurls() {
     for (MatrixXd& E : E_) E.setZero(m_, n_);
     forPoints([&](Index b, const std::vector<Corner>& fan) {
@@ -111,7 +111,7 @@ class Assembly {
     });
   }
 
-  // What V makes of their turnings: 3 m x 3 n.
+  // V times the turnings of the points' functions: 3 m x 3 n.
   void layTurnings() {
     H_.setZero(3 * m_, 3 * n_);
     forPoints([&](Index b, const std::vector<Corner>& fan) {
@@ -123,8 +123,8 @@ class Assembly {
     });
   }
 
-  // D = mu (4 tr(W) I - W - 2 W^T) - 4 mu^2 M^T V M, with W the curls' potential tested with curls,
-  // which is Han's three terms in one.
+  // D = mu (4 tr(W) I - W - 2 W^T) - 4 mu^2 M^T V M, with W the tested potential of the curls; this
+  // combines Han's three terms.
   MatrixXd hypersingular() const {
     MatrixXd D(3 * n_, 3 * n_);
     forPoints([&](Index b, const std::vector<Corner>&) {
@@ -144,7 +144,7 @@ class Assembly {
     return D;
   }
 
-  // From V's turnings to M/2 + K = M/2 + (K of 1/r) - (V of 1/r) turnings + 2 mu V turnings.
+  // V turnings become M/2 + K = M/2 + (K of 1/r) - (V of 1/r) turnings + 2 mu V turnings.
   void addDoubleLayer() {
     forPoints([&](Index b, const std::vector<Corner>& fan) {
       auto H = H_.middleCols<3>(3 * b);
@@ -170,7 +170,7 @@ class Assembly {
   MatrixXd E_[3], H_;
 };
 
-// Three translations and three rotations about the middle, orthonormal: 3 n x 6.
+// Three translations and three rotations about the centre, orthonormal: 3 n x 6.
 MatrixXd rigidMotions(const Points& X) {
   const Index n = X.cols();
   const Vec3 middle = X.rowwise().mean();

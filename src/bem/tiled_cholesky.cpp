@@ -15,7 +15,7 @@ constexpr Eigen::Index kTile = 192, kColumns = 96;
 
 Eigen::Index tiles(Eigen::Index size) { return (size + kTile - 1) / kTile; }
 
-// Of the lower triangle from tile `first` on, row and column.
+// Tiles of the lower triangle from tile `first`, row and column.
 std::vector<std::pair<Eigen::Index, Eigen::Index>> lowerTiles(Eigen::Index first,
                                                               Eigen::Index count) {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> found;

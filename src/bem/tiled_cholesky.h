@@ -7,15 +7,15 @@
 
 namespace palpate::bem {
 
-/// Cholesky's factor L of a symmetric positive definite matrix, of which the lower triangle is
-/// read, in its place; what is above is left. By tiles, the same bits for any pool; it may be null.
-/// False: not positive definite.
+/// In-place Cholesky factor L of a symmetric positive definite matrix. Reads and writes the lower
+/// triangle only. By tiles, bitwise equal for any pool, which may be null. Returns false if not
+/// positive definite.
 bool factorise(Eigen::MatrixXd* A, ThreadPool* pool);
 
-/// X <- L^-1 X.
+/// Computes X <- L^-1 X.
 void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd* X, ThreadPool* pool);
 
-/// The lower triangle of S <- S + X^T X.
+/// Computes the lower triangle of S <- S + X^T X.
 void addSquare(const Eigen::MatrixXd& X, Eigen::MatrixXd* S, ThreadPool* pool);
 
 }  // namespace palpate::bem

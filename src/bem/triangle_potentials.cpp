@@ -7,11 +7,10 @@
 namespace palpate::bem {
 namespace {
 
-// Nearer to the plane than this part of the triangle's size a point lies in it.
+// Distance from the plane over the triangle's size up to which a point counts as in the plane.
 constexpr double kInPlane = 1e-13;
 
-// int dl / r along an edge, without cancellation; 0 for a point on the edge, where all that it is
-// multiplied by is 0.
+// int dl / r along an edge, without cancellation; 0 for a point on the edge, where its factor is 0.
 double edgeIntegral(double from_length, double from, double to_length, double to) {
   const bool ahead = from + to > 0.0;
   const double a = ahead ? from_length + from : to_length - to;
@@ -40,9 +39,9 @@ TrianglePotentials potentials(const Triangle& triangle, const Vec3& x) {
   double h = n.dot(r.col(0));
   if (std::abs(h) <= kInPlane * triangle.radius) h = 0.0;
   const double height = std::abs(h);
-  double inverse = 0.0, angle = 0.0;  // |angle|: the solid angle over its sign
-  Vec3 slide = Vec3::Zero();          // int of what of r is in the plane over r^3
-  Mat3 spread = Mat3::Zero();         // of its dyad
+  double inverse = 0.0, angle = 0.0;  // |angle| is the solid angle over its sign
+  Vec3 slide = Vec3::Zero();          // int of r's component in the plane over r^3
+  Mat3 spread = Mat3::Zero();         // int of that component's dyad
   for (int k = 0; k < 3; ++k) {
     const int next = (k + 1) % 3;
     const Vec3 side = r.col(next) - r.col(k);
