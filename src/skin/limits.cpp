@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// The least root > 0 of 1 + a d + b d^2.
+// Least root > 0 of 1 + a d + b d^2.
 double leastRoot(double a, double b) {
   const double square = a * a - 4.0 * b;
   if (square < 0.0) return kNever;

@@ -13,7 +13,7 @@ namespace {
 struct Table {
   const char* name;
   int columns, rows;
-  bool geometric;  // ratios 1 to 511, or 7 to 15
+  bool geometric;  // ratios 1 to 511; else 7 to 15
   int decimals;
 };
 

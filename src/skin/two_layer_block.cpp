@@ -12,7 +12,7 @@ namespace palpate::skin {
 namespace {
 
 constexpr double kMaxNodes = 2e6;
-constexpr double kOnNode = 1e-9;  // of a square's side
+constexpr double kOnNode = 1e-9;  // over a square's side
 
 [[noreturn]] void refuse(const std::string& key, double value, const std::string& allowed) {
   throw InputError("two-layer block", key, formatNumber(value), allowed);
@@ -22,7 +22,7 @@ void requirePositive(const std::string& key, double value) {
   if (!(std::isfinite(value) && value > 0.0)) refuse(key, value, "must be a number > 0");
 }
 
-// Half of the columns are made for rings.
+// Rings use half of the columns.
 struct Grid {
   explicit Grid(const TwoLayerBlock& block)
       : rings(block.idealization == Idealization::kAxisymmetric),

@@ -5,12 +5,12 @@
 
 namespace palpate::skin {
 
-/// The least depth > 0 at which a triangle has no area left [m]; infinite if none ever does. Of the
-/// block pressed by depth d a triangle has the area 1 + a d + b d^2 times that at rest.
+/// Least depth > 0 at which a triangle has zero area [m]; infinite if there is none. At the depth
+/// d, a triangle's area is 1 + a d + b d^2 times that at rest.
 double inversionDepth(const UnitIndentation& unit);
 
-/// The least depth > 0 at which a node is at the bone, where it was above it at rest [m]; infinite
-/// if none ever is.
+/// Least depth > 0 at which a node initially above the bone reaches it [m]; infinite if there is
+/// none.
 double boneDepth(const UnitIndentation& unit);
 
 }  // namespace palpate::skin

@@ -10,7 +10,7 @@
 
 namespace palpate::skin {
 
-using PlanePoints = Eigen::Matrix<double, 2, Eigen::Dynamic>;  ///< x, z of each node in turn
+using PlanePoints = Eigen::Matrix<double, 2, Eigen::Dynamic>;  ///< x, z of each node
 
 /// Triangles of several materials.
 struct PlaneMesh {
@@ -21,18 +21,18 @@ struct PlaneMesh {
   Corners corners(std::size_t triangle) const;
 };
 
-/// Entries in a row of the upper half of a banded stiffness, (D + 1) f (2.19): D is the largest
-/// difference of node numbers in a triangle, and a node has f = 2 components.
+/// Entries per row of the upper half of a banded stiffness, (D + 1) f (2.19): D is the largest
+/// difference of node numbers in a triangle, f = 2 the number of components per node.
 int bandWidth(const PlaneMesh& mesh);
 
-/// 2n x 2n, of x, z of each node in turn [N/m]; `elasticity` is by material.
+/// 2n x 2n, for x, z of each node [N/m]; `elasticity` per material.
 Eigen::SparseMatrix<double> stiffness(const PlaneMesh& mesh,
                                       const std::vector<Eigen::Matrix4d>& elasticity,
                                       Idealization idealization, double thickness);
 
-/// Displacements (2 x n) in equilibrium under `forces` where the components with `held` = 1 are
-/// as in `prescribed` (of the others it is not read).
-/// @throws std::domain_error if the free part is not positive definite: too little is held.
+/// Equilibrium displacements (2 x n) under `forces`; components with `held` = 1 are as in
+/// `prescribed`, whose other components are ignored.
+/// @throws std::domain_error if the free part is not positive definite: missing supports.
 PlanePoints displacements(const Eigen::SparseMatrix<double>& stiffness, const PlanePoints& forces,
                           const PlanePoints& held, const PlanePoints& prescribed);
 

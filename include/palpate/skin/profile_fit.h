@@ -6,15 +6,14 @@
 
 namespace palpate::skin {
 
-/// How far the surface is below its rest to the left of the middle by `radius`, or at that radius
-/// of rings, where the block is pressed by `depth` [m]: linear between the top nodes where they
-/// have moved to.
+/// Depth of the surface below its rest at `radius` left of the middle, or at that ring radius, for
+/// a press by `depth` [m]; linear between the moved top nodes.
 double surfaceDepth(const UnitIndentation& unit, double depth, double radius);
 
-/// Of n differences e between surface and readings.
+/// Norms of n differences e between surface and readings.
 struct ProfileErrors {
-  double published = 0.0;    ///< sqrt(sum e^2)/n, what the source's tables have [m]
-  double mean_square = 0.0;  ///< sum e^2/n, what its (3.4) says [m^2]
+  double published = 0.0;    ///< sqrt(sum e^2)/n, as in the source's tables [m]
+  double mean_square = 0.0;  ///< sum e^2/n, as in its (3.4) [m^2]
   double rms = 0.0;          ///< [m]
   double largest = 0.0;      ///< [m]
 };
@@ -22,14 +21,14 @@ struct ProfileErrors {
 ProfileErrors profileErrors(const UnitIndentation& unit, double depth,
                             const MeasuredProfile& profile);
 
-/// `depth` less what the surface is too deep at the first radius, 0.25 mm: nothing was read nearer
-/// to the load, so the curve is pinned there.
+/// `depth` minus the surface's excess depth at the first radius, 0.25 mm. There are no readings
+/// closer to the load, so the curve is fitted at this radius.
 double correctedDepth(const UnitIndentation& unit, double depth, const MeasuredProfile& profile);
 
-constexpr int kPublishedCorrections = 2;  ///< Of the depth, for each figure of the source's tables
+constexpr int kPublishedCorrections = 2;  ///< For each figure of the source's tables
 
-/// Corrects from profile.start_depth until the surface is there within `within` [m].
-/// @throws std::domain_error if 1000 corrections do not do.
+/// Corrects from profile.start_depth until the first radius fits within `within` [m].
+/// @throws std::domain_error after 1000 corrections.
 double pinnedDepth(const UnitIndentation& unit, const MeasuredProfile& profile,
                    double within = 1e-12);
 

@@ -7,20 +7,20 @@
 namespace palpate::skin {
 
 /// A figure of Tables 3.3, 3.4, 3.6 and 3.7 of P. I. Triantafyllopoulos, diploma thesis, National
-/// Technical University of Athens, 2005, beside ours.
+/// Technical University of Athens, 2005, with this code's value.
 struct PublishedFigure {
   std::string table;
   int set, columns, rows, upper_rows;
   double stiffness_ratio;
   double printed;  ///< ProfileErrors::published [mm]
-  double ours;     ///< By the same protocol, all its digits [mm]
-  int decimals;    ///< At most so many are printed,
+  double ours;     ///< By the same protocol, unrounded [mm]
+  int decimals;    ///< Largest number of printed decimals,
 
-  /// and of them as many as make five significant ones: whether ours gives the same print.
+  /// with five significant digits: whether `ours` rounds to `printed`.
   bool agrees() const;
 };
 
-/// All 576 in the tables' order, computed by the published protocol.
+/// All 576 figures in the tables' order, by the published protocol.
 std::vector<PublishedFigure> publishedFigures();
 
 }  // namespace palpate::skin

@@ -8,13 +8,13 @@
 
 namespace palpate::skin {
 
-/// How depths are found.
+/// Determination of the depth.
 enum class DepthProtocol {
-  kPublished,  ///< Two corrections at each point of a sweep, from the depth of the point before.
-  kConverged   ///< pinnedDepth(), whatever came before.
+  kPublished,  ///< Two corrections at each point of a sweep, from the depth of the previous point.
+  kConverged   ///< pinnedDepth(), independent of previous points.
 };
 
-/// A set of readings beside a block.
+/// Fit of a block to a set of readings.
 struct SetFit {
   double depth;  ///< Of the contact [m]
   ProfileErrors errors;
@@ -33,24 +33,24 @@ std::vector<double> geometricRatios();
 /// 7, 8, ..., 15.
 std::vector<double> linearRatios();
 
-/// All layers of `block`, from 1 row to all but one, and for each all ratios in their order.
-/// @throws InputError as checkBlock(), and for a ratio that is not > 0.
+/// All layers of `block`, from 1 row to all but one, each with all ratios in order.
+/// @throws InputError as checkBlock(), and for a ratio not > 0.
 std::vector<SweepPoint> sweep(const TwoLayerBlock& block, const std::vector<double>& ratios,
                               DepthProtocol protocol);
 
-/// One number for the two errors a and b of a point, by ProfileErrors::published.
+/// Combines the errors a and b of a point, by ProfileErrors::published.
 struct Criterion {
   enum class Kind { kLargest, kSum, kWeighted } kind = Kind::kLargest;
-  double weight = 0.5;  ///< Of set 1; 1 - weight of set 2. Only kWeighted reads it.
+  double weight = 0.5;  ///< Of set 1; 1 - weight for set 2. For kWeighted only.
 
   double operator()(const SweepPoint& point) const;
 };
 
-/// The point with the least criterion; of equals the first.
-/// @throws std::invalid_argument if there are no points.
+/// Point with the least criterion, the first among equals. @throws std::invalid_argument without
+/// points.
 const SweepPoint& optimum(const std::vector<SweepPoint>& points, const Criterion& criterion);
 
-/// Those with at most `times` the least criterion, in their order.
+/// Points with at most `times` the least criterion, in order.
 std::vector<SweepPoint> acceptable(const std::vector<SweepPoint>& points,
                                    const Criterion& criterion, double times);
 

@@ -8,54 +8,54 @@
 namespace palpate::skin {
 
 enum class Diagonals {
-  kOneWay,      ///< As published: the mesh has a handedness.
-  kAlternating  ///< Mirrored from square to square: symmetric about the middle.
+  kOneWay,      ///< As published: the mesh is not symmetric.
+  kAlternating  ///< Mirrored between squares: symmetric about the middle.
 };
 
-enum class Numbering { kColumns, kRows };  ///< Nodes follow each other down a column, along a row.
+enum class Numbering { kColumns, kRows };  ///< Order of nodes: down columns, or along rows.
 
-/// A flat block of skin over subcutis over bone, pressed in the middle of its top
-/// [Triantafyllopoulos 2005, 1.4, 3.1]; the defaults are the source's. x goes right from the left
-/// side, or from the axis of rings; z goes down from the top. The bottom and the sides are held.
+/// A flat block of skin on subcutis on bone, pressed in the middle of its top [Triantafyllopoulos
+/// 2005, 1.4, 3.1], with the source's defaults. x points right from the left side or the rings'
+/// axis, z down from the top. Bottom and sides are held.
 struct TwoLayerBlock {
-  double width = 0.012;           ///< Whole, also of rings [m]
+  double width = 0.012;           ///< Full width, also of rings [m]
   double height = 0.0045;         ///< [m]
-  int columns = 16;               ///< Squares across the whole width; even
+  int columns = 16;               ///< Squares across the full width; even
   int rows = 6;                   ///< Squares from top to bottom
-  int upper_rows = 3;             ///< of which the upper layer has so many; in [1, rows - 1].
+  int upper_rows = 3;             ///< Rows of the upper layer, in [1, rows - 1].
   double young_modulus = 0.2e6;   ///< Of the upper layer [Pa]
-  double poisson_ratio = 0.48;    ///< Of both
+  double poisson_ratio = 0.48;    ///< Of both layers
   double stiffness_ratio = 10.0;  ///< Young's modulus of the upper over that of the lower layer
-  double slab = 0.001;            ///< Across the plane, not of rings [m]: forces are those of it.
-  double patch = 0.0;             ///< Half the width that is pressed [m]; 0: one node
-  bool slides = true;             ///< What is pressed may move sideways, as published.
+  double slab = 0.001;            ///< Thickness [m] that forces refer to; not for rings.
+  double patch = 0.0;             ///< Half the pressed width [m]; 0: one node
+  bool slides = true;             ///< Pressed nodes may move sideways, as published.
   Idealization idealization = Idealization::kPlaneStressPublished;
   Diagonals diagonals = Diagonals::kOneWay;
   Numbering numbering = Numbering::kColumns;
 };
 
-/// The number of rows above an interface at `fraction` of the height.
-/// @throws InputError if that is inside an element, or at the top or the bottom.
+/// Number of rows above an interface at `fraction` of the height.
+/// @throws InputError if that is inside an element, or at the top or bottom.
 int upperRows(double fraction, int rows);
 
-/// @throws InputError for what makes no block: sizes, counts, constants, an edge of the patch
-/// inside an element, more than 2 million nodes.
+/// @throws InputError for invalid sizes, counts or constants, an edge of the patch inside an
+/// element, or more than 2 million nodes.
 void checkBlock(const TwoLayerBlock& block);
 
 /// Material 0 is the upper layer. @throws InputError as checkBlock().
 PlaneMesh blockMesh(const TwoLayerBlock& block);
 
-/// What a depth of 1 m gives; all is linear, so depth times it is what another depth gives.
+/// Response per depth of 1 m; all is linear in the depth.
 struct UnitIndentation {
   TwoLayerBlock block;
   PlaneMesh mesh;
   PlanePoints displacement;  ///< 2 x n, z down
-  double force;              ///< That presses the contact down, per depth [N/m]
-  std::vector<int> surface;  ///< Top nodes from the left side, or the outer one of rings
+  double force;              ///< Force on the contact, downward, per depth [N/m]
+  std::vector<int> surface;  ///< Top nodes from the left side, or from the outer side of rings
   int band_width;            ///< See bandWidth()
 };
 
-/// Factored once. @throws InputError as checkBlock().
+/// Factorised once. @throws InputError as checkBlock().
 UnitIndentation indent(const TwoLayerBlock& block);
 
 }  // namespace palpate::skin
