@@ -10,7 +10,7 @@
 namespace palpate::analysis {
 namespace {
 
-// An analysis has the time that a hand has not.
+// An analysis is not in real time.
 constexpr int kMaxTimeSteps = 64;
 
 tissue::FemSettings settingsOf(const Case& problem, const DynamicAnalysis& analysis) {
@@ -22,7 +22,7 @@ tissue::FemSettings settingsOf(const Case& problem, const DynamicAnalysis& analy
   settings.mass_damping = analysis.damping.mass;
   settings.stiffness_damping = analysis.damping.stiffness;
   settings.tolerance = analysis.tolerance;
-  settings.position_tolerance = 0.0;  // the tolerance alone says how well
+  settings.position_tolerance = 0.0;  // only the force tolerance counts
   settings.max_newton_iterations = analysis.max_newton_iterations;
   settings.linear_tolerance = analysis.linear_tolerance;
   settings.max_linear_iterations = analysis.max_linear_iterations;

@@ -10,13 +10,13 @@
 
 namespace palpate::analysis {
 
-/// Steps of a dynamic case, taken as an organ of a scene takes them.
+/// Time steps of a dynamic case, with the methods of a scene's organs.
 class CaseDynamics {
  public:
-  /// @throws InputError for settings that the method does not take.
+  /// @throws InputError for settings that the method refuses.
   CaseDynamics(const Case& problem, CaseModel* model, const CaseProbes& probes, ThreadPool* pool);
 
-  /// From rest.
+  /// Runs all steps, from rest.
   solver::SolveStatus run(SolveResult* result, ProbeHistory* history,
                           const std::function<void(double)>& progress);
   const tissue::FemDynamics& body() const { return *body_; }
@@ -28,7 +28,7 @@ class CaseDynamics {
   CaseModel& model_;
   const CaseProbes& probes_;
   std::unique_ptr<tissue::FemDynamics> body_;
-  double time_ = 0.0;  // at the begin of the step under way [s]
+  double time_ = 0.0;  // begin of the present step [s]
 };
 
 }  // namespace palpate::analysis

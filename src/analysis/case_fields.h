@@ -6,7 +6,7 @@
 
 namespace palpate::analysis {
 
-// Every key of a case file.
+// All keys of a case file.
 void describe(keys::FieldVisitor& v, Case& c);
 void describe(keys::FieldVisitor& v, CaseMesh& mesh);
 void describe(keys::FieldVisitor& v, BoxMesh& box);

@@ -11,7 +11,7 @@
 
 namespace palpate::analysis {
 
-/// A case made ready for a solver.
+/// A case in the form that solvers take.
 class CaseModel {
  public:
   /// @throws InputError
@@ -20,13 +20,13 @@ class CaseModel {
   const mesh::TetMesh& mesh() const { return mesh_; }
   const fem::Composition& composition() const { return composition_; }
   const std::shared_ptr<fem::Elasticity>& elasticity() const { return elasticity_; }
-  /// Elasticity with tractions, pressures and gravity.
+  /// Elastic energy with tractions, pressures and gravity.
   const solver::Potential& potential() const { return potential_; }
 
   void setLoadFactor(double s);
-  /// Where held components are when their motion is at `s` of its way, 3 x n [m].
+  /// Positions of held components at the fraction `s` of their motion, 3 x n [m].
   Points heldPositions(double s) const;
-  /// Sum of all applied forces' norms, the scale of a residual [N].
+  /// Sum of the norms of all applied forces, the scale of a residual [N].
   double loadNorm() const;
 
  private:

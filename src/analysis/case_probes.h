@@ -10,25 +10,25 @@
 
 namespace palpate::analysis {
 
-/// Probes of a case, placed in its mesh once.
+/// Probes of a case, located in its mesh.
 class CaseProbes {
  public:
-  /// @throws InputError for a point outside the mesh or a region without nodes.
+  /// @throws InputError for a point outside the mesh, or a region without nodes.
   CaseProbes(const Case& problem, const CaseModel& model);
 
-  /// Values at positions x; `support_force` is what the supports exert on the nodes, 3 x n [N].
+  /// Values at positions x; `support_force`: forces of the supports on the nodes, 3 x n [N].
   std::vector<ProbeResult> measure(const CaseModel& model, const Points& x,
                                    const Points& support_force) const;
 
-  /// Head and a row of the history file.
+  /// Header and a row of the history file.
   std::vector<std::string> columns() const;
   static std::vector<double> row(double t, const std::vector<ProbeResult>& results);
 
  private:
   struct Placed {
     Probe probe;
-    std::optional<mesh::Location> at;  // with a point
-    std::vector<int> nodes;            // with a region
+    std::optional<mesh::Location> at;  // for a point
+    std::vector<int> nodes;            // for a region
   };
   std::vector<Placed> placed_;
 };

@@ -10,7 +10,7 @@
 namespace palpate::analysis {
 namespace {
 
-// What the supports exert on the nodes, 3 x n [N], at x; `potential` with all that acts.
+// Forces of the supports on the nodes at x, 3 x n [N]; `potential` contains all other forces.
 Points supportForce(const solver::Potential& potential, const Points& x) {
   Points g;
   potential.gradient(x, &g);
@@ -33,7 +33,7 @@ solver::SolveStatus solveStatically(const StaticAnalysis& analysis, CaseModel* m
   return report.status;
 }
 
-// A region with a material of its own is a solid of the composition; what is left is the body.
+// Regions with their own material are solids of the composition; the rest is the body.
 std::vector<std::pair<std::string, double>> energyByRegion(const Case& problem,
                                                            const CaseModel& model,
                                                            const Points& x) {
@@ -49,7 +49,7 @@ std::vector<std::pair<std::string, double>> energyByRegion(const Case& problem,
   return by_region;
 }
 
-// Stress and stretch are those in the middle of each tetrahedron.
+// Stress and stretch are those at the centroid of each tetrahedron.
 void fillFields(const CaseModel& model, const Points& x, const Points& force,
                 CaseOutcome* outcome) {
   const mesh::TetMesh& mesh = model.mesh();

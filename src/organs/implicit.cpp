@@ -23,7 +23,7 @@ Vec3 gradient(const ImplicitBody& body, const Vec3& p) {
   return g;
 }
 
-/// Newton's steps along the gradient, each at most `reach`.
+/// Newton steps along the gradient, each at most `reach` [m].
 Vec3 project(const ImplicitBody& body, Vec3 p, double reach) {
   constexpr int kSteps = 4;
   for (int step = 0; step < kSteps; ++step) {

@@ -7,31 +7,31 @@
 
 namespace palpate::organs {
 
-/// A body given by a function that is negative inside, positive outside, and grows about as the
-/// distance [m] near the surface.
+/// A body as an implicit function: negative inside, positive outside, near the surface about the
+/// distance [m].
 struct ImplicitBody {
   std::function<double(const Vec3&)> value;
-  Vec3 min, max;  ///< [m] a box around it, with some room.
+  Vec3 min, max;  ///< A box around the body, with a margin [m].
 };
 
-/// About the distance from an ellipsoid about the origin: |q| (|q| - 1) / |grad| with q = p / r,
+/// Approximate distance from an ellipsoid about the origin: |q| (|q| - 1) / |grad| with q = p / r,
 /// exact to first order at the surface.
 double ellipsoid(const Vec3& p, const Vec3& radii);
 
-/// Distance from a ball that is swept from `a` to `b` while its radius goes from `ra` to `rb`.
+/// Distance from a ball swept from `a` to `b`, with radius from `ra` to `rb`.
 double taperedCapsule(const Vec3& p, const Vec3& a, double ra, const Vec3& b, double rb);
 
 /// Union of two bodies, blended over the length `blend` [m].
 double smoothUnion(double a, double b, double blend);
 
-/// `a` without `b`, the rim rounded over the length `blend` [m].
+/// `a` without `b`, with the edge rounded over the length `blend` [m].
 double smoothDifference(double a, double b, double blend);
 
 /// Closed triangulation of the body's surface on a grid of `spacing` [m] by marching tetrahedra
-/// (Doi and Koide 1991). The triangles are of all shapes, but none is degenerate.
+/// [Doi, Koide 1991]. Triangles have arbitrary shapes, but none is degenerate.
 mesh::SurfaceMesh marchTetrahedra(const ImplicitBody& body, double spacing);
 
-/// Near-uniform triangles of about `edge_length` [m], with points on the body's surface.
+/// Nearly uniform triangles of about `edge_length` [m], with points on the body's surface.
 mesh::SurfaceMesh meshImplicit(const ImplicitBody& body, double edge_length);
 
 }  // namespace palpate::organs

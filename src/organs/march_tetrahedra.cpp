@@ -12,7 +12,7 @@
 namespace palpate::organs {
 namespace {
 
-// Kuhn's six tetrahedra of a cell; bit i of a corner's number is its step along axis i.
+// Kuhn's six tetrahedra of a cell; bit i of a corner's index is its step along axis i.
 constexpr int kKuhn[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                              {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
 
@@ -84,8 +84,7 @@ class March {
     }
   }
 
-  /// The point where the surface cuts an edge; not too near its ends, so that no triangle of the
-  /// surface degenerates.
+  /// Point of the surface on an edge, kept away from its ends, so that no triangle degenerates.
   int cut(Node a, Node b) {
     if (a > b) std::swap(a, b);
     const auto [place, fresh] =

@@ -19,8 +19,8 @@ double smoothStep(double x, double from, double to) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Two lobes under one dome. The underside is hollow and rises to the front, so that the body
-/// thins out to the inferior border, which has the notch of the round ligament and the bed of the
+/// Two lobes under one dome. The underside is hollow and rises to the front, so the body gets
+/// thinner towards the inferior border, with the notch of the round ligament and the bed of the
 /// gallbladder.
 double liver(const Vec3& p) {
   const double right = ellipsoid(p - Vec3(-0.038, 0.002, 0.012), Vec3(0.070, 0.074, 0.056));
@@ -28,7 +28,7 @@ double liver(const Vec3& p) {
   const double left = ellipsoid(p - Vec3(0.060, 0.000, 0.028), Vec3(0.054, 0.044, 0.025));
   const double dome = smoothUnion(smoothUnion(right, middle, 0.030), left, 0.035);
 
-  // Where stomach, colon and kidney lie: a large ball pushed in from below and in front.
+  // Impression of stomach, colon and kidney: a large ball subtracted from below and in front.
   const double below = (p - Vec3(0.030, -0.075, -0.170)).norm() - 0.190;
   const double hollow = smoothDifference(dome, below, 0.014);
   const double ligament = ellipsoid(p - Vec3(0.038, -0.066, 0.020), Vec3(0.006, 0.030, 0.040));
@@ -47,7 +47,7 @@ double kidney(const Vec3& p) {
   return smoothDifference(bean, hilum, 0.016);
 }
 
-/// An ellipsoid that narrows from the fundus to the neck, which turns aside.
+/// An ellipsoid that narrows from the fundus to the bent neck.
 double gallbladder(const Vec3& p) {
   constexpr double kTurn = 7.0;  // [1/m]
   const double neck = std::max(p.x() - 0.010, 0.0);
@@ -112,8 +112,8 @@ mesh::SurfaceMesh makeSlab(double edge_length) {
             g[v] = j + dj;
             return point(g);
           };
-          // Counter-clockwise as seen along the axis' negative direction, then by the face's side;
-          // the diagonals alternate, so that the grid has no preferred direction.
+          // Counter-clockwise as seen against the axis, then by the face's side. Diagonals
+          // alternate, so the grid has no preferred direction.
           std::array<int, 4> q{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
           if (end == 0) std::swap(q[1], q[3]);
           if ((i + j) % 2 == 0) {

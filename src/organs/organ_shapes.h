@@ -5,7 +5,7 @@
 
 namespace palpate::organs {
 
-// The shapes of makeOrgan(), anywhere in space, of triangles of about `edge_length` [m].
+// Shapes of makeOrgan() at any position, in triangles of about `edge_length` [m].
 mesh::SurfaceMesh makeLiver(double edge_length);
 mesh::SurfaceMesh makeKidney(double edge_length);
 mesh::SurfaceMesh makeGallbladder(double edge_length);

@@ -16,7 +16,7 @@ struct Organ {
   double max_edge;  // [m]
 };
 
-// A new organ is a function in organ_shapes.cpp and a line here.
+// To add an organ: a function in organ_shapes.cpp and an entry here.
 constexpr Organ kOrgans[] = {{"liver", makeLiver, 0.03},
                              {"kidney", makeKidney, 0.015},
                              {"gallbladder", makeGallbladder, 0.006},

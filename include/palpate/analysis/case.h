@@ -18,8 +18,8 @@
 
 namespace palpate::analysis {
 
-// The case file of `palpate solve` as plain data. Defaults are member initialisers, of these
-// structs or of what they set up; case_fields.cpp lists every key once, with unit, range and
+// The case file of `palpate solve` as plain data. Defaults are member initialisers of these structs
+// or of settings that they contain. case_fields.cpp lists every key once, with unit, range and
 // meaning.
 
 struct BoxMesh {
@@ -29,27 +29,27 @@ struct BoxMesh {
 
 /// Exactly one of `file` and `box`.
 struct CaseMesh {
-  std::string file;  ///< Relative paths start from the case's folder.
+  std::string file;  ///< Relative to the case's folder.
   std::optional<BoxMesh> box;
-  double scale = 1.0;  ///< Unit of file or box to metre.
+  double scale = 1.0;  ///< Unit of file or box [m].
 };
 
-/// By `angle` about the line through `origin` along `axis`.
+/// Rotation by `angle` about the line through `origin` along `axis`.
 struct Rotation {
-  Vec3 axis = Vec3::UnitZ();   ///< Not zero; of any length.
+  Vec3 axis = Vec3::UnitZ();   ///< Of any nonzero length.
   Vec3 origin = Vec3::Zero();  ///< [m]
   double angle = 0.0;          ///< [rad]
 };
 
-/// What is prescribed at the selected nodes. Displacements: x = R (X - o) + o + d, and a component
-/// of d that is not there is free; no displacement with a rotation means d = 0. Tractions and
-/// pressures act on the boundary faces whose corners are all selected.
+/// Conditions at the selected nodes. Displacements: x = R (X - o) + o + d, with missing components
+/// of d free; a rotation without displacement means d = 0. Tractions and pressures act on boundary
+/// faces with all corners selected.
 struct BoundaryCondition {
   mesh::Region select;
   std::optional<keys::PartialVec3> displacement;  ///< [m]
   std::optional<Rotation> rotation;
   std::optional<Vec3> traction;    ///< [Pa], dead load on the reference area.
-  std::optional<double> pressure;  ///< [Pa], follower, positive pushes inward.
+  std::optional<double> pressure;  ///< [Pa], follower; positive pushes inward.
 
   bool holds() const { return displacement || rotation; }
 };
@@ -61,7 +61,7 @@ struct DynamicAnalysis {
   std::string method = solver::StepSettings().method;
   double dt = solver::StepSettings().step;  ///< [s]
   double duration = 0.0;                    ///< [s]
-  std::optional<double> ramp_time;  ///< In which what is prescribed grows [s]; else duration.
+  std::optional<double> ramp_time;  ///< Time in which conditions grow [s]; default: duration.
   solver::RayleighDamping damping;
   double tolerance = solver::StepSettings().tolerance;
   int max_newton_iterations = solver::StepSettings().max_newton_iterations;
@@ -69,18 +69,18 @@ struct DynamicAnalysis {
   int max_linear_iterations = solver::StepSettings().max_linear_iterations;
 };
 
-/// Displacement and stress at a point, or the sum over a region of a quantity.
+/// Displacement and stress at a point, or a sum over a region.
 struct Probe {
   std::string name;
-  std::optional<Vec3> point;           ///< [m], in the reference shape.
+  std::optional<Vec3> point;           ///< [m], in the rest configuration.
   std::optional<mesh::Region> select;  ///< With `quantity`.
-  std::string quantity;                ///< "reaction": force and moment about the origin that the
-                                       ///< support exerts on the body.
+  std::string quantity;                ///< "reaction": force and moment about the origin of the
+                                       ///< support on the body.
 };
 
-/// The body's own frame is the mesh file's, after scaling.
+/// The body's frame is the mesh file's, after scaling.
 struct Case : scene::BodyConfig {
-  std::string file;  ///< Where it was read.
+  std::string file;  ///< Path of the case file.
   CaseMesh mesh;
   std::string element = fem::elementNames().front();
   std::vector<BoundaryCondition> boundary;
@@ -89,14 +89,14 @@ struct Case : scene::BodyConfig {
   std::vector<Probe> probes;
 };
 
-/// What a probe with a selection may ask for.
+/// Allowed values of Probe::quantity.
 std::vector<std::string> quantityNames();
 
-/// Reads and checks a case file (not the mesh that it names).
+/// Reads and checks a case file, but not the mesh that it names.
 /// @throws InputError with all problems of the file.
 Case readCase(const std::string& file);
 
-/// docs/case_format.md, from the list of keys.
+/// Text of docs/case_format.md, from the keys.
 std::string caseFormatMarkdown();
 
 }  // namespace palpate::analysis

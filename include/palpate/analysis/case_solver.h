@@ -12,28 +12,28 @@
 
 namespace palpate::analysis {
 
-/// Probes of a dynamic case over time: a row a time step, beginning with t = 0.
+/// Probes of a dynamic case: one row per time step, from t = 0.
 struct ProbeHistory {
   std::vector<std::string> columns;  ///< "t", "<probe>.ux" ... or "<probe>.fx" ...
   std::vector<std::vector<double>> rows;
 };
 
-/// What `palpate solve` found; also where it did not converge, then the last good state.
+/// Result of `palpate solve`; without convergence the last converged state.
 struct CaseOutcome {
   SolveResult result;
   bool converged = false;
-  mesh::TetMesh mesh;                         ///< The reference shape.
+  mesh::TetMesh mesh;                         ///< In the rest configuration.
   std::vector<formats::VtuArray> point_data;  ///< displacement [m], reaction [N]
   std::vector<formats::VtuArray> cell_data;   ///< cauchy_stress xx yy zz xy yz zx [Pa], jacobian
   ProbeHistory history;                       ///< Empty for a static case.
-  std::vector<std::string> notes;             ///< What was decided: the method for `auto`.
+  std::vector<std::string> notes;             ///< Decisions, for example the method for `auto`.
 };
 
 /// Solves a case. Static: loads and displacements grow together over the load steps. Dynamic: from
-/// rest; tractions, pressures and gravity act in full from the start, prescribed displacements and
-/// rotations grow linearly over the duration. `progress` is told the fraction done.
-/// @throws InputError for what is wrong with the case or its mesh: no node or no face selected, a
-/// static body that its supports do not hold, a probe outside the mesh.
+/// rest, with constant tractions, pressures and gravity; prescribed displacements and rotations
+/// grow linearly over the duration. `progress` gets the completed fraction.
+/// @throws InputError for an invalid case or mesh: an empty selection, a static body with free
+/// rigid motions, a probe outside the mesh.
 CaseOutcome solveCase(const Case& problem, int threads,
                       const std::function<void(double)>& progress = {});
 

@@ -8,14 +8,13 @@
 
 namespace palpate::organs {
 
-/// The organs that makeOrgan() knows: liver, kidney, gallbladder, gallbladder_hollow, slab.
+/// Names of organs for makeOrgan(): liver, kidney, gallbladder, gallbladder_hollow, slab.
 std::vector<std::string> organNames();
 
-/// The surface of an organ of an adult's size, of near-uniform triangles with a mean edge of about
-/// `edge_length` [m]; closed, outward, free of self-intersection. Deterministic.
+/// Surface of an adult organ in nearly uniform triangles with a mean edge of about `edge_length`
+/// [m]; closed, outward, free of self-intersection. Deterministic.
 ///
-/// The organ lies as on a table: z is up, the lowest point is at z = 0, and the bounding box is
-/// centred in x and y.
+/// z is up, the lowest point is at z = 0, and the bounding box is centred in x and y.
 ///
 ///     liver        0.22 x 0.15 x 0.09 m   right lobe at -x, inferior border at -y,
 ///                                         visceral side down
@@ -30,7 +29,7 @@ mesh::SurfaceMesh makeOrgan(const std::string& name, double edge_length);
 
 constexpr double kMinOrganEdge = 1e-3;  ///< [m]
 
-/// The coarsest triangles that still show the organ's shape [m].
+/// Longest edges that still resolve the organ's shape [m].
 double maxOrganEdge(const std::string& name);
 
 }  // namespace palpate::organs
