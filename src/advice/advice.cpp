@@ -9,11 +9,11 @@
 namespace palpate::advice {
 namespace {
 
-constexpr double kCoarsest = 3.0;         // times the edges: beyond it is another organ
-constexpr double kUsualPoisson = 0.45;    // at which the iterations are few
-constexpr int kWorthThreads = 1000;       // nodes, from which a cycle takes a quarter less
-constexpr double kThreadShare = 0.6;      // of the time of shared loops, with two threads
-constexpr double kSmallestChange = 0.95;  // of the cycle: advice that gains less is noise
+constexpr double kCoarsest = 3.0;         // largest factor on edges; beyond, shapes are lost
+constexpr double kUsualPoisson = 0.45;    // with few iterations
+constexpr int kWorthThreads = 1000;       // nodes from which threads save a quarter of a cycle
+constexpr double kThreadShare = 0.6;      // time of shared loops with two threads, relative
+constexpr double kSmallestChange = 0.95;  // relative cycle time; smaller gains are noise
 constexpr std::size_t kMostAdvice = 5;
 
 std::string rounded(double x) {
@@ -21,7 +21,7 @@ std::string rounded(double x) {
   return formatNumber(std::round(x * scale) / scale);
 }
 
-// Estimates what the slowest cycles would take.
+// Estimates the time of the slowest cycles after changes.
 class Adviser {
  public:
   Adviser(const SceneFacts& facts, const CycleCosts& figures)
@@ -29,7 +29,7 @@ class Adviser {
         now_(figures.slow),
         figures_(figures),
         wanted_(1.0 / facts.rates.simulation) {
-    // The slowest cycles in the mixture of phases, scaled to the one that counts.
+    // Scales the phases of the slowest cycles to the 99th percentile.
     scale_ = now_.cycle() > 0.0 ? figures.cycle_p99 / now_.cycle() : 0.0;
   }
 
@@ -60,11 +60,10 @@ class Adviser {
     if (cycle_then <= kSmallestChange * cycle()) advice_.push_back({text, cycle_then});
   }
 
-  // With edges s times as long there are s^-3 as many nodes. Conjugate gradients need s^-1 as many
-  // iterations, a factorisation of a body in space grows with the square of the nodes [George
-  // 1973]; contact has as many samples as before.
-  // A mesh that follows its tools has most of its edges elsewhere: the slow cycles of the shipped
-  // liver take 17.3, 12.9 and 10.8 ms with 2, 3 and 4 mm at the tool.
+  // Edges s times as long mean s^-3 times the nodes. Conjugate gradients need s^-1 times the
+  // iterations; factorisation in 3D grows with the square of the nodes [George 1973]; contact
+  // samples stay. Adaptive meshes have most edges elsewhere: slow cycles of the shipped liver take
+  // 17.3, 12.9 and 10.8 ms with 2, 3 and 4 mm at the tool.
   double coarser(double s) const {
     if (facts_.finest > 0.0) {
       return part(Phase::kContact) + std::pow(s, -0.75) * (cycle() - part(Phase::kContact));
@@ -105,7 +104,7 @@ class Adviser {
         coarser(high));
   }
 
-  // Iterations grow as (1 - 2 nu)^-1/2: 15, 33 and 114 were measured at 0.45, 0.49 and 0.499.
+  // Iterations grow as (1 - 2 nu)^-1/2; measured: 15, 33 and 114 at 0.45, 0.49 and 0.499.
   void relaxPoisson() {
     if (!iterative() || facts_.poisson_ratio <= kUsualPoisson + 1e-3) return;
     const double left = std::sqrt((1.0 - 2.0 * std::min(facts_.poisson_ratio, 0.4999)) /
@@ -114,12 +113,12 @@ class Adviser {
         cycle() - (1.0 - left) * part(Phase::kLinearSolve));
   }
 
-  // Stiff contact is what makes Newton's method take more than about two steps a stage.
+  // Stiff contact causes more than about two Newton iterations per stage.
   void relaxContact() {
     const double all = figures_.newton_per_cycle;
     if (all <= 2.5) return;
     const double contact_free = part(Phase::kContact) + part(Phase::kForces) + part(Phase::kOther);
-    if (facts_.contact.model != "penalty") {  // which is as stiff as the tissue asks for
+    if (facts_.contact.model != "penalty") {  // penalty stiffness follows from the tissue
       const double left = std::max(2.0 / all, 0.9);
       add("take contact.model: penalty (deeper penetration, fewer Newton iterations)",
           contact_free + left * (cycle() - contact_free));
@@ -132,7 +131,7 @@ class Adviser {
         contact_free + left * (cycle() - contact_free));
   }
 
-  // Samples are as many as the square of their density.
+  // The number of samples is inversely proportional to the squared spacing.
   void spreadSamples() {
     if (!costs(Phase::kContact, 0.2)) return;
     const std::string now = facts_.contact.sample_spacing > 0.0
@@ -164,7 +163,7 @@ class Adviser {
     }
   }
 
-  // The residual falls by about the same factor in each iteration.
+  // Each iteration reduces the residual by about the same factor.
   void loosenLinear() {
     if (!iterative() || facts_.solver.linear_tolerance >= 1e-2) return;
     const double left = std::log(1e-2) / std::log(facts_.solver.linear_tolerance);
@@ -173,7 +172,7 @@ class Adviser {
         cycle() - (1.0 - left) * part(Phase::kLinearSolve));
   }
 
-  // Always works, so it stands last: real time is kept, but the force comes less often.
+  // Always possible, hence last: real time is kept at a lower rate of forces.
   void lengthenStep() {
     const double step = std::ceil(1e3 * cycle()) / 1e3;
     if (step > 0.1 || 1.0 / step >= facts_.rates.simulation) return;

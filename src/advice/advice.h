@@ -5,8 +5,8 @@
 
 namespace palpate::advice {
 
-/// What may be changed about a scene whose slowest cycles take longer than 1 / rates.simulation,
-/// most effective first.
+/// Changes to a scene whose slowest cycles take longer than 1 / rates.simulation, most effective
+/// first.
 std::vector<Advice> adviseOn(const SceneFacts& facts, const CycleCosts& figures);
 
 }  // namespace palpate::advice

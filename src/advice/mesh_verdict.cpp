@@ -16,8 +16,8 @@
 namespace palpate::advice {
 namespace {
 
-constexpr double kWorthSaying = 0.15;  // of the force
-constexpr double kWanted = 0.08;       // a hand hardly tells it
+constexpr double kWorthSaying = 0.15;  // relative force error
+constexpr double kWanted = 0.08;       // relative force error that a hand hardly feels
 
 Eigen::Matrix3Xi outside(const mesh::CellMesh& cells) {
   if (cells.cells.rows() == 3) return cells.cells;
@@ -30,7 +30,7 @@ double meanOf(std::vector<double>::const_iterator first, std::vector<double>::co
   return std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
 }
 
-// The ball that a shape is as large as: of the geometric mean of its half extents.
+// Ball of equivalent size: its radius is the geometric mean of the shape's half extents.
 struct LikeABall {
   double operator()(const instrument::Sphere& ball) const { return ball.radius; }
   double operator()(const instrument::Capsule& c) const {
@@ -57,8 +57,8 @@ struct Tool {
   bool ball;
 };
 
-// What an instrument touches with: the smallest shape on its control frame's link, or where it has
-// none the smallest of all.
+// Tip of an instrument: the smallest shape on the link of its control frame, else the smallest of
+// all.
 std::optional<Tool> toolOf(const sim::Simulator& simulator, int index) {
   const instrument::Instrument& instrument = simulator.instrument(index);
   const scene::InstrumentConfig& config =
@@ -85,7 +85,7 @@ std::string roundedText(double x) {
 
 std::string millimetres(double length) { return roundedText(1e3 * length) + " mm"; }
 
-// To the nearest ten percent: no estimate is better than that.
+// Rounded to 10 %, the accuracy of the estimate.
 std::string percent(double part) {
   std::ostringstream text;
   text << 10.0 * std::max(1.0, std::round(10.0 * part)) << " %";
@@ -98,7 +98,7 @@ bool hasBentEdges(const mesh::CellMesh& cells) {
              {cells.points, cells.cells.topRows(4), cells.cells.bottomRows(6), {}, {}}) >= 0;
 }
 
-// What to write for edges that make the force too large by kWanted.
+// Text that proposes edges for a force error of kWanted.
 std::string remedy(const mesh::CellMesh& cells, double edge) {
   if (hasBentEdges(cells)) return "a mesh with edges of " + roundedText(edge) + " m there";
   return "adapt: {finest: " + roundedText(edge) + "}";
@@ -134,7 +134,7 @@ SurfaceEdges surfaceEdges(const mesh::CellMesh& cells) {
   double area = 0.0, weighted = 0.0;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     Mat3 edge;
-    for (int k = 0; k < 3; ++k) {  // each edge twice, once a triangle
+    for (int k = 0; k < 3; ++k) {  // each edge twice, once per triangle
       const int a = triangles(k, t), b = triangles((k + 1) % 3, t);
       edge.col(k) = cells.points.col(b) - cells.points.col(a);
       for (const int i : {a, b}) {
@@ -146,7 +146,7 @@ SurfaceEdges surfaceEdges(const mesh::CellMesh& cells) {
     area += twice_area;
     weighted += twice_area * edge.colwise().norm().mean();
   }
-  std::vector<double> local;  // mean of the edges at each point of the surface
+  std::vector<double> local;  // mean edge at each point of the surface
   for (std::size_t i = 0; i < points; ++i) {
     if (count[i] > 0) local.push_back(sum[i] / count[i]);
   }

@@ -10,7 +10,7 @@
 namespace palpate::io {
 namespace {
 
-constexpr std::size_t kMaxProblems = 20;  // more than anybody reads
+constexpr std::size_t kMaxProblems = 20;  // limit of reported problems
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 namespace palpate::io {
 namespace {
 
-// Whole, and as text: a number of 64 bits is more than a double holds.
+// As text, since a double cannot hold 64-bit integers.
 std::string hexText(std::uint64_t value) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text = "0x0000000000000000";

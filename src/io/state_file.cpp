@@ -22,7 +22,7 @@ constexpr const char* kOldFormats[] = {"# palpate state 1", "palpate state 2", "
 constexpr char kPayload[] = "payload: ";
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-// What a name may have that would look like another line.
+// Replaces characters of a name that would break the line.
 std::string inOneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -46,7 +46,7 @@ unsigned long checksum(const std::string& header, const std::string& payload) {
   return sum;
 }
 
-// The line before the payload.
+// Header line before the payload.
 std::string payloadLine(const std::string& header, const std::string& payload) {
   char sum[16];
   std::snprintf(sum, sizeof(sum), "%08lx", checksum(header, payload));
@@ -73,7 +73,7 @@ sim::SimulatorState readState(const std::string& file) {
   if (first != kFormat) {
     fail(first, std::string("is no state: must begin with '") + kFormat + "'");
   }
-  const std::size_t line = bytes.find(std::string("\n") + kPayload) + 1;  // 0: there is none
+  const std::size_t line = bytes.find(std::string("\n") + kPayload) + 1;  // 0: absent
   const std::size_t end = line > 0 ? bytes.find('\n', line) : std::string::npos;
   const std::string payload = end == std::string::npos ? "" : bytes.substr(end + 1);
   if (end == std::string::npos ||

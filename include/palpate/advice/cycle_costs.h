@@ -7,27 +7,27 @@
 
 namespace palpate::advice {
 
-/// What cycles cost, for advice/scene_verdict.h. Times in seconds.
+/// Costs of cycles, for advice/scene_verdict.h. Times in [s].
 struct CycleCosts {
   long cycles = 0;
   double cycle_median = 0.0, cycle_p99 = 0.0;  ///< Wall time of a cycle [s].
-  PhaseTimes median, p99;  ///< Of each phase by itself, so that they do not add up.
+  PhaseTimes median, p99;  ///< Of each phase separately; they do not add up to the cycle's.
   PhaseTimes total;
-  PhaseTimes slow;  ///< Mean over the slowest twentieth of the cycles.
+  PhaseTimes slow;  ///< Mean over the slowest 5 % of the cycles.
   double newton_per_cycle = 0.0, linear_per_newton = 0.0;
-  double stages_per_cycle = 0.0;  ///< Of the sweep; the slowest twentieth.
+  double stages_per_cycle = 0.0;  ///< Mean number of stages in the slowest 5 %.
   tissue::SkipCounters skipped;
 };
 
-/// Collects the cycles' reports.
+/// Collects the reports of cycles.
 class CostRecorder {
  public:
-  /// `seconds`: wall time of the whole, at least what the report's phases add up to. A report that
-  /// sums over several `parts` counts as that many equal cycles.
+  /// `seconds`: wall time of the cycle, at least the sum of the report's phases. A report over
+  /// `parts` steps counts as that many equal cycles.
   void add(const sim::StepReport& report, double seconds, int parts = 1);
-  /// Percentiles by the nearest rank; all zero without cycles.
+  /// Nearest-rank percentiles; zeros without cycles.
   CycleCosts figures() const;
-  /// Forgets the cycles, keeps the memory.
+  /// Removes all cycles but keeps the memory.
   void clear() {
     cycles_.clear();
     skipped_ = tissue::SkipCounters();

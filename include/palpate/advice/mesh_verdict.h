@@ -8,26 +8,25 @@
 
 namespace palpate::advice {
 
-/// The edges of a body's surface, where a tool can touch it [m].
+/// Edge lengths of a body's surface [m].
 struct SurfaceEdges {
-  double finest = 0.0;    ///< Mean of a tenth of its points, those with the shortest edges;
-  double coarsest = 0.0;  ///< of a tenth, those with the longest;
-  double mean = 0.0;      ///< of its triangles, by their area.
+  double finest = 0.0;    ///< Mean of the tenth of points with the shortest edges;
+  double coarsest = 0.0;  ///< of the tenth with the longest edges;
+  double mean = 0.0;      ///< mean of the triangles, weighted by area.
 
-  /// Fine and coarse parts, more than irregularity makes them.
+  /// Whether refinement, not irregularity, explains the range of edges.
   bool graded() const { return coarsest > 3.0 * finest; }
 };
 
-/// Of the outside of linear or quadratic tetrahedra (their corners), or of triangles. All zero for
-/// other cells and where there are none.
+/// For the surface of linear or quadratic tetrahedra (their corners), or of triangles. Zeros for
+/// other cells, or none.
 SurfaceEdges surfaceEdges(const mesh::CellMesh& cells);
 
-/// For each organ the tool for which its surface is most too coarse, in a sentence, where that
-/// makes the force over 15 % too large: by its mean edges, and where it is graded by the finest
-/// ones.
+/// A sentence for each organ about the tool for which its surface is coarsest, if that makes the
+/// force more than 15 % too large. Judged by mean edges, of graded surfaces by the finest ones.
 std::vector<std::string> adviseOnMeshes(const sim::Simulator& simulator);
 
-/// What loading decided, and what is to be said of the meshes.
+/// Decisions of loading, and advice on meshes.
 std::vector<std::string> loadingNotes(const sim::Simulator& simulator);
 
 }  // namespace palpate::advice

@@ -10,53 +10,52 @@
 
 namespace palpate::advice {
 
-/// What a scene asks for and consists of, as far as its cost depends on it. Of the organ with the
-/// most nodes where one is meant.
+/// Facts of a scene that determine its cost. Per-organ facts are of the organ with the most nodes.
 struct SceneFacts {
-  scene::RatesConfig rates;      ///< As the scene says it,
-  scene::SolverConfig solver;    ///< likewise
-  scene::ContactConfig contact;  ///< and likewise.
-  /// By which the organ is solved: what the scene says or what `auto` took.
+  scene::RatesConfig rates;      ///< As in the scene,
+  scene::SolverConfig solver;    ///< as in the scene
+  scene::ContactConfig contact;  ///< and as in the scene.
+  /// Method of the organ, as in the scene or chosen by `auto`.
   tissue::MethodFacts method = tissue::methodFacts(scene::SolverConfig().method);
   int cores = 1;
   std::string organ;
-  int nodes = 0;               ///< Of all organs.
+  int nodes = 0;               ///< Sum over all organs.
   double edge_length = 0.0;    ///< Mean of the organ's tetrahedra [m].
-  bool meshed = false;         ///< The organ is meshed with its key edge_length,
-  bool graded = false;         ///< which says where edges are shorter.
-  double finest = 0.0;         ///< Of organs[].adapt [m]; 0: its mesh never changes.
-  double poisson_ratio = 0.0;  ///< Largest of all solids, at small strain.
+  bool meshed = false;         ///< Whether the organ is meshed by its key edge_length,
+  bool graded = false;         ///< and whether that has refinement zones.
+  double finest = 0.0;         ///< Of organs[].adapt [m]; 0: no adaptation.
+  double poisson_ratio = 0.0;  ///< Largest of all solids, at small strains.
 };
 
-/// `cores` of this machine. @throws InputError if a tissue file of the scene has gone.
+/// `cores` of this machine. @throws InputError for a missing tissue file of the scene.
 SceneFacts sceneFacts(const sim::Simulator& simulator, int cores);
 
-/// One change to the scene, and what the slowest cycles would then take.
+/// A change of the scene, with the estimated time of the slowest cycles.
 struct Advice {
   std::string text;
-  double cycle = 0.0;  ///< Estimated [s].
+  double cycle = 0.0;  ///< Estimated time of a slow cycle [s].
 };
 
-/// The answer to "is my scene too heavy?".
+/// Whether a scene is too heavy, with reasons and advice.
 struct SceneVerdict {
   double rate_wanted = 0.0;
-  double rate_possible = 0.0;  ///< 1 / p99 of the cycle: 99 of 100 cycles hold it; 0 if unknown.
-  double rate_typical = 0.0;   ///< 1 / median.
-  bool too_heavy = false;      ///< The possible rate is below the wanted one.
-  Phase costliest = Phase::kOther;  ///< Of the slowest cycles,
-  double share = 0.0;               ///< of whose time it is this part.
-  std::vector<Advice> advice;       ///< Most effective first; empty unless too heavy.
+  double rate_possible = 0.0;       ///< 1 / p99 of the cycle time, held by 99 % [Hz]; 0: unknown.
+  double rate_typical = 0.0;        ///< 1 / median of the cycle time [Hz].
+  bool too_heavy = false;           ///< Whether rate_possible is below the wanted rate.
+  Phase costliest = Phase::kOther;  ///< Phase with the largest share of the slowest cycles,
+  double share = 0.0;               ///< and this share [-].
+  std::vector<Advice> advice;       ///< Most effective first; only if too heavy.
 };
 
-/// Judges by the figures alone: no clock, no machine. Estimates are of orders: how time grows with
-/// the number of nodes, of iterations and of threads (see load_advice.cpp).
+/// Judges by figures alone, without clock or machine. Estimates are by orders of growth with nodes,
+/// iterations and threads, see advice.cpp.
 SceneVerdict judgeScene(const SceneFacts& facts, const CycleCosts& figures);
 
-/// The answer in a sentence, with the first advice: "holds 31 of 100 Hz; ...".
+/// The verdict as a sentence, with the first advice: "holds 31 of 100 Hz; ...".
 std::string shortText(const SceneVerdict& verdict);
-/// The answer in lines, with all advice.
+/// The verdict in lines, with all advice.
 std::string longText(const SceneVerdict& verdict);
-/// Times by phase, iterations and skipped work, as a table in lines.
+/// Text table of times by phase, iterations and skipped work.
 std::string profileTable(const CycleCosts& figures);
 
 }  // namespace palpate::advice

@@ -16,12 +16,11 @@ namespace palpate::io {
 ///     csv.endRow();
 ///     csv.close();
 ///
-/// Numbers have as many digits as bring back the same bits. Texts with a comma, a quote or a line
-/// break are quoted (RFC 4180).
+/// Numbers are read back exactly. Texts with a comma, quote or line break are quoted (RFC 4180).
 class CsvWriter {
  public:
-  /// Creates or replaces the file and writes the header.
-  /// @throws InputError if it cannot be written; so do all other functions (a full disk).
+  /// Creates or replaces the file and writes the header. @throws InputError if it cannot be
+  /// written, for example on a full disk; so do all other functions.
   CsvWriter(const std::string& file, const std::vector<std::string>& header);
 
   CsvWriter& operator<<(double value);
@@ -29,10 +28,10 @@ class CsvWriter {
   CsvWriter& operator<<(const std::string& value);
   CsvWriter& operator<<(const char* value) { return *this << std::string(value); }
 
-  /// @throws std::logic_error if the row is not as long as the header.
+  /// @throws std::logic_error if the row is shorter or longer than the header.
   void endRow();
   void flush() { output_.flush(); }
-  /// Without it the destructor closes, but cannot tell of a full disk.
+  /// Closes with error checks; the destructor closes without.
   void close() { output_.close(); }
 
  private:
@@ -40,7 +39,7 @@ class CsvWriter {
 
   OutputFile output_;
   std::size_t num_columns_;
-  std::size_t column_ = 0;  // of the next value
+  std::size_t column_ = 0;  // index of the next value
   std::string row_;
 };
 

@@ -8,14 +8,14 @@
 
 namespace palpate::io {
 
-/// What a table of joint positions has to have of an instrument.
+/// Joints of an instrument that a table of positions must have.
 struct InstrumentJoints {
-  std::string instrument;           ///< Its name in the scene.
-  std::vector<std::string> joints;  ///< Their names in its URDF.
+  std::string instrument;           ///< Name in the scene.
+  std::vector<std::string> joints;  ///< Names in the URDF.
 };
 
-/// The column of each joint of each instrument. Columns are the joints' names; `instrument/joint`
-/// works always and is needed where there are several instruments. `file` is named in errors.
+/// Column of each joint of each instrument. Columns have names `joint`, or `instrument/joint`,
+/// which is necessary for several instruments. Errors name `file`.
 /// @throws InputError for a joint without a column or a column without a joint.
 std::vector<std::vector<int>> jointColumns(const formats::Trajectory& trajectory,
                                            const std::vector<InstrumentJoints>& instruments,

@@ -7,30 +7,30 @@
 
 namespace palpate::io {
 
-/// A JSON string: in quotes, with what must be escaped.
+/// A quoted and escaped JSON string.
 std::string jsonText(const std::string& text);
-/// As many digits as bring back the same bits; null for what is no finite number.
+/// Digits that are read back exactly; null for non-finite values.
 std::string json(double value);
-/// [a, b, ...].
+/// Array [a, b, ...].
 std::string json(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// Members of a JSON object, one after the other.
+/// Members of a JSON object, in order.
 class JsonMembers {
  public:
   explicit JsonMembers(const std::string& separator = ", ") : separator_(separator) {}
 
-  /// `value` is JSON already.
+  /// @pre `value` is JSON.
   void add(const std::string& key, const std::string& value) {
     text_ += (text_.empty() ? "" : separator_) + jsonText(key) + ": " + value;
   }
   void add(const std::string& key, double value) { add(key, json(value)); }
-  /// Nothing where there is no value.
+  /// Adds nothing for an empty value.
   template <class T>
   void add(const std::string& key, const std::optional<T>& value) {
     if (value) add(key, json(*value));
   }
   const std::string& text() const { return text_; }
-  /// The object.
+  /// The complete object.
   std::string object() const { return "{" + text_ + "}"; }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace palpate::io {
 
-/// A file that is written anew and that does not lose a failed write (full disk, no permission).
-/// All functions throw InputError naming the file.
+/// A file to be written, with errors of all writes (full disk, no permission) reported. All
+/// functions throw InputError naming the file.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& file);

@@ -10,33 +10,33 @@
 
 namespace palpate::io {
 
-/// Drives a simulator through a trajectory, a row at a time, and writes what came out.
+/// Steps a simulator through a trajectory row by row, and writes the results.
 class Replay {
  public:
-  /// Columns are as jointColumns() has them, whatever the instruments' inputs are when live.
-  /// @throws InputError
+  /// Columns are as for jointColumns(), independent of the instruments' live inputs. @throws
+  /// InputError
   Replay(sim::Simulator* simulator, formats::Trajectory trajectory, const std::string& file,
          sim::Cycles cycles = sim::Cycles::kByTime);
 
-  /// The simulator was restored to where the first row had left it: goes on with the second one.
+  /// Continues with the second row, after the simulator was restored to the state after the first.
   void resume();
   bool hasNext() const { return row_ < trajectory_.t.size(); }
-  /// Steps to the next row's time.
+  /// Steps to the time of the next row.
   const sim::StepResult& next();
-  std::size_t row() const { return row_; }  ///< Rows done.
-  /// Simulated steps that the last row took.
+  std::size_t row() const { return row_; }  ///< Number of completed rows.
+  /// Number of simulation steps of the last row.
   int parts() const { return lockstep_.parts(); }
   double fraction() const {
     return static_cast<double>(row_) / static_cast<double>(trajectory_.t.size());
   }
 
-  /// Head of the output.
+  /// Header of the output.
   std::vector<std::string> columns() const;
-  /// The last step as a row; all but `step_ms`, its wall time, depends on the inputs alone.
+  /// Writes the last step as a row; all but the wall time `step_ms` is reproducible.
   void writeRow(double step_ms, CsvWriter* csv) const;
 
-  double peakForce() const { return peak_force_; }  ///< Of any instrument so far [N].
-  /// Of the mesh, estimated, where that was; see StepFigures::mesh_error [N].
+  double peakForce() const { return peak_force_; }  ///< Over all instruments [N].
+  /// Estimated mesh error at the largest force [N], see StepFigures::mesh_error.
   double meshErrorAtPeak() const { return mesh_error_; }
   int mostContacts() const { return most_contacts_; }
   int failedSteps() const { return failed_steps_; }

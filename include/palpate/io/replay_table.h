@@ -10,11 +10,11 @@
 
 namespace palpate::io {
 
-/// Head of a replay's result table: t, per instrument the spatial wrench and the contact (with
-/// "instrument/" before where the scene has several), the solver's numbers.
+/// Header of a replay's result table: t, spatial wrench and contact of each instrument (prefix
+/// "instrument/" if there are several), solver figures.
 std::vector<std::string> replayColumns(const scene::Scene& scene);
 
-/// A cycle at time `t` [s] as a row; all but `step_ms`, its wall time, depends on the inputs alone.
+/// Writes a cycle at time `t` [s] as a row; all but the wall time `step_ms` is reproducible.
 void writeReplayRow(double t, const sim::StepResult& result, double step_ms, CsvWriter* csv);
 
 }  // namespace palpate::io

@@ -7,8 +7,8 @@
 
 namespace palpate::io {
 
-/// The result as JSON; keys in the order of the structs, numbers with as many digits as bring back
-/// the same bits, null for a number that is not finite.
+/// The result as JSON, with keys in the order of the structs, numbers that are read back exactly,
+/// and null for non-finite ones.
 std::string resultJson(const analysis::SolveResult& result);
 
 /// @throws InputError if the file cannot be written.

@@ -7,8 +7,7 @@
 
 namespace palpate::io {
 
-/// Writes a simulator's state in a way that a reader never sees half a file: lines for the eye,
-/// then the bytes of the state,
+/// Writes a simulator's state atomically: a readable header, then the bytes of the state,
 ///
 ///     palpate state 3
 ///     scene: liver palpation
@@ -16,16 +15,16 @@ namespace palpate::io {
 ///     organs: liver; model: fem; state: fem implicit_pcg backward_euler anp penalty, 1020 points
 ///     payload: 123456 bytes, crc32 0123abcd
 ///
-/// with a checksum of all that stands in the file beside it.
+/// with a checksum of the rest of the file.
 /// @throws InputError if it cannot be written.
 void writeState(const std::string& file, const sim::SimulatorState& state);
 
-/// Reads what writeState() wrote.
-/// @throws InputError: missing, of another format, cut off or changed.
+/// Reads a file of writeState().
+/// @throws InputError: missing, another format, truncated or changed.
 sim::SimulatorState readState(const std::string& file);
 
-/// The simulator goes on from a state file.
-/// @throws InputError as readState(), or naming what the state is of if that is not this scene.
+/// Restores a simulator from a state file.
+/// @throws InputError as readState(), or with the contents of a state of another scene.
 void restoreState(const std::string& file, sim::Simulator* simulator);
 
 }  // namespace palpate::io

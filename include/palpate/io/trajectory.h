@@ -7,8 +7,8 @@
 
 namespace palpate::io {
 
-/// Writes numbers so that formats::readTrajectory() gives the same bits.
-/// @throws InputError if the file cannot be written to its end.
+/// Writes a file that formats::readTrajectory() reads back exactly.
+/// @throws InputError if the file cannot be written.
 void writeTrajectory(const std::string& file, const formats::Trajectory& trajectory);
 
 }  // namespace palpate::io
