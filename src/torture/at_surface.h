@@ -11,7 +11,7 @@ struct OnSurface {
   Vec3 weights = Vec3::Zero();  ///< Barycentric, >= 0, sum 1.
 };
 
-/// The one that is nearest to p_W [m], of all triangles.
+/// The point of all triangles nearest to p_W [m].
 OnSurface nearestOnSurface(const tissue::SurfaceState& shape, const Vec3& p_W);
 
 }  // namespace palpate::torture

@@ -5,7 +5,7 @@
 
 namespace palpate::torture {
 
-/// Around points, along the world's axes [m].
+/// Axis-aligned bounding box in the world frame [m].
 struct Box {
   Vec3 low, high;
 
@@ -13,7 +13,7 @@ struct Box {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  /// Of a point outside to it; 0 inside [m].
+  /// Distance of a point from the box [m]; 0 inside.
   double distance(const Vec3& p) const { return (p - p.cwiseMax(low).cwiseMin(high)).norm(); }
 };
 

@@ -9,15 +9,15 @@
 namespace palpate::torture {
 namespace {
 
-// Sizes: what a tool drags along is stretched by one or two.
+// Allowed distance in sizes; dragged tissue stretches by one or two.
 constexpr double kAway = 10.0;
 
-// Tissue that is stretched tenfold has, by a law that is cubic in stretch, a thousand times the
-// stress of its modulus; ten times that on all of its cross-section is no force of tissue.
+// Bound of the stress over the modulus. Tissue stretched tenfold has 1e3 by a law cubic in the
+// stretch; ten times that, on the whole cross-section, cannot be a force of tissue.
 constexpr double kStretched = 1e4;
 constexpr double kInertia = 10.0;
 
-// Stresses that rise faster than the cube of stretch: exponentials, and higher powers.
+// Whether stress grows faster than the cube of the stretch: exponentials and higher powers.
 bool isSteep(const std::string& law) {
   constexpr std::array<const char*, 7> kLaws = {
       "veronda_westmann", "demiray", "guccione", "holzapfel_gasser_ogden",
@@ -49,7 +49,7 @@ class Bounded : public Criterion {
     for (int i = 0; i < simulator.numOrgans(); ++i) {
       const Points& x = simulator.positions(i);
       for (Eigen::Index k = 0; k < x.cols(); ++k) box_.take(x.col(k));
-      // What begins ten times as large has the energy to throw a part as many times as far.
+      // An organ enlarged ten times can throw a part ten times as far.
       const Vec3 extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
       size_ = std::max(size_, extent.norm());
     }
@@ -65,7 +65,7 @@ class Bounded : public Criterion {
         if (!(away <= bound)) return said("a point is", away, "m away");
       }
     }
-    // Of what is told to be unsolved a force is none of the tissue's.
+    // Forces of cycles reported as unsolved are not checked.
     return steep_ || !cycle.result.report.ok() ? "" : wrongForce(cycle);
   }
 
@@ -73,7 +73,7 @@ class Bounded : public Criterion {
   std::string wrongForce(const Cycle& cycle) const {
     const double h = std::min(cycle.dt, cycle.result.report.step);
     if (!(h > 0.0)) return "";
-    // All of the organ brought along within a step.
+    // Force that moves the whole organ within a step.
     const double inertia = kInertia * mass_ * scene_.size() / (h * h);
     const double bound = kStretched * stiffness_force_ + inertia;
     for (const sim::InstrumentResult& tool : cycle.result.instruments) {
@@ -87,7 +87,7 @@ class Bounded : public Criterion {
 
   const TortureScene& scene_;
   double size_;
-  Box box_;  // of rest, start and the tools' way
+  Box box_;  // of rest, initial state and tool paths
   double stiffness_force_ = 0.0, mass_ = 0.0, flown_ = 0.0;
   bool steep_ = false;
 };

@@ -12,15 +12,14 @@
 namespace palpate::torture {
 namespace {
 
-// Largest energy by that in the beginning, without input, of a body whose energy is convex:
-//   backward Euler, static   1: it only takes energy away [Hairer, Wanner 1996, IV.12]
-//   BDF2                     2: its norm |v|^2/4 + |2 v - v_before|^2/4 does not grow [Dahlquist
-//   1978] central differences, symplectic Euler, in nine tenths of the stable step
-//                            1 / (1 - 0.9^2): what they keep is 1/2 v . (M - h^2/4 K) v + 1/2 x . K
-//                            x
-//   trapezoidal, forward Euler   the largest square of the norm of the powers of their matrices, in
-//                            (w x, v), in nine tenths of the stable step: with s = w^2 h^2 and a
-//                            damping of e a step at s = 1.8 e and 0.9 e, both largest at e = 1.8
+// Bound of the energy over that at the begin, without input, for convex energies:
+//   backward Euler, static: 1, since they only dissipate [Hairer, Wanner 1996, IV.12]
+//   BDF2: 2, since |v|^2/4 + |2 v - v_before|^2/4 does not grow [Dahlquist 1978]
+//   central differences, symplectic Euler, in 0.9 of the stable step: 1 / (1 - 0.9^2), since
+//   1/2 v . (M - h^2/4 K) v + 1/2 x . K x is kept
+//   trapezoidal, forward Euler, in 0.9 of the stable step: the largest squared norm of powers of
+//   their matrices in (w x, v). With s = w^2 h^2 and a damping of e per step, it is at s = 1.8 e
+//   and 0.9 e, both with e = 1.8
 constexpr double kTrapezoidal = 6.64, kForward = 4.74;
 double boundOf(const TortureScene& scene, const sim::Simulator& simulator) {
   const TortureOrgan& organ = scene.organs.front();
@@ -35,20 +34,20 @@ double boundOf(const TortureScene& scene, const sim::Simulator& simulator) {
   return scene.integrator == "bdf2" ? 2.0 : 1.0;
 }
 
-// Steps from equilibrium to equilibrium, whose velocities are what their positions differ by.
+// Whether steps go from equilibrium to equilibrium, with velocities from differences of positions.
 bool isQuasiStatic(const TortureScene& scene) {
   return scene.integrator == "static" || scene.method == "newton_bicgstab" ||
          scene.method == "linear_precomputed";
 }
 
-constexpr double kRounding = 1e-3;  // of the energy in the beginning
+constexpr double kRounding = 1e-3;  // over the initial energy
 
-// Of an energy whose terms, each as large as the stiffness, take each other away at rest [J].
+// Rounding error of an energy whose terms, each as large as the stiffness, cancel at rest [J].
 double roundingOf(const TortureOrgan& organ) {
   return 1e-12 + std::numeric_limits<double>::epsilon() * organ.waveModulus() * organ.size.prod();
 }
 
-// Of an organ that is thrown as a whole [J].
+// Kinetic energy of a thrown organ [J].
 double kineticOf(const TortureOrgan& organ, double speed) {
   double volume = 0.0;
   for (Eigen::Index t = 0; t < organ.mesh.numTets(); ++t) {
@@ -62,8 +61,8 @@ class Energy : public Criterion {
   Energy(const TortureScene& scene, const sim::Simulator& simulator)
       : scene_(scene), bound_(boundOf(scene, simulator)) {
     const TortureOrgan& organ = scene.organs.front();
-    // What a viscous one stores is not told; nor what weight does to one that goes from what it
-    // learned to its elements.
+    // Not checked for viscous organs, whose stored energy is not reported, nor under gravity for
+    // organs that switch between surrogate and elements.
     applies_ = organ.prony_g == 0.0;
     const mesh::CellMesh cells = simulator.cells(0);
     if (scene.gravity.isZero()) return;
@@ -76,7 +75,7 @@ class Energy : public Criterion {
   std::string check(const Cycle& cycle) override {
     const sim::StepReport& report = cycle.result.report;
     const Points& x = cycle.simulator.positions(0);
-    // Organs that fall on each other or on bone, which moves nothing, act on no tool.
+    // Organs that fall on each other or on fixed bone transfer no energy to tools.
     const bool alone = cycle.row >= scene_.leave &&
                        (scene_.start == Start::kThrown || cycle.result.contacts.empty());
     const bool guarded = isGuarded(cycle.simulator);
@@ -122,8 +121,8 @@ class Energy : public Criterion {
   }
 
  private:
-  // Elements as flat as that have an energy beside their law's, which becomes that when they are
-  // brought back.
+  // Elements with det F below the guard's limit have its energy, which is converted when they
+  // recover.
   bool isGuarded(const sim::Simulator& simulator) {
     const std::uint64_t revision = simulator.surfaceState(0).revision;
     if (!guard_ || revision_ != revision) {
@@ -146,8 +145,8 @@ class Energy : public Criterion {
   Eigen::VectorXd masses_;
   Points before_;
   std::vector<double> energies_;
-  // What forces out of balance may have done, which is no more than there was, and what a force
-  // that is within its tolerance does on the way of the organ's size [J].
+  // Bounds of the work of residual forces, at most the initial energy, and of forces within the
+  // tolerance over a distance of the organ's size [J].
   double unbalanced_ = 0.0, forgiven_ = 0.0;
 };
 

@@ -5,7 +5,7 @@
 namespace palpate::torture {
 namespace {
 
-// Models whose mechanics are those of their tetrahedra.
+// Whether the mechanics of the organ's model are those of its tetrahedra.
 bool hasTets(const TortureOrgan& organ) {
   return organ.model == "fem" || organ.model == "mass_spring" || organ.model == "tensor_mass" ||
          organ.model == "hybrid" || organ.model == "enriched";

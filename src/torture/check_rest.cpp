@@ -6,17 +6,17 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kBackWithin = 1e-4;  // of the size
+constexpr double kBackWithin = 1e-4;  // over the size
 
-// These have shapes without forces beside that at rest, inside out: Green's strain, a rotation and
-// the lengths of springs are the same for them. Where they are told to be inverted they are let go.
+// Others have inverted equilibria: Green's strain, polar rotation and spring lengths do not detect
+// inversion. They are not checked after cycles reported as inverted.
 bool hasOneRestState(const TortureOrgan& organ) {
   return organ.law != "st_venant_kirchhoff" && organ.law != "corotational" &&
          organ.model != "mass_spring";
 }
 
-// A sheet's springs know how far its points are, not to which side it is bent: crumpled it may lie
-// as still as flat.
+// A sheet's springs know the distances of its points but not the side of a fold, so crumpled states
+// may be at rest, too.
 bool hasManyRestStates(const TortureOrgan& organ) { return organ.model == "cloth"; }
 
 class Rest : public Criterion {
@@ -46,7 +46,7 @@ class Rest : public Criterion {
     for (int i = 0; i < simulator_.numOrgans() && !many_; ++i) off = std::max(off, offOf(i));
     std::string wrong;
     if (off > kBackWithin * size_) wrong = said("off by", 100.0 * off / size_, "% of its size");
-    const bool cut = live_ && status_ == solver::SolveStatus::kDeadline;  // whatever it would be
+    const bool cut = live_ && status_ == solver::SolveStatus::kDeadline;  // its status may be any
     if (!wrong.empty() || (!solver::balanced(status_) && !cut)) {
       wrong += (wrong.empty() ? "" : ", ") + std::string(solver::toString(status_));
     }
@@ -59,7 +59,7 @@ class Rest : public Criterion {
     const Points& now = simulator_.positions(i);
     if (simulator_.surfaceState(i).revision == revision_[k])
       return (now - rest_[k]).cwiseAbs().maxCoeff();
-    // Another mesh: where it would be without weight.
+    // After mesh adaptation: deviation from rest, without gravity.
     if (!without_weight_) return 0.0;
     return (now - simulator_.cells(i).points).cwiseAbs().maxCoeff();
   }

@@ -9,7 +9,7 @@ namespace palpate::torture {
 namespace {
 
 constexpr double kTimesMedian = 100.0;
-constexpr double kNoStall = 0.02;  // two periods of a live scene by default [s]
+constexpr double kNoStall = 0.02;  // two default periods of a live scene [s]
 
 class Time : public Criterion {
  public:

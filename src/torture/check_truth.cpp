@@ -8,7 +8,7 @@
 namespace palpate::torture {
 namespace {
 
-// The wrench of a cycle that is told is the sum of what touches; in a scene with bone too.
+// A reported wrench must be the sum of the reported contact forces, also with bone.
 std::string wrongWrench(const sim::StepResult& result) {
   for (std::size_t i = 0; i < result.instruments.size(); ++i) {
     const sim::InstrumentResult& tool = result.instruments[i];
@@ -29,8 +29,8 @@ std::string wrongWrench(const sim::StepResult& result) {
   return "";
 }
 
-// All forces of a cycle that is converged cancel, but for what is left at its points: their sum is
-// at most that at one of them by the root of their number.
+// In a converged cycle all forces sum to at most the residual times the square root of the number
+// of nodes.
 std::string wrongSum(const Cycle& cycle, bool friction) {
   const sim::StepReport& report = cycle.result.report;
   double forces = 0.0;

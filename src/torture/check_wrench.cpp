@@ -10,17 +10,17 @@
 namespace palpate::torture {
 namespace {
 
-constexpr double kTick = 1e-3;              // of the force loop [s]
-constexpr double kRoundingOfLimits = 1e-9;  // of limits
+constexpr double kTick = 1e-3;              // step of the force loop [s]
+constexpr double kRoundingOfLimits = 1e-9;  // relative rounding error of limits
 
-// Tissue that is stretched by its own size and still on a tool is carried, not touched.
+// Relative stretch from which tissue on a tool counts as carried, not touched.
 constexpr double kCarried = 1.0;
 
 class Hand {
  public:
   explicit Hand(const haptics::WrenchFilterSettings& limits) : limits_(limits), filter_(limits) {}
 
-  // As the force loop does while a cycle's wrench is the newest.
+  // Runs the force loop for the time in which this wrench is the newest.
   std::string feel(const sim::InstrumentResult& tool, double dt) {
     const int ticks = std::clamp(static_cast<int>(std::lround(dt / kTick)), 1, 100);
     for (int k = 0; k < ticks; ++k) {

@@ -7,14 +7,14 @@
 
 namespace palpate::torture {
 
-// Of the forces that are summed: what sums of them are off by rounding.
+// Rounding error of a sum over the sum of norms.
 inline constexpr double kRoundingOfForces = 1e-9;
-// What is unbalanced may be told by so much too small.
+// Factor by which a reported residual may be too small.
 inline constexpr double kTwice = 2.0;
-// Of what presses: as much friction beyond Coulomb's law is taken back without another solution.
+// Tolerated friction beyond Coulomb's law, over contact forces; no further solve corrects it.
 inline constexpr double kOfFriction = 1e-4;
 
-// One file each.
+// Each criterion has its own file.
 std::unique_ptr<Criterion> checkFinite();
 std::unique_ptr<Criterion> checkBounded(const TortureScene& scene);
 std::unique_ptr<Criterion> checkInverted(const TortureScene& scene);
@@ -24,7 +24,7 @@ std::unique_ptr<Criterion> checkEnergy(const TortureScene& scene, const sim::Sim
 std::unique_ptr<Criterion> checkRest(const TortureScene& scene, const sim::Simulator& simulator);
 std::unique_ptr<Criterion> checkTime(const TortureScene& scene);
 
-/// "residual 3e-05 N": numbers in messages.
+/// Text for messages: "residual 3e-05 N".
 std::string said(const char* what, double value, const char* unit);
 
 }  // namespace palpate::torture

@@ -15,14 +15,14 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Stresses among the constants of laws; the others have no unit.
+// Constants of laws that are stresses; the others are dimensionless.
 const std::vector<std::string>& stresses() {
   static const std::vector<std::string> kNames = {"c10", "c01", "c1",  "c2", "c3", "a",
                                                   "af",  "as",  "afs", "mu", "k1", "c"};
   return kNames;
 }
 
-// Models beside fem take laws without fibres and without memory.
+// Whether the model takes only laws without fibres and viscosity: all models but fem.
 bool isPlain(const std::string& model) { return model != "fem"; }
 
 std::string drawModel(Draw* draw) {
@@ -67,7 +67,7 @@ void drawBody(Draw* draw, TortureOrgan* organ) {
   organ->element = draw->oneOf(fem::elementNames());
   if (organ->model == "mass_spring" || organ->model == "cloth") {
     organ->scheme = draw->oneOf(kSchemes);
-    // Sheets bend so stiffly that steps of the other two would be too many.
+    // Sheets are too stiff in bending for explicit steps of the other two schemes.
     if (organ->model == "cloth" && organ->scheme != "implicit") organ->scheme = kSchemes[1];
   }
   organ->law = draw->oneOf(material::materialNames());
@@ -91,7 +91,7 @@ void drawMethod(Draw* draw, TortureScene* scene) {
       "implicit_pcg", "implicit_pcg", "implicit_pcg",       "implicit_direct", "implicit_async",
       "lbfgs",        "tled",         "linear_precomputed", "newton_bicgstab", "auto"};
   scene->method = draw->oneOf(kMethods);
-  // Its linear part goes with implicit steps alone.
+  // The linear part of hybrid models needs implicit steps.
   const bool implicit = scene->method.rfind("implicit", 0) == 0 || scene->method == "lbfgs";
   if (scene->organs.front().model == "hybrid" && !implicit) scene->method = kMethods.front();
   const tissue::MethodFacts facts = tissue::methodFacts(scene->method);
@@ -110,10 +110,10 @@ void drawMethod(Draw* draw, TortureScene* scene) {
   }
 }
 
-// Of shear between the held side and the free one, where a stiff top on a soft base is slower.
+// Lowest shear frequency between the held and the free side; lower for a stiff top on a soft base.
 double slowestFrequency(const TortureOrgan& organ) {
   if (organ.model == "cloth") {
-    // Bending of a beam held at both ends [Rao 2017, 8.5]; springs resist it half as much.
+    // Bending of a beam clamped at both ends [Rao 2017, 8.5]; springs have half its stiffness.
     constexpr double kClamped = 4.730, kHalf = 0.5;
     const double k = kClamped / organ.size.y();
     return kHalf * k * k * kSheetThickness * std::sqrt(organ.young / (12.0 * organ.density));

@@ -6,23 +6,23 @@
 
 namespace palpate::torture {
 
-/// Constants of a law that at small strains has this Young's modulus [Pa] and Poisson's ratio; of
-/// one with fibres its matrix has.
+/// Constants of a law with this Young's modulus [Pa] and Poisson's ratio at small strains; for laws
+/// with fibres those of the matrix.
 material::Constants constantsOf(const std::string& law, double young, double poisson);
 
-/// Of the same law, so many times as stiff.
+/// Constants of the same law with `times` the stiffness.
 material::Constants stiffened(material::Constants constants, double times);
 
-/// Gives the organ a tissue model, an element and a law with its constants, and a density.
+/// Draws the organ's tissue model, element, law with constants, and density.
 void drawBody(Draw* draw, TortureOrgan* organ);
 
-/// Method and integrator that take all that the scene's organs have.
+/// Draws a method and integrator that support all organs of the scene.
 void drawMethod(Draw* draw, TortureScene* scene);
 
-/// An angular frequency that the organ's slowest motion has at least [1/s], when it is held.
+/// Lower bound of the angular frequency of the held organ's slowest motion [1/s].
 double slowestFrequency(const TortureOrgan& organ);
 
-/// Damping after which the organ is at rest soon.
+/// Draws damping that brings the organ to rest soon.
 void drawDamping(Draw* draw, const TortureScene& scene, TortureOrgan* organ);
 
 }  // namespace palpate::torture

@@ -6,7 +6,7 @@
 namespace palpate::torture {
 namespace {
 
-constexpr Eigen::Index kMostTets = 600;  // each press of a database solves all of them
+constexpr Eigen::Index kMostTets = 600;  // each press of a database solves for all
 
 bool isPressed(const TortureScene& scene) {
   return scene.start == Start::kRest && scene.organs.size() == 1 && scene.category != "contrast" &&
@@ -19,7 +19,7 @@ bool canLearn(const TortureScene& scene) {
          organ.mesh.numTets() <= kMostTets;
 }
 
-// Streams of their own, so that scenes without them are what they would be.
+// Separate random streams, so that other scenes do not change.
 Draw ownDraw(const TortureScene& scene, std::uint64_t which) {
   return {scene.seed ^ which, static_cast<std::uint64_t>(scene.number)};
 }

@@ -6,14 +6,14 @@
 
 namespace palpate::torture {
 
-/// Makes the organs of some scenes ones of models enriched and neural.
+/// Gives the organs of some scenes the models enriched and neural.
 void drawLearning(TortureScene* scene);
 
-/// Makes some scenes ones of contact.model prescribed: of one segment, the axis of a cylinder, and
-/// one organ of linear tetrahedra.
+/// Gives some scenes contact.model prescribed, with one segment (a cylinder's axis) and one organ
+/// of linear tetrahedra.
 void drawPrescribed(TortureScene* scene);
 
-/// Makes others ones of contact.model penalty.
+/// Gives other scenes contact.model penalty.
 void drawPenalty(TortureScene* scene);
 
 }  // namespace palpate::torture

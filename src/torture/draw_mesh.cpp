@@ -9,7 +9,7 @@
 namespace palpate::torture {
 namespace {
 
-// Cells of about one edge length, six tetrahedra each.
+// Grid of cells with nearly equal edges, six tetrahedra each.
 Eigen::Vector3i cellsOf(const Vec3& size, int tets) {
   const double cells = std::max(tets / 6.0, 8.0);
   const double edge = std::cbrt(size.prod() / cells);
@@ -20,7 +20,7 @@ Eigen::Vector3i cellsOf(const Vec3& size, int tets) {
   return count;
 }
 
-// Edges grow along x and y by so much from one side to the other.
+// Grades edges along x and y; `ratio` is the longest over the shortest.
 void grade(double ratio, const Vec3& size, Points* points) {
   const double p = std::log(ratio);
   for (Eigen::Index i = 0; i < points->cols(); ++i) {
@@ -39,7 +39,7 @@ double leastDihedralOf(const Points& points, const Eigen::Matrix4Xi& tets) {
   return least;
 }
 
-// A box becomes an ellipsoid by `part`: 1 is whole. The bottom stays flat, so that it can be held.
+// Deforms a box towards an ellipsoid by `part`, 1: completely. The bottom stays flat.
 Points roundedBox(const Points& box, const Vec3& size, double part) {
   Points points = box;
   const Vec3 half(0.5 * size.x(), 0.5 * size.y(), size.z());
@@ -70,8 +70,8 @@ std::vector<std::vector<Eigen::Index>> tetsAround(const mesh::TetMesh& mesh) {
   return around;
 }
 
-// One point in five goes towards the opposite face of one of its tetrahedra, as far as the angles
-// around it stay above `least` [degrees].
+// Moves one point in five towards the opposite face of one of its tetrahedra, while the dihedral
+// angles around it stay above `least` [degrees].
 void makeSlivers(double least, Draw* draw, mesh::TetMesh* mesh) {
   const auto around = tetsAround(*mesh);
   std::vector<bool> outer(static_cast<std::size_t>(mesh->numPoints()), false);

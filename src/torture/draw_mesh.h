@@ -6,15 +6,14 @@
 
 namespace palpate::torture {
 
-/// Least angle between two faces of a tetrahedron [degrees]; not above 0 where it is inverted.
+/// Least dihedral angle of a tetrahedron [degrees]; not above 0 if it is inverted.
 double leastDihedral(const Points& points, const Eigen::Vector4i& tet);
 
-/// Gives an organ of some size its mesh of about `tets` tetrahedra: `block`, `graded` (edges that
-/// differ by up to 20 times), `ball` (a block with its edges rounded off), `sliver` (inner points
-/// moved until the least angle is 1 to 10 degrees).
+/// Draws a mesh of about `tets` tetrahedra: `block`, `graded` (edges differ by up to 20 times),
+/// `ball` (a rounded block), `sliver` (inner points moved to least angles of 1 to 10 degrees).
 void drawMesh(const std::string& shape, int tets, Draw* draw, TortureOrgan* organ);
 
-/// A kidney or a gallbladder of the generator, to be filled.
+/// Draws a generated kidney or gallbladder surface, to be meshed.
 void drawGeneratedOrgan(Draw* draw, TortureOrgan* organ);
 
 }  // namespace palpate::torture

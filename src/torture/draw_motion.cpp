@@ -13,10 +13,10 @@ namespace palpate::torture {
 namespace {
 
 constexpr double kFastest = 2.0;                                   // [m/s]
-constexpr double kJump = std::numeric_limits<double>::infinity();  // a leg in one row
+constexpr double kJump = std::numeric_limits<double>::infinity();  // speed of a leg within one row
 constexpr int kMostRows = 90, kLeavingRows = 10, kLeastRestRows = 100, kMostRestRows = 700;
-constexpr int kTimesToRest = 3;    // than the slowest motion asks for: an estimate
-constexpr double kLongest = 0.05;  // row [s]
+constexpr int kTimesToRest = 3;    // safety factor on the estimated time to rest
+constexpr double kLongest = 0.05;  // longest row [s]
 
 struct Leg {
   Vec3 to;
@@ -24,9 +24,9 @@ struct Leg {
 };
 
 struct Way {
-  Vec3 at, turn;  // position, and the angles that it has all along
+  Vec3 at, turn;  // initial position; constant angles
   std::vector<Leg> legs;
-  double spin = 0.0;  // of the yaw [rad/s]
+  double spin = 0.0;  // of yaw [rad/s]
 };
 
 struct Box {
@@ -40,7 +40,7 @@ Box boxOf(const TortureScene& scene) {
 
 double drawSpeed(Draw* draw) { return draw->decades(0.02, kFastest); }
 
-// How far away a tool begins, which it goes in a few rows [m].
+// Initial distance of a tool, travelled in a few rows [m].
 double awayOf(double speed, double dt) { return std::min(0.002, 10.0 * speed * dt); }
 
 Way press(const Box& box, const TortureTool& tool, double speed, double dt, Draw* draw) {
@@ -62,7 +62,7 @@ Way stroke(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
   return {from, draw->direction(), {{to, speed}, {from, speed}}, 0.0};
 }
 
-// Pressed within a third of the rows, if kFastest does.
+// Presses within a third of the rows, if kFastest suffices.
 Way pressSoon(const Box& box, const TortureTool& tool, double dt, Draw* draw) {
   const double speed = drawSpeed(draw);
   const double soon = 3.0 * (0.5 * box.size.z() + 0.002) / (kMostRows * dt);
@@ -83,7 +83,7 @@ Way inside(const Box& box, Draw* draw) {
   return {at, draw->direction(), {{at + 0.01 * draw->direction(), drawSpeed(draw)}}, 0.0};
 }
 
-// Tools are upright, so that half their width is between their axes and the organ.
+// Tools are upright, so their half width is between axis and organ.
 Way pinch(const Box& box, const TortureTool& tool, int side, double dt, Draw* draw) {
   const double sign = side % 2 ? 1.0 : -1.0, thick = draw->between(0.2, 0.7);
   const Vec3 middle = box.at(0.5, 0.5, 0.7);
@@ -131,7 +131,7 @@ Way wayOf(const TortureScene& scene, int k, double dt, Draw* draw) {
   return press(box, tool, drawSpeed(draw), dt, draw);
 }
 
-// One row further; false where it is at its end.
+// Advances by one row; false at the end.
 bool advance(double dt, Way* way) {
   if (way->legs.empty()) return false;
   way->turn.z() += way->spin * dt;
@@ -183,7 +183,7 @@ class Rows {
   double t_ = 0.0;
 };
 
-// Without damping: that of a scene acts on `static` steps as well, as slowly as on others.
+// Whether organs move without inertia. Methods whose static steps damping slows do not count.
 bool movesWithoutInertia(const TortureScene& scene) {
   const std::string& model = scene.organs.front().model;
   if (model == "fem" || model == "enriched" || model == "neural") {
@@ -192,11 +192,11 @@ bool movesWithoutInertia(const TortureScene& scene) {
   return model == "bem" || model == "honeycomb";
 }
 
-constexpr double kTimes = 14.0;  // a time constant until 1e-6 is left
+constexpr double kTimes = 14.0;  // time constants until 1e-6 remains
 
-// Until 1e-5 is left of the slowest motion: a damping between 0.8 and 1.6 of its frequency takes
-// away more than 0.4 of that in its time. And a Prony series must have relaxed, and what was
-// learned must have been let go.
+// Time until 1e-5 of the slowest motion remains. With damping of 0.8 to 1.6 of its frequency, the
+// decay rate exceeds 0.4 of the frequency. Prony series must relax, and surrogates switch off,
+// within this time.
 double timeToRest(const TortureScene& scene) {
   double longest = 0.0;
   for (const TortureOrgan& organ : scene.organs) {
@@ -250,7 +250,7 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
     if (goes) rows.add(now, ways);
     scene->step = std::max(scene->step, now);
   }
-  // Straight up at most at kFastest until all are clear, and then far away.
+  // Moves tools up at kFastest at most until all are clear, then far away.
   const Box box = boxOf(*scene);
   double most = 0.0;
   std::vector<double> up;
@@ -271,7 +271,7 @@ void drawMotion(double dt, Draw* draw, TortureScene* scene) {
   const double longest = std::clamp(time / 100.0, dt, kLongest);
   const int count =
       std::max(static_cast<int>(std::ceil(std::min(time / longest, 1e6))), kLeastRestRows);
-  // What has come to rest sleeps and costs nothing.
+  // Organs at rest sleep, at no cost.
   for (int row = 0; row < kTimesToRest * std::min(count, kMostRestRows); ++row) {
     rows.add(longest, ways);
   }

@@ -6,10 +6,10 @@
 
 namespace palpate::torture {
 
-/// The scene's tools, as many and as large as its category wants.
+/// Draws the scene's tools, in number and size as its category needs.
 void drawTools(Draw* draw, TortureScene* scene);
 
-/// The way of its tools to, through and away from the organs, and then nothing until they rest:
+/// Draws tool paths to, through and away from the organs, then rows until everything rests:
 /// `trajectory`, `leave`, `rests`, `step`. `dt`: time between rows [s].
 void drawMotion(double dt, Draw* draw, TortureScene* scene);
 

@@ -13,15 +13,15 @@ namespace palpate::torture {
 namespace {
 
 constexpr double kG = 9.81;        // [m/s^2]
-constexpr double kWeightOf = 0.1;  // of the stiffness, which an organ's weight may be
+constexpr double kWeightOf = 0.1;  // bound of an organ's weight over its stiffness
 
-// Mostly small: the largest take as long as a hundred of the others.
+// Mostly small: the largest take as long as a hundred others.
 int drawSize(Draw* draw) {
   const double which = draw->between(0.0, 1.0);
   return static_cast<int>(draw->decades(50.0, which < 0.75 ? 1000.0 : which < 0.95 ? 5000.0 : 2e4));
 }
 
-// What a model costs bounds what it is given.
+// Limits the size by the model's cost.
 int sizeFor(const TortureOrgan& organ, const std::string& method, int tets) {
   if (organ.model == "bem") return std::min(tets, 600);
   if (organ.model == "sampled_elasticity") return std::min(tets, 400);
@@ -63,7 +63,7 @@ void drawMeshOf(const TortureScene& scene, Draw* draw, TortureOrgan* organ) {
   }
 }
 
-// Thrown from above at the first one, or, where it is alone, at bone.
+// Throws an organ from above at the first one, or a single organ at bone.
 void throwOrgan(Draw* draw, TortureScene* scene) {
   scene->start = Start::kThrown;
   scene->thrown = draw->decades(0.05, 2.0);
@@ -169,7 +169,7 @@ TortureScene drawScene(std::uint64_t seed, int number) {
   drawMethod(&draw, &scene);
   TortureOrgan& organ = scene.organs.front();
   if (scene.category == "fall" || scene.category == "start") {
-    // What moves freely needs inertia, and organs act on each other by implicit methods.
+    // Free motion needs inertia, and organs interact only by implicit methods.
     if (scene.method == "linear_precomputed" || scene.method == "newton_bicgstab" ||
         (scene.category == "fall" && scene.method == "tled")) {
       scene.method = "implicit_pcg";

@@ -15,9 +15,9 @@
 namespace palpate::torture {
 namespace {
 
-// Few, for each scene has its own; what learns must only be able to.
+// Few, since each scene trains its own; just enough for training.
 constexpr int kSamples = 16, kTriangles = 80;
-constexpr double kDeep = 0.03;  // largest press, of what the material would give at a strain of one
+constexpr double kDeep = 0.03;  // largest press over the displacement at a strain of one
 
 bool learns(const std::string& model) { return model == "enriched" || model == "neural"; }
 
@@ -52,7 +52,7 @@ void writeLearned(const TortureScene& scene, const std::string& scene_file,
   for (std::size_t i = 0; i < scene.organs.size(); ++i) {
     const TortureOrgan& organ = scene.organs[i];
     if (!learns(organ.model)) continue;
-    read.organs[i].neural.file.clear();  // which is not there yet
+    read.organs[i].neural.file.clear();  // the file does not exist yet
     const int index = static_cast<int>(i);
     const scene::PressedOrgan pressed = scene::describePresses(
         read, index, scene::describeOrgan(read, index, none, &warnings), planOf(organ), none);

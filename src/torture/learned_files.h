@@ -7,11 +7,11 @@
 
 namespace palpate::torture {
 
-/// The keys of an organ that learned, of models enriched and neural; else nothing.
+/// Keys of an organ of models enriched and neural; else empty.
 std::string learnedText(const TortureOrgan& organ);
 
-/// Makes what these name in the scene's folder, by presses of the organ; a second or so.
-/// @throws InputError where too few presses are solved to learn from.
+/// Makes the files of these keys in the scene's folder by presses of the organ; about a second.
+/// @throws InputError if too few presses are solved.
 void writeLearned(const TortureScene& scene, const std::string& scene_file,
                   const std::string& folder);
 

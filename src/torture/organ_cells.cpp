@@ -10,11 +10,11 @@
 namespace palpate::torture {
 namespace {
 
-// Nodes in the middle of the edges from a corner to the four, in VTK's order.
+// Mid-edge nodes from each corner to the four corners, in VTK's order.
 constexpr std::array<std::array<int, 4>, 4> kMiddle = {
     {{-1, 4, 6, 7}, {4, -1, 5, 8}, {6, 5, -1, 9}, {7, 8, 9, -1}}};
 
-// det of the derivative of position by three of the barycentric coordinates, where these are w.
+// Determinant of the derivative of position by three of the barycentric coordinates, at w.
 template <class Cell>
 double jacobianAt(const Eigen::Vector4d& w, const Points& x, const Cell& cell) {
   Eigen::Matrix<double, 3, 4> by;
@@ -30,7 +30,7 @@ double jacobianAt(const Eigen::Vector4d& w, const Points& x, const Cell& cell) {
   return D.determinant();
 }
 
-// At four points, each `near` a corner: its own coordinate there, and the other ones.
+// At four points with the coordinate `near` for one corner and `other` for the rest.
 double leastAtFour(double near, double other, const mesh::CellMesh& rest, const Points& now) {
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index t = 0; t < rest.numCells(); ++t) {

@@ -7,7 +7,7 @@
 
 namespace palpate::torture {
 
-/// The cells of all organs of a simulator, made anew only where a mesh becomes another.
+/// Cells of all organs of a simulator, updated when a mesh changes.
 class OrganCells {
  public:
   const mesh::CellMesh& of(const sim::Simulator& simulator, int organ);
@@ -21,21 +21,20 @@ class OrganCells {
   std::vector<Kept> kept_;
 };
 
-/// Whether the cells are tetrahedra with corners alone, which a det F each describes.
+/// Whether the cells are linear tetrahedra, each with a constant det F.
 bool areLinearTets(const mesh::CellMesh& cells);
 
-/// Of each tetrahedron the volume now by that at rest, the smallest.
+/// Least ratio of present to rest volume of all tetrahedra.
 double leastVolumeRatio(const mesh::CellMesh& rest, const Points& now);
 
-/// Whether they have a node in the middle of each edge.
+/// Whether the cells are quadratic tetrahedra.
 bool areQuadraticTets(const mesh::CellMesh& cells);
 
-/// Of these det F at the corners, the smallest: of a cubic in position, which may be least there
+/// Least det F at the corners of quadratic tetrahedra, where this cubic may have its minimum
 /// [Johnen, Remacle, Geuzaine 2013].
 double leastAtCorners(const mesh::CellMesh& rest, const Points& now);
 
-/// Likewise at the four points of the quadrature that is exact for quadratic polynomials
-/// [Hammer, Marlowe, Stroud 1956].
+/// Least det F at the four points of the quadrature of degree 2 [Hammer, Marlowe, Stroud 1956].
 double leastAtQuadraturePoints(const mesh::CellMesh& rest, const Points& now);
 
 }  // namespace palpate::torture

@@ -37,7 +37,7 @@ bool hasFibres(const TortureOrgan& organ) {
   return material::needsFibres(material::makeMaterial(organ.law, organ.constants));
 }
 
-// Fibres, sheets and their normal, of the direction that scenes are written with.
+// Fibre, sheet and normal, as in written scenes.
 Mat3 fibreFrame() {
   Mat3 frame;
   frame.col(0) = Vec3(1.0, 0.3, 0.1).normalized();
@@ -73,7 +73,7 @@ void RecomputedResidual::remember(const sim::Simulator& simulator) {
   v_ = simulator.surfaceState(0).velocities;
 }
 
-// Of what may take explicit steps, those that have Newton's iterations.
+// Whether the cycle was a single implicit step, which Newton iterations show for mixed methods.
 bool RecomputedResidual::isOneStep(const Cycle& cycle) const {
   const sim::StepReport& report = cycle.result.report;
   const bool implicit =
@@ -83,8 +83,8 @@ bool RecomputedResidual::isOneStep(const Cycle& cycle) const {
          report.recovery != static_cast<int>(tissue::Recovery::kPutBack);
 }
 
-// What acts at a point of the surface acts on the corners of its triangle; of a triangle whose
-// corners were put where they are, what holds them is told as one force.
+// Distributes a force on a surface point to the corners of its triangle. Prescribed corners are
+// reported with the total reaction as one force.
 void RecomputedResidual::take(const sim::ContactPoint& point, const tissue::SurfaceState& shape,
                               Points* forces) const {
   const OnSurface at = nearestOnSurface(shape, point.p_W);
@@ -98,8 +98,8 @@ void RecomputedResidual::take(const sim::ContactPoint& point, const tissue::Surf
   }
 }
 
-// Norm of what is left of `forces` at the nodes that are free [N], with inertia and damping of
-// v = (x - x_hat)/k, a = (v - v_hat)/k.
+// Norm of the residual of `forces` at free nodes [N], with inertia and damping of v = (x -
+// x_hat)/k, a = (v - v_hat)/k.
 double RecomputedResidual::unbalanced(const Cycle& cycle, const Points& forces, double k,
                                       const Points& x_hat, const Points& v_hat) const {
   const TortureOrgan& organ = scene_.organs.front();
@@ -121,7 +121,7 @@ double RecomputedResidual::unbalanced(const Cycle& cycle, const Points& forces, 
 std::string RecomputedResidual::check(const Cycle& cycle) {
   if (!knows() || !isOneStep(cycle)) return "";
   const Points& x = cycle.simulator.positions(0);
-  // Elements as flat as that have an energy beside their law's.
+  // Elements with det F below the guard's limit have its energy, too.
   if (guard_->least(x) < fem::InversionGuard::kLeast) return "";
   ++checked_;
   const sim::StepReport& report = cycle.result.report;
@@ -133,7 +133,7 @@ std::string RecomputedResidual::check(const Cycle& cycle) {
     found = std::min(found, unbalanced(cycle, forces, 2.0 / 3.0 * report.step,
                                        (4.0 * x_ - x_before_) / 3.0, (4.0 * v_ - v_before_) / 3.0));
   }
-  // The forces that take each other away in it, to rounding.
+  // Cancelling forces determine the rounding error.
   for (const sim::ContactPoint& point : cycle.result.contacts) sum += point.force_W.norm();
   if (!isStatic(scene_)) {
     const double fastest = ((x - x_) / report.step - v_).norm() / report.step;

@@ -10,21 +10,21 @@
 
 namespace palpate::torture {
 
-/// What is left unbalanced at the nodes, computed anew from the shapes before and after a cycle and
-/// the contacts that are told: of one organ of elements without memory, in cycles of one implicit
-/// step, whose every force is known from outside (docs/theory.md, Time). A cycle by bdf2 may have
-/// been one of backward Euler, as after a change of the step.
+/// Residual at the nodes, recomputed from the states before and after a cycle and the reported
+/// contacts. For one organ of elements without viscosity, in cycles of a single implicit step, when
+/// all forces are known (docs/theory.md, Time). A cycle by bdf2 may have used backward Euler, for
+/// example after a change of the step.
 class RecomputedResidual {
  public:
   RecomputedResidual(const TortureScene& scene, const sim::Simulator& simulator);
 
-  /// Whether cycles of the scene are looked at.
+  /// Whether cycles of the scene can be checked.
   bool knows() const { return solid_ != nullptr; }
-  /// What is wrong with the residual of a cycle that was told to be converged, or "".
+  /// Describes a wrong residual of a cycle reported as converged; "" if it is right.
   std::string check(const Cycle& cycle);
-  /// Where the next cycle begins.
+  /// Stores the initial state of the next cycle.
   void remember(const sim::Simulator& simulator);
-  /// Cycles that were computed anew up to now.
+  /// Number of checked cycles.
   int numChecked() const { return checked_; }
 
  private:
@@ -38,8 +38,8 @@ class RecomputedResidual {
   mesh::CellMesh rest_;
   std::unique_ptr<TextbookSolid> solid_;
   std::unique_ptr<fem::InversionGuard> guard_;
-  Points x_, v_;                // where the cycle begins
-  Points x_before_, v_before_;  // and the one before it
+  Points x_, v_;                // at the begin of the cycle
+  Points x_before_, v_before_;  // at the begin of the previous cycle
   int checked_ = 0;
 };
 

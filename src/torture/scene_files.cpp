@@ -16,7 +16,7 @@
 namespace palpate::torture {
 namespace {
 
-// Of the size: what is asked of solves, a tenth of what returns to rest are judged by.
+// Accuracy of positions over the size, a tenth of the rest criterion's.
 constexpr double kAccuracy = 1e-5;
 
 std::string listOf(const Vec3& v) {
@@ -72,7 +72,7 @@ std::string modelText(const TortureOrgan& organ) {
   return out.str();
 }
 
-// Of a sheet two rows, in its own frame, and as many at the other end.
+// Supports of a sheet in its own frame: two rows at each of two ends.
 std::string supportText(const TortureOrgan& organ) {
   const Vec3 all = Vec3::Constant(10.0);
   if (organ.model == "cloth") {

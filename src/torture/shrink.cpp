@@ -13,7 +13,7 @@ namespace {
 
 constexpr Eigen::Index kJoints = 6;
 
-// Makes a scene plainer; false where it is as plain already.
+// Simplifies a scene; false if that is done already.
 using Edit = std::function<bool(TortureScene*)>;
 
 bool keepRows(std::size_t begin, std::size_t end, TortureScene* scene) {
@@ -80,7 +80,7 @@ std::vector<Edit> edits(const TortureScene& scene, const Failure& failure) {
     });
   }
   if (scene.start == Start::kRest) {
-    // A tool that begins inside is not felt, so that only rows before a touch can be left out.
+    // Only rows before a touch can be removed, since a tool that begins inside exerts no force.
     for (const std::size_t part : {2, 4, 8, 16}) {
       all.push_back([part](TortureScene* s) {
         const std::size_t before = std::min(s->leave, s->trajectory.t.size());
@@ -105,7 +105,7 @@ std::vector<Edit> edits(const TortureScene& scene, const Failure& failure) {
   return all;
 }
 
-// Where `outcome` fails it; null if it does not.
+// Where `outcome` fails the criterion; null if it does not.
 const Failure* failureOf(const Outcome& outcome, const std::string& criterion) {
   for (const Failure& failure : outcome.failures) {
     if (failure.criterion == criterion) return &failure;
@@ -120,7 +120,7 @@ TortureScene shrunk(const TortureScene& scene, const Failure& failure, const std
   TortureScene best = scene;
   Failure of_best = failure;
   const double begin = steadySeconds();
-  // What one edit could not leave out, it can after another one.
+  // An edit may become possible after another one, so all are repeated.
   for (bool plainer = true; plainer;) {
     plainer = false;
     for (const Edit& edit : edits(best, of_best)) {

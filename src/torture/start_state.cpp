@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How scenes begin that do not begin at rest.
+// Initial states other than rest.
 #include <cmath>
 
 #include "palpate/io/state_file.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kScale = 10.0;
 
-// Of points that are not held; those stay.
+// Displaced positions; held points stay.
 Points displaced(const TortureScene& scene, const TortureOrgan& organ, const Points& rest) {
   Draw draw(scene.seed ^ 0x5747a27eULL, static_cast<std::uint64_t>(scene.number));
   const Vec3 middle = organ.low + 0.5 * organ.size, high = organ.low + organ.size;

@@ -14,7 +14,7 @@
 namespace palpate::torture {
 namespace {
 
-// Ends of the edges whose middles are nodes 4 to 9.
+// Ends of the edges of mid-edge nodes 4 to 9.
 constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
 using Weights = Eigen::Vector4d;
@@ -38,7 +38,7 @@ Eigen::VectorXd shapeValues(Eigen::Index nodes, const Weights& w) {
   return N;
 }
 
-// Of quadratic tetrahedra the rule of order 2 [Hammer, Marlowe, Stroud 1956].
+// For quadratic tetrahedra the rule of degree 2 [Hammer, Marlowe, Stroud 1956].
 std::vector<Weights> integrationPoints(Eigen::Index nodes) {
   if (nodes == 4) return {Weights::Constant(0.25)};
   std::vector<Weights> points(4, Weights::Constant((5.0 - std::sqrt(5.0)) / 20.0));
@@ -107,7 +107,7 @@ void TextbookSolid::addElement(Eigen::Index e, double density) {
   points_.push_back(std::move(points));
 }
 
-// One at each corner, and where solids meet one of each.
+// One pressure per corner, and per solid at corners between solids.
 void TextbookSolid::makePressures() {
   std::map<std::pair<int, std::size_t>, int> number;
   pressure_.resize(4, rest_.numCells());
@@ -150,7 +150,7 @@ Mat3 TextbookSolid::deformation(const Point& point, Eigen::Index e, const Points
   return F * frame_;
 }
 
-// Of the corners, from the change of volume around each.
+// Pressures of the corners, from the volume change around each.
 Eigen::VectorXd TextbookSolid::pressures(const Points& now) const {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(over_volumes_.size());
   for (Eigen::Index e = 0; e < pressure_.cols(); ++e) {

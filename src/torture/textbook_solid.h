@@ -10,31 +10,30 @@
 
 namespace palpate::torture {
 
-/// Forces on the nodes of tetrahedra by the formulas of docs/theory.md, Elements, one element after
-/// the other and without what makes the core fast, to look from outside whether a solver told the
-/// truth.
+/// Nodal forces of tetrahedra by the formulas of docs/theory.md, Elements: serial and unoptimised,
+/// for an independent check of solvers.
 class TextbookSolid {
  public:
-  /// `rest`: linear or quadratic tetrahedra, of which `rest.solid` says of which law each is.
+  /// `rest`: linear or quadratic tetrahedra; `rest.solid` is the index of each one's law.
   /// `element`: a name of fem::elementNames(). `frame`: from the material's axes to the world's.
   TextbookSolid(const mesh::CellMesh& rest, const std::string& element,
                 const std::vector<material::Material>& laws, double density, const Mat3& frame);
 
   /// Elastic forces -dW/dx, 3 x n [N].
   Points elasticForces(const Points& now) const;
-  /// Lumped, n [kg].
+  /// Lumped masses, n [kg].
   const Eigen::VectorXd& masses() const { return masses_; }
-  /// What gravity acts on, n [kg]: of quadratic tetrahedra not their masses.
+  /// Masses for gravity, n [kg]; they differ from masses() for quadratic tetrahedra.
   const Eigen::VectorXd& loaded() const { return loaded_; }
 
  private:
   struct Point {
     Eigen::Vector4d w;         // barycentric
-    Eigen::MatrixXd gradient;  // of the nodes' shape functions at rest, nodes x 3 [1/m]
-    double volume;             // it stands for [m^3]
+    Eigen::MatrixXd gradient;  // of shape functions at rest, nodes x 3 [1/m]
+    double volume;             // weight of the point [m^3]
   };
   struct Moduli {
-    double mu, kappa, of_element;  // the last is what of kappa the element keeps to itself [Pa]
+    double mu, kappa, of_element;  // of_element: the element's own part of kappa [Pa]
   };
 
   void addElement(Eigen::Index e, double density);
@@ -51,9 +50,9 @@ class TextbookSolid {
   std::vector<Moduli> moduli_;  // of each law
   std::vector<std::vector<Point>> points_;
   Eigen::VectorXd masses_, loaded_;
-  Eigen::Matrix4Xi pressure_;     // number of each corner's, or empty
-  Eigen::VectorXd over_volumes_;  // kappa_n / V_n of averaged pressures
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> compliance_;  // of stabilised ones
+  Eigen::Matrix4Xi pressure_;     // index for each corner; may be empty
+  Eigen::VectorXd over_volumes_;  // kappa_n / V_n for averaged pressures
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> compliance_;  // for stabilised pressures
 };
 
 }  // namespace palpate::torture

@@ -28,7 +28,7 @@ mesh::SurfaceMesh hull(const Vec3& half) {
   return surface;
 }
 
-// An L: of eight cells of a box the upper ones at +x are left out.
+// An L: eight cells of a box without the upper ones at +x.
 mesh::SurfaceMesh hook(const Vec3& half) {
   const mesh::TetMesh box = mesh::boxMesh(2.0 * half, Eigen::Vector3i(2, 2, 2));
   std::vector<Eigen::Index> kept;

@@ -7,7 +7,7 @@
 
 namespace palpate::torture {
 
-/// Writes a tool's URDF, and its mesh where it has one. @returns its lines of the scene file.
+/// Writes a tool's URDF and mesh, if any. @returns its lines of the scene file.
 std::string writeTool(const TortureTool& tool, const std::string& folder);
 
 }  // namespace palpate::torture

@@ -71,7 +71,7 @@ std::string commandOf(const ResultLine& line) {
   return "palpate torture --seed " + line.cell("seed") + " --only " + line.cell("number");
 }
 
-// "Commit abc: 3 scenes.", a line each, as scripts/checks/check_pages.py reads it.
+// Lines like "Commit abc: 3 scenes.", as scripts/checks/check_pages.py reads them.
 std::string commits(const std::vector<ResultLine>& lines) {
   std::map<std::string, int> scenes;
   for (const ResultLine& line : lines) ++scenes[line.cell("commit")];
@@ -88,7 +88,7 @@ int largest(const std::vector<ResultLine>& lines, const std::string& column) {
   return static_cast<int>(most);
 }
 
-// Scenes in which tools were to touch something, and did not.
+// Number of scenes without a touch although tools were to touch.
 std::ptrdiff_t numIdle(const std::vector<ResultLine>& lines) {
   return std::count_if(lines.begin(), lines.end(), [](const ResultLine& line) {
     const std::string& what = line.cell("category");

@@ -23,12 +23,11 @@
 namespace palpate::torture {
 namespace {
 
-// A live cycle ends by so many deadlines: an iteration may be under way, and one is still to
-// follow.
+// Longest live cycle in deadlines: an iteration may be in progress, and one more follows.
 constexpr double kTwice = 2.0;
-constexpr double kPeriods = 2.0;  // of a live loop, the deadline of the node by default
+constexpr double kPeriods = 2.0;  // default deadline of the node, in periods of a live loop
 
-// What a cycle did with its time.
+// Work of a cycle as text.
 std::string effortOf(const sim::StepReport& report) {
   std::ostringstream out;
   out.precision(3);
@@ -42,7 +41,7 @@ std::string effortOf(const sim::StepReport& report) {
   return out.str();
 }
 
-// So that tables of several machines say the same.
+// Makes tables of different machines equal.
 std::string without(const std::string& folder, std::string text) {
   for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
     text.erase(at, folder.size());
@@ -50,7 +49,7 @@ std::string without(const std::string& folder, std::string text) {
   return text;
 }
 
-// When cycles are cut, by a pattern.
+// Random cuts of cycles, by a pattern.
 class Cuts {
  public:
   Cuts(const TortureScene& scene, int pattern)
@@ -93,7 +92,7 @@ class Run {
   }
 
  private:
-  // Live meshes that adapt are made between the cycles of a loop that keeps time.
+  // Whether cycles must keep time: live mesh adaptation works between them.
   bool keepsTime() const {
     const auto adapts = [](const TortureOrgan& organ) { return organ.adapt > 0.0; };
     return scene_.live && std::any_of(scene_.organs.begin(), scene_.organs.end(), adapts);
@@ -114,7 +113,7 @@ class Run {
     }
     io::Replay replay(simulator, scene_.trajectory, files_.trajectory);
     const double begin = steadySeconds();
-    double end = begin;  // of the row's time
+    double end = begin;  // end of the row's time
     solver::Deadline deadline(liveSeconds());
     Cuts cuts(scene_, limits_.cuts);
     if (limits_.cuts > 0) {
@@ -128,7 +127,7 @@ class Run {
       const std::size_t row = replay.row();
       const double dt =
           row == 0 ? scene_.step : scene_.trajectory.t[row] - scene_.trajectory.t[row - 1];
-      // A row may be several cycles.
+      // A row may consist of several cycles.
       const double cycles = std::max(1.0, std::ceil(dt / scene_.step - 1e-6));
       const double began = steadySeconds();
       end = began + limits_.cycle;
@@ -149,13 +148,13 @@ class Run {
     failLate();
     const std::size_t last = replay.row() - 1;
     for (NamedCriterion& one : all) {
-      // Who was left off did not come to rest.
+      // A stopped run did not come to rest.
       if (replay.hasNext() && one.name == "rest") continue;
       fail(one.name, last, one.criterion->finish());
     }
   }
 
-  // False: there is no such start, as where there is an equilibrium upside down alone.
+  // Returns false without such a state, for example if only an inverted equilibrium exists.
   bool placeStart(sim::Simulator* simulator, std::vector<NamedCriterion>* all) {
     try {
       writeStart(scene_, files_, simulator);
@@ -203,7 +202,7 @@ class Run {
     return false;
   }
 
-  // Of the cycles that broke the deadline, how many there were, and the longest one.
+  // Reports the number of late cycles, and the longest.
   void failLate() {
     if (late_ == 0) return;
     std::ostringstream what;
@@ -219,8 +218,8 @@ class Run {
   OrganCells cells_;
   Outcome outcome_;
   std::vector<double> touching_;  // [s]
-  int late_ = 0;                  // rows that broke the deadline, and the longest of them:
-  double latest_ = 0.0;           // a cycle of it [s]
+  int late_ = 0;                  // number of late rows; the longest has
+  double latest_ = 0.0;           // a cycle of this length [s]
   std::size_t latest_row_ = 0;
   std::string latest_effort_;
 };

@@ -11,48 +11,48 @@
 
 namespace palpate::torture {
 
-/// A cycle that was done.
+/// A completed cycle.
 struct Cycle {
   const sim::Simulator& simulator;
   const sim::StepResult& result;
-  std::size_t row;  ///< Of the trajectory.
-  double dt;        ///< Of that row [s].
-  int parts;        ///< Steps that it was cut into.
+  std::size_t row;  ///< Row of the trajectory.
+  double dt;        ///< Time step of that row [s].
+  int parts;        ///< Number of steps of the cycle.
 };
 
-/// What a scene must not do. One of these sees all cycles of one run.
+/// A requirement on a scene; an instance checks all cycles of one run.
 class Criterion {
  public:
   virtual ~Criterion() = default;
-  /// What is wrong with the cycle, or nothing.
+  /// Describes the violation by this cycle; empty if there is none.
   virtual std::string check(const Cycle& cycle) = 0;
-  /// The organs were put elsewhere after the first cycle, for that is where the scene begins.
+  /// Called after the first cycle, when organs were moved to the scene's initial positions.
   virtual void placed(const sim::Simulator& /*simulator*/) {}
-  /// What is wrong with all of them.
+  /// Describes a violation by the whole run; empty if there is none.
   virtual std::string finish() { return ""; }
 };
 
-/// One of them with its name.
+/// A criterion with its name.
 struct NamedCriterion {
   std::string name;
   std::unique_ptr<Criterion> criterion;
 };
 
-/// All of them, for a run of `scene` by a simulator that made no step yet:
+/// All criteria of a run of `scene`, for a simulator before its first step:
 ///
-///   finite    no number is NaN or infinite, and no status non_finite
-///   bounded   no point is ten sizes away, and no force more than tissue of that stiffness has
-///   inverted  no shape with a tetrahedron of det F <= 0, as computed from its corners, is
-///   converged truth     status, residual and wrench are what follows from points and contacts
-///   wrench    forces come from what touches, and what reaches the hand is within the limits
+///   finite    no number is NaN or infinite, and no status is non_finite
+///   bounded   no point is ten sizes away, and no force is beyond tissue of that stiffness
+///   inverted  no cycle reported as converged has a tetrahedron with det F <= 0 at its corners
+///   truth     status, residual and wrench follow from points and contacts
+///   wrench    forces come from touches, and those at the hand are within the limits
 ///   energy    without tools it grows by no more than the integrator's bound
-///   rest      without tools, damped and held, all is back within 1e-4 of its size
-///   time      no cycle takes 100 times as long as the median one in contact (and 20 ms)
+///   rest      without tools, damped and held, all returns within 1e-4 of its size
+///   time      no cycle takes 100 times the median one in contact (and 20 ms)
 std::vector<NamedCriterion> criteria(const TortureScene& scene, const sim::Simulator& simulator);
 
-/// Their names, and those of what a run itself can do: crash, cycle (one took too long and was
-/// ended), deadline (a live one went on after it), same (another number of threads gave other
-/// bits), cut (with cycles that end before their time something else was not met).
+/// Names of the criteria, and of failures of a run itself: crash; cycle (one was stopped as too
+/// long); deadline (a live cycle exceeded it); same (another number of threads gave other bits);
+/// cut (another criterion failed with cycles cut short).
 std::vector<std::string> criterionNames();
 
 }  // namespace palpate::torture

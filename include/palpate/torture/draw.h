@@ -8,8 +8,8 @@
 
 namespace palpate::torture {
 
-/// Numbers drawn from a seed and a number, the same on every machine: SplitMix64 [Steele, Lea,
-/// Flood 2014], whose stream begins at a hash of both.
+/// Random numbers from a seed and a number, equal on every machine: SplitMix64 [Steele, Lea, Flood
+/// 2014], begun at a hash of both.
 class Draw {
  public:
   Draw(std::uint64_t seed, std::uint64_t number);

@@ -8,21 +8,20 @@
 
 namespace palpate::torture {
 
-/// Where the files of a scene are.
+/// Paths of a scene's files.
 struct SceneFiles {
   std::string scene, trajectory;
-  std::string state;  ///< Of what does not begin at rest, else empty.
+  std::string state;  ///< Initial state of a scene that does not begin at rest; else empty.
 
-  /// `palpate replay ...`, which plays just this.
+  /// The command `palpate replay ...` that replays the scene.
   std::string command() const;
 };
 
-/// Writes a scene into a folder, which must be there: scene.yaml, and what it names.
+/// Writes scene.yaml and its files into an existing folder.
 /// @throws InputError
 SceneFiles writeScene(const TortureScene& scene, const std::string& folder);
 
-/// Brings a simulator of the scene, whose first row was stepped, to where the scene begins, and
-/// writes that state.
+/// Moves a simulator, after its first row, to the scene's initial state, and writes that state.
 /// @throws InputError
 void writeStart(const TortureScene& scene, const SceneFiles& files, sim::Simulator* simulator);
 

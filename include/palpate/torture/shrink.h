@@ -7,10 +7,9 @@
 
 namespace palpate::torture {
 
-/// A scene that fails a criterion, made plainer while it still fails it: fewer rows, tools and
-/// organs, no friction, weight, memory or other step in time, a law and an element as they are by
-/// default, over and over until none of these can go. Runs in `folder`, at most for so many
-/// seconds, in which it leaves nothing to rely on.
+/// Simplifies a scene while it still fails a criterion: fewer rows, tools and organs, no friction,
+/// gravity or viscosity, default integrator, law and element, until nothing more can be removed.
+/// Runs in `folder` for at most `seconds` [s]; files left there have no meaning.
 TortureScene shrunk(const TortureScene& scene, const Failure& failure, const std::string& folder,
                     const RunLimits& limits, double seconds);
 

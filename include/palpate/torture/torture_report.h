@@ -8,8 +8,8 @@
 
 namespace palpate::torture {
 
-/// stability.md: what was run, what of it passed by category and by what a scene is made of,
-/// the worst cases, and what fails, each with the command that replays it.
+/// Text of stability.md: scenes run, passes by category and by composition, worst cases, and
+/// failures with the command that replays each.
 std::string stabilityMarkdown(const std::vector<ResultLine>& lines);
 
 /// "153 scenes: 136 passed, 17 failed, 0 refused, 0 left off".

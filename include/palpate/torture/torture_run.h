@@ -11,34 +11,34 @@
 
 namespace palpate::torture {
 
-/// What a run may take. Only what takes too long depends on how fast the machine is.
+/// Time limits of a run; only these depend on the machine's speed.
 struct RunLimits {
-  double cycle = 60.0;  ///< A cycle that takes longer is ended, and has failed [s].
-  double scene = 60.0;  ///< A run that takes longer is left off and judged by what it did [s].
+  double cycle = 60.0;  ///< Longest cycle, which is stopped and fails [s].
+  double scene = 60.0;  ///< Longest run, which is stopped and judged by the cycles done [s].
   double live = 0.02;   ///< Deadline of live cycles, or two steps of the scene if longer [s].
   int threads = 1;
-  /// A pattern by which cycles are asked to end after a number of questions, without a clock, until
-  /// half of the rest after the tools is over; 0: they are not.
+  /// Random pattern that cuts cycles after a number of deadline queries, without a clock, until
+  /// half of the rows after the tools; 0: none.
   int cuts = 0;
-  /// Sleeps until this steadySeconds(), for live loops that keep time; null: they go on at once.
+  /// Sleeps until this steadySeconds(), to run live loops in real time; null: no waiting.
   std::function<void(double)> sleep_until;
 };
 
-/// A criterion that was not met, where first.
+/// A violated criterion, with its first violation.
 struct Failure {
   std::string criterion;
   std::size_t row = 0;
   std::string what;
 };
 
-/// How a scene went.
+/// Result of a scene.
 struct Outcome {
-  std::string refused;  ///< What loading said, of a scene that does not load; nothing else then.
+  std::string refused;  ///< Message of a scene that does not load; the rest is then empty.
   std::vector<Failure> failures;
-  bool whole = true;  ///< Not left off.
+  bool whole = true;  ///< Whether the run was not stopped.
   int cycles = 0, unsolved = 0, inverted = 0, touching = 0;
-  int curled = 0;    ///< Converged cycles with quadratic elements inverted at a corner.
-  int put_back = 0;  ///< Cycles that an organ was put back to rest in, rolled back or frozen.
+  int curled = 0;    ///< Converged cycles with quadratic elements inverted at corners.
+  int put_back = 0;  ///< Cycles in which an organ was reset, rolled back or skipped.
   std::ptrdiff_t points = 0;
   double load_s = 0.0, run_s = 0.0, median_ms = 0.0, longest_ms = 0.0;
   double peak_force = 0.0;  ///< [N]
@@ -48,8 +48,8 @@ struct Outcome {
   bool fails(const std::string& criterion) const;
 };
 
-/// Writes the scene into `folder`, which must be there, and replays it as `palpate replay` does.
-/// @throws InputError where files cannot be written.
+/// Writes the scene into an existing `folder` and replays it as `palpate replay` does.
+/// @throws InputError if files cannot be written.
 Outcome run(const TortureScene& scene, const std::string& folder, const RunLimits& limits);
 
 }  // namespace palpate::torture

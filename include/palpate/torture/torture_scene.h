@@ -17,80 +17,80 @@ namespace palpate::torture {
 
 inline constexpr double kSheetThickness = 0.001;  ///< Of model cloth [m].
 
-/// An organ of a scene of torture, in the world.
+/// An organ of a random test scene, in the world frame.
 struct TortureOrgan {
   std::string name;
-  std::string shape;           ///< One of meshShapes(), or an organ of organs::organNames().
-  mesh::TetMesh mesh;          ///< Or, where this is empty,
-  mesh::SurfaceMesh surface;   ///< what is filled in edges of
-  double edge_length = 0.0;    ///< [m].
-  Vec3 size = Vec3::Zero();    ///< Of its box, which begins at
-  Vec3 low = Vec3::Zero();     ///< [m].
+  std::string shape;           ///< One of meshShapes(), or of organs::organNames().
+  mesh::TetMesh mesh;          ///< Tetrahedra; if empty, those made from
+  mesh::SurfaceMesh surface;   ///< this surface with edges of
+  double edge_length = 0.0;    ///< edge_length [m].
+  Vec3 size = Vec3::Zero();    ///< Size of its box [m], whose lower corner is
+  Vec3 low = Vec3::Zero();     ///< low [m].
   double min_dihedral = 90.0;  ///< Of the mesh [degrees].
 
   std::string model = "fem", element = "anp", scheme = "implicit", law;
   material::Constants constants;
-  double young = 0.0, poisson = 0.0;  ///< Of small strains [Pa], [-].
+  double young = 0.0, poisson = 0.0;  ///< At small strains [Pa], [-].
   double density = 1000.0;            ///< [kg/m^3]
-  double contrast = 1.0;              ///< So many times as stiff is its upper half.
+  double contrast = 1.0;              ///< Stiffness of the upper half over that of the lower half.
   double prony_g = 0.0, prony_tau = 1.0;
   double mass_damping = 0.0, stiffness_damping = 0.0;  ///< [1/s], [s]
-  double adapt = 0.0;                                  ///< Finest edge of a mesh that adapts [m].
-  bool held = true;                                    ///< At `low.z()` up to heldTo().
+  double adapt = 0.0;                                  ///< Finest edge of adaptation [m]; 0: none.
+  bool held = true;                                    ///< Held from `low.z()` up to heldTo().
 
-  /// Points up to here are held [m].
+  /// Height up to which points are held [m].
   double heldTo() const;
-  /// Of small strains without contraction to the sides, of its stiffest part [Pa].
+  /// P-wave modulus at small strains of the stiffest part [Pa].
   double waveModulus() const;
 };
 
-/// A tool of one shape, whose joints x, y, z, roll, pitch, yaw are its pose in the world.
+/// A tool of one shape; its joints x, y, z, roll, pitch, yaw are its pose in the world.
 struct TortureTool {
   std::string name;
   std::string shape;         ///< One of toolShapes().
-  Vec3 size = Vec3::Zero();  ///< Radius, or half extents; the last is half the length [m].
+  Vec3 size = Vec3::Zero();  ///< Radius, or half extents; last: half length [m].
 
-  double radius() const { return size.norm(); }  ///< Around all of it [m].
+  double radius() const { return size.norm(); }  ///< Of a bounding ball [m].
 };
 
-/// How a scene begins.
+/// Initial state of a scene.
 enum class Start { kRest, kRandom, kFlat, kInverted, kTwisted, kScaled, kTurnedGravity, kThrown };
 
 const char* toString(Start start);
 
-/// A scene that is drawn, and how the tools go. Everything stands in files that a user can read and
-/// replay: see writeScene().
+/// A random scene with the motion of its tools. writeScene() writes it as files that users can
+/// replay.
 struct TortureScene {
   std::uint64_t seed = 1;
   int number = 0;
   std::string category;  ///< One of categories().
   std::vector<TortureOrgan> organs;
   std::vector<TortureTool> tools;
-  bool bone = false;            ///< A block below.
+  bool bone = false;            ///< A block below the organs.
   Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
   double friction = 0.0;
-  std::string contact = contact::ResponseSettings().model;  ///< What answers where tissue touches.
+  std::string contact = contact::ResponseSettings().model;  ///< Contact model.
   std::string method = solver::StepSettings().method;
   std::string integrator = solver::StepSettings().integrator;
-  double step = solver::StepSettings().step;  ///< Longest [s].
+  double step = solver::StepSettings().step;  ///< Largest time step [s].
   Start start = Start::kRest;
-  double thrown = 0.0;  ///< The second organ's speed, down [m/s].
+  double thrown = 0.0;  ///< Initial downward speed of the second organ [m/s].
   formats::Trajectory trajectory;
-  std::size_t leave = 0;  ///< From this row on no tool is near.
-  bool rests = false;     ///< Damped, and so long that all must be at rest in the end.
-  bool live = false;      ///< Cycles are ended at the deadline.
+  std::size_t leave = 0;  ///< First row without a tool near the organs.
+  bool rests = false;     ///< Whether damping and duration let everything come to rest.
+  bool live = false;      ///< Whether cycles are cut at the deadline.
 
-  double size() const;  ///< Diagonal of the box around all organs [m].
+  double size() const;  ///< Diagonal of the bounding box of all organs [m].
 };
 
-/// What the tools, or the organs, do.
+/// Kinds of motion of tools or organs.
 const std::vector<std::string>& categories();
 const std::vector<std::string>& toolShapes();
 
-/// The scene `number` of the seed, on any machine.
+/// The random scene `number` of a seed, equal on every machine.
 TortureScene drawScene(std::uint64_t seed, int number);
 
-/// "tet4 neo_hookean E=... nu=..., 300 tetrahedra ...": in a line.
+/// A line of text: "tet4 neo_hookean E=... nu=..., 300 tetrahedra ...".
 std::string describe(const TortureScene& scene);
 
 }  // namespace palpate::torture
