@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLongestWalk = 64;
 
-// Six times the volume between the line along d through `begin` and the edge from i to j: of either
-// triangle beside the edge the same number, but for the sign.
+// Six times the volume between the line along d through `begin` and the edge from i to j. Both
+// triangles at the edge give the same number, apart from the sign.
 double side(const Points& x, const Vec3& begin, const Vec3& d, int i, int j) {
   if (i > j) return -side(x, begin, d, j, i);
   return d.dot((x.col(i) - begin).cross(x.col(j) - begin));

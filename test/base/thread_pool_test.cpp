@@ -74,8 +74,8 @@ TEST(ThreadPool, RunsTasksInAThreadThatTakesNoPartInLoops) {
   EXPECT_NE(of_task, caller);
 }
 
-// As where next meshes are made beside the cycles: more of them than there are helpers, and with
-// loops of their own.
+// As background tasks that make meshes during the cycles: more tasks than helpers, with loops of
+// their own.
 TEST(ThreadPool, DoesTasksBesideLoops) {
   for (const int threads : {1, 2, 3}) {
     ThreadPool pool(threads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plane boundary elements: rigid motions, the square in tension, and a plate of the literature
-// beside linear triangles.
+// Plane boundary elements: rigid motions, the square in tension, and a plate of the literature,
+// compared with linear triangles.
 #include <gtest/gtest.h>
 
 #include <cmath>

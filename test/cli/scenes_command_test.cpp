@@ -72,7 +72,7 @@ TEST(ScenesCommand, ANameIsEnoughForAReplay) {
   EXPECT_EQ(own.status, 2);
 }
 
-// The program, and beside it what is shipped; nothing says where.
+// The program next to the shipped files, without a setting of their place.
 TEST(ScenesCommand, AnInstalledProgramFindsWhatIsInstalled) {
   for (const char* program : {"bin/palpate", "lib/palpate/palpate"}) {
     const test::TempFolder folder;

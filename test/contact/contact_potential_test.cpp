@@ -128,7 +128,7 @@ TEST_P(ContactWithEveryShape, CandidatesWithinReachAreAllThatTouch) {
   EXPECT_GT(all.size(), 5u);
 }
 
-// Samples that are felt beside the triangles that carry them.
+// Samples with an offset from the triangles that carry them.
 TEST_P(ContactWithEveryShape, GradientAndCandidatesHoldWithOffsets) {
   const Points offsets =
       random.points(static_cast<Eigen::Index>(potential.samples().size()), 0.004);

@@ -78,8 +78,8 @@ TEST_P(FaceContact, MeetsLargeTriangles) {
     block.place(tool(), upright(at.x(), at.y(), 2e-5));
     const Vec3 force = block.forceOnTissue();
     EXPECT_LT(force.z(), -1e-5) << tool().name << " at " << at.transpose();
-    // A triangle beside the one under the ball is touched at its edge, with a depth of 20 um by a
-    // ball of 1 mm not farther than 0.2 mm from there: by its sine the force may be inclined.
+    // A ball of 1 mm at a depth of 20 um also touches the edge of an adjacent triangle, within 0.2
+    // mm. The force may be inclined by the sine of that.
     EXPECT_LT(force.head<2>().norm(), 0.3 * -force.z()) << at.transpose();
     block.place(tool(), upright(at.x(), at.y(), -1e-5));
     EXPECT_EQ(block.forceOnTissue(), Vec3(Vec3::Zero())) << at.transpose();

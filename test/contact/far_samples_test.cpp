@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSpacing = 1e-3;  // of samples [m]
 
-// A block of coarse triangles, which samples and balls of thin tools meet, and a tool beside a
+// A block of coarse triangles, touched by samples and by balls of thin tools, and a tool next to a
 // larger ball.
 class FarSamples : public ::testing::TestWithParam<std::pair<std::string, instrument::Geometry>> {
  protected:

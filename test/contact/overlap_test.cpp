@@ -70,7 +70,7 @@ TEST(Overlap, SeesAToolThatIsInsideAndABodyThatIsInsideOfTheTool) {
   EXPECT_TRUE(overlaps(instrument::Sphere{1.0}, X_WG, kBlock.points, kSurface));
 }
 
-// Its inscribed radius is zero: no triangle is small enough beside it.
+// Its inscribed radius is zero, so no triangle is small enough in comparison.
 TEST(Overlap, EndsForAHullWithoutAnInside) {
   instrument::ConvexHull flat = hullOfBox(Vec3(0.01, 0.01, 1e-9), Vec3::Zero());
   flat.offsets.setZero();

@@ -130,7 +130,7 @@ TEST_P(EveryResponse, EnergyHasNoJumpsWhereATouchEnds) {
   test::expectNoJumps(potential, x, d, 2e-5, 1500);
 }
 
-// In a matrix without a pattern: all that is between nodes lies beside it.
+// In a matrix without a pattern: all blocks between nodes are couplings.
 TEST_P(EveryResponse, StiffnessIsThatOfTheForces) {
   fem::Stiffness K = matrix();
   potential.addHessian(x, fem::Tangent::kExact, &K);

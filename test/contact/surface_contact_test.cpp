@@ -38,8 +38,7 @@ Points both(const Points& a, const Points& b) {
   return x;
 }
 
-// Two blocks whose nodes are beside their places, so that each has dents, one pushed into the
-// other, turned.
+// Two blocks with displaced nodes, and so with dents, one rotated and pushed into the other.
 class SurfacesTogether : public ::testing::Test {
  protected:
   SurfacesTogether()

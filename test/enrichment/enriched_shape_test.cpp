@@ -86,8 +86,8 @@ TEST(EnrichedShape, KnowsADentWhereNoneWas) {
   EXPECT_LT(ours, 0.5 * theirs);
 }
 
-// What is learned beside interpolation is nothing at rest, twice as much where all is twice as
-// deep, and makes interpolation better where such a dent was.
+// The learned correction of interpolation is zero at rest, doubles with the deformation, and
+// improves the interpolation at dents like those of the samples.
 TEST(EnrichedShape, LearnsWhatInterpolationLeavesOut) {
   const DeformationDatabase body = dented();
   FeatureSettings settings;

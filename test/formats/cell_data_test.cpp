@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What .vtk and .vtu files say of cells beside the region.
+// Cell data of .vtk and .vtu files other than the region.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -24,7 +24,7 @@ struct Target {
   void (*read)(std::string_view bytes);
   /// Files that are well, where they are made by the program's own writers and not kept; or null.
   std::vector<std::string> (*seeds)() = nullptr;
-  /// Memory that reading may take at once, in bytes for each byte of the file, and [bytes] beside.
+  /// Limits of the memory of reading: bytes per byte of the file, plus a constant [bytes].
   double memory_each = 256.0;
   std::size_t memory_more = std::size_t{1} << 20;
 };

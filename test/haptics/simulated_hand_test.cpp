@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTick = 1e-3;
 
-// Released 10 mm beside: the damped oscillation in closed form.
+// Released 10 mm to the side: the damped oscillation in closed form.
 TEST(SimulatedHand, SwingsAsADampedOscillator) {
   HandSettings settings;
   settings.mass = 0.1;

@@ -169,7 +169,7 @@ TEST(BadUrdf, JointLoops) {
   EXPECT_PROBLEM(robot(links + joint("ab", "fixed", "a", "b") + joint("bc", "fixed", "b", "c") +
                        joint("ca", "fixed", "c", "a")),
                  "joint loop");
-  // A ring beside the root.
+  // A ring apart from the root.
   EXPECT_PROBLEM(robot(links + joint("bc", "fixed", "b", "c") + joint("cb", "fixed", "c", "b")),
                  "joint loop");
   EXPECT_PROBLEM(robot(links + joint("aa", "fixed", "a", "a")), "joint loop");

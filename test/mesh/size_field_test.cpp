@@ -43,7 +43,7 @@ TEST(SizeField, DistancesFromLines) {
   EXPECT_DOUBLE_EQ(distanceTo(corner, Vec3(0.5, 0, 3)), 3.0);      // above the first line
   EXPECT_DOUBLE_EQ(distanceTo(corner, Vec3(-3, 0, 4)), 5.0);       // before its beginning
   EXPECT_DOUBLE_EQ(distanceTo(corner, Vec3(1, 5, 4)), 5.0);        // behind the end
-  EXPECT_DOUBLE_EQ(distanceTo(corner, Vec3(1.25, 1.5, 0)), 0.25);  // beside the second
+  EXPECT_DOUBLE_EQ(distanceTo(corner, Vec3(1.25, 1.5, 0)), 0.25);  // next to the second
   EXPECT_DOUBLE_EQ(distanceTo(Polyline{{Vec3(1, 2, 3)}}, Vec3(1, 5, 7)), 5.0);
   EXPECT_DOUBLE_EQ(distanceTo(Polyline{{Vec3::Zero(), Vec3::Zero()}}, Vec3(0, 3, 4)), 5.0);
 }

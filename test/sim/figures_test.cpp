@@ -148,8 +148,8 @@ TEST(SkipFigures, OfPartsCountASleepingOneAsLeftOut) {
   EXPECT_EQ(organ.sleeping_islands, 1);
 }
 
-// An input that is cut into four steps, beside these steps one by one. The ball goes up and
-// out, so that the worst is not what the last one says.
+// An input that is cut into four steps, against these steps one by one. The ball goes up and out,
+// so the worst figures are not those of the last step.
 TEST(Figures, OfSubStepsAreThoseOfAllOfThem) {
   const test::SlabScene slab;
   const std::vector<Eigen::VectorXd> press = test::SlabScene::press();

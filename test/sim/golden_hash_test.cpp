@@ -3,10 +3,9 @@
 // change of bits is a decision. Who makes it runs this program, in the environment of
 // scripts/env.sh, with PALPATE_WRITE_HASHES=$PWD/test/sim/golden_hashes.csv and commits the file.
 //
-// Our kernels round alike on every processor; the C library's functions and BLAS choose others on
-// another one, so the program starts anew where both take those that any x86-64 processor since
-// 2008 has. Each hash stands beside that of their answers: versions of theirs that round otherwise
-// are left out.
+// Our kernels round alike on every processor. The C library and BLAS choose functions by processor,
+// so the program restarts itself with the functions of any x86-64 processor since 2008. Each row
+// has a hash of their results; rows of libraries that round differently are skipped.
 //
 // Each test has a cache of its own, so that a hash does not depend on what this user ran before.
 // `--fill SCENE.yaml ...` loads scenes in the environment as it is, which fills its cache.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shipped block of each model beside finite elements: pressed, held, slid over and let go.
+// The shipped block of each model against finite elements: pressed, held, slid over and let go.
 #include <algorithm>
 #include <cmath>
 #include <string>

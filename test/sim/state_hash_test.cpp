@@ -124,7 +124,7 @@ TEST_F(HashedRuns, AreTheSameWhereTheTimeGoesBack) {
   EXPECT_EQ(all[0], all[1]);
 }
 
-// Said, not judged: what it costs beside a cycle.
+// Reports, without a check, the cost of the hash against that of a cycle.
 TEST_F(HashedRuns, SayWhatTheHashCosts) {
   Simulator simulator(slab.scene());
   double cycles = 0.0;

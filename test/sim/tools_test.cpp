@@ -65,7 +65,7 @@ TEST_F(Tools, KnowsWhereAToolIsFree) {
   EXPECT_FALSE(free(-0.058));
   EXPECT_FALSE(free(kPressed));
   EXPECT_FALSE(free(kInside));
-  EXPECT_TRUE(free(kInside, 0.06));  // beside the slab
+  EXPECT_TRUE(free(kInside, 0.06));  // next to the slab
 }
 
 TEST_F(Tools, OneThatIsNotThereFeelsNothingAndOneThatLeavesFades) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks beside the pattern of a stiffness: products, solves, and bodies that are tied by them.
+// Blocks outside the pattern of a stiffness: products, solves, and bodies that they couple.
 #include "palpate/fem/couplings.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of few c a a^T over many nodes beside a stiffness: products, constraints, solves, bytes.
+// Rank-one updates of a stiffness over many nodes: products, constraints, solves, bytes.
 #include "palpate/fem/rank_ones.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ using test::Ball;
 using test::kStep;
 using test::onTool;
 
-// The estimate beside the force, against what a much finer mesh feels.
+// The reported error estimate against the deviation of the force from that of a much finer mesh.
 TEST(AdaptiveMesh, SaysWhatOfTheForceIsTheMeshs) {
   struct Held {
     double force, error;
@@ -50,7 +50,7 @@ TEST(AdaptiveMesh, SaysWhatOfTheForceIsTheMeshs) {
   }
 }
 
-// Middle nodes are held by themselves, not by the corners beside them.
+// Supports of middle nodes are their own, not those of adjacent corners.
 TEST(AdaptiveMesh, KeepsTheMaskOfMiddleNodes) {
   AdaptiveSlab slab("tet10");
   slab.settings.gravity = Vec3(0.0, 0.0, -9.81);

@@ -176,7 +176,7 @@ TEST_P(AdaptiveTissue, BalancesForcesOfTwoStepsBefore) {
   EXPECT_GT(changes, 2);
 }
 
-// Viscous memory is made beside as well, with the threads of the cycles.
+// A background task makes the viscous memory, too, with the threads of the cycles.
 TEST_P(AdaptiveTissue, SameBitsWithThreadsAndAfterAReset) {
   ThreadPool pool(2);
   for (bool viscous : {false, true}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Organs that are solved for by boundary elements on their surface, beside linear finite elements.
+// Organs solved by boundary elements on their surface, compared with linear finite elements.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -13,8 +13,8 @@ namespace {
 using test::makeOrgans;
 using test::OrganSketch;
 
-// Blocks of 30 x 30 x 20 mm in the air, towards each other at 0.4 m/s, with their middles 8 mm
-// beside each other, so that they set each other spinning. No damping.
+// Blocks of 30 x 30 x 20 mm in the air, towards each other at 0.4 m/s, with a lateral offset of 8
+// mm between their centres, which makes them spin. No damping.
 struct Collision {
   explicit Collision(const std::string& integrator = "backward_euler") {
     const auto none = [](const Vec3&) { return false; };

@@ -122,8 +122,7 @@ TEST_P(EveryMethodThatIsLate, ComesOutOfAShapeThatIsInsideOut) {
   }
 }
 
-// A hard tool leaps in, which makes forces beside which those of the tissue are nothing, and is
-// gone.
+// A stiff tool leaps in and out, with forces far above those of the tissue.
 class AfterForcesThatAreGone : public EveryMethodThatIsLate {
  public:
   // The cycle with the leap is to end after it has asked `patience` times.

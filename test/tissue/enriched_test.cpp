@@ -28,7 +28,7 @@ mesh::SurfaceMesh boundaryOf(const mesh::TetMesh& mesh) {
 TEST(FineSurface, LiesAtRestWhereItIsAndMovesWithItsBody) {
   const mesh::TetMesh mesh = mesh::boxMesh(Vec3(0.06, 0.06, 0.03), Eigen::Vector3i(6, 6, 3));
   mesh::SurfaceMesh bulged = test::dentedBlock(mesh).fine;
-  bulged.points.row(2).array() += 0.001;  // beside the coarse surface
+  bulged.points.row(2).array() += 0.001;  // away from the coarse surface
   const FineSurface fine(boundaryOf(mesh), bulged, 0.004);
   Points on;
   fine.carried(mesh.points, &on);

@@ -152,8 +152,8 @@ int cyclesToRest(TissueModel* tissue, double dt, int* worst = nullptr, int* toge
   return 0;
 }
 
-// The slab is placed at x, beside another: both end at rest where they would be without that, and
-// no cycle in which one is inside out is called converged.
+// The slab starts at x, next to another slab. Both must end at rest at their equilibrium, and no
+// cycle with an inverted slab is reported as converged.
 void expectPutBack(const OrganSketch& slab, const Points& x, double dt) {
   const std::vector<OrganSketch> organs = {slab, neighbour()};
   const auto tissue = makeOrgans(organs, settings()), alike = makeOrgans(organs, settings());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is made beside the cycles for a mesh that is taken into use later.
+// Background task that prepares an adapted mesh for later use.
 #include "tissue/adaptation/mesh_adaptation.h"
 
 #include <gtest/gtest.h>

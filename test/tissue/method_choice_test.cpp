@@ -137,7 +137,7 @@ TEST(CycleCounts, FollowTheBody) {
   EXPECT_EQ(tet4.volume_entries, 0.0);
   EXPECT_LT(tet4.factor_flops, soft.factor_flops);  // that of anp reaches over two rings
   EXPECT_LT(tet4.direct, soft.direct);
-  // The pressures beside the factor of the rest: far below the factor over two rings.
+  // The pressures' iterations plus the factor of the rest: far below the factor over two rings.
   EXPECT_LT(soft.direct, solver::factorizationSeconds(soft.factor_flops));
   const CycleCounts tet10p = countsOf(slabWith(0.45, "tet10p"));
   EXPECT_TRUE(tet10p.tets.quadratic && tet10p.tets.averaged);

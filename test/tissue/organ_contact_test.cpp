@@ -64,9 +64,9 @@ Vec3 momentOf(const Points& a, const Points& b, const Eigen::VectorXd& masses) {
   return sum;
 }
 
-// Two blocks in the air, towards each other at 0.4 m/s and beside each other, without damping: what
-// one loses the other one gets, and energy is never made. Of the angular momentum backward Euler
-// changes h sum m v_(n+1) (x) v_n by itself.
+// Two blocks in the air, towards each other at 0.4 m/s with a lateral offset, without damping.
+// Momentum is exchanged, and energy does not grow. Backward Euler itself changes the angular
+// momentum by h sum m v_(n+1) (x) v_n.
 TEST(OrganContact, ExchangesMomentumAndMakesNoEnergy) {
   const Vec3 size(0.03, 0.03, 0.02);
   std::vector<OrganSketch> organs = {

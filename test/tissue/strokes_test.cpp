@@ -61,7 +61,7 @@ class Strokes : public ::testing::TestWithParam<StruckTool> {
     to.translation() += kSpeed * kCycle * way.normalized();
     return to;
   }
-  // Whether the tool's axis is where the block was: some strokes pass beside it, at the end.
+  // Whether the tool's axis is in the block's rest volume; some strokes pass by it at the end.
   bool pressesIn(const Pose& X_WG) const {
     const Vec3 size(0.06, 0.06, 0.03);
     for (double s = -1.0; s <= 1.0; s += 0.01) {

@@ -229,7 +229,7 @@ TEST(Surroundings, SleepOnSpringsAndNeverWhereSomethingMoves) {
   }
 }
 
-// Where two motions meet the last one holds; what is held is held beside springs, too.
+// Where two motions overlap, the last one applies; held nodes stay held where springs act, too.
 TEST(Surroundings, ThatOverlapHoldAsTheLastMotionSays) {
   Held held("implicit_pcg");
   Wave wave;

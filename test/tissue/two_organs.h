@@ -114,7 +114,7 @@ inline std::unique_ptr<tissue::TissueModel> makeOrgans(const std::vector<OrganSk
   return tissue::makeModel(model, description);
 }
 
-/// Balls of 8 mm that begin 10 mm beside blocks or above them, and go at 40 mm/s.
+/// Balls of 8 mm that begin 10 mm to the side of blocks or above them, and go at 40 mm/s.
 class Balls {
  public:
   /// From `at` along `direction`, for `turn` [s], and then back.

@@ -17,7 +17,7 @@ namespace palpate::solver {
 /// Vectors are in double precision, products with the matrix are computed in single precision,
 /// which is less than half the work. A tolerance that this could miss is met by iterative
 /// refinement with the matrix itself [Moler 1967]. All matrices must have the pattern of the first
-/// one; couplings beside it are added to the products block by block.
+/// one; couplings outside the pattern are added to the products block by block.
 class BlockPcg final : public LinearSolver {
  public:
   /// `pool` may be null (one thread) and must outlive the solver; it changes no bit of x. `points`,

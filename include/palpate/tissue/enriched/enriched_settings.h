@@ -9,8 +9,8 @@
 
 namespace palpate::tissue {
 
-/// Of an organ of model enriched: which fine surface is carried by its finite elements, and what
-/// it learnt beside.
+/// Settings of an organ of model enriched: the fine surface carried by its finite elements, and its
+/// training data.
 struct EnrichedSettings {
   std::string detail = "residual";  ///< residual | displacement | none
   std::string database;             ///< Folder; empty: it is made as planned.

@@ -51,7 +51,7 @@ void refuse(const OrganDescription& organ, const fem::Composition& composition,
   }
 }
 
-// Supports have to hold against forces in the plane, beside which those that bend are small.
+// Supports must bear forces in the plane, which are large against those of bending.
 double slenderness(const Points& X, double thickness) {
   return thickness / (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
 }

@@ -4,7 +4,7 @@
 namespace palpate::tissue {
 namespace {
 
-// Corners of a side, as bits of the cell's corner index beside that of its own axis.
+// Corners of a side, as bits of the cell's corner index for the two axes other than the side's own.
 constexpr int kRound[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 std::array<int, 4> cornersOf(const CellLattice::Cell& cell, int axis, int positive) {

@@ -46,7 +46,7 @@ class LinearPart {
   const Eigen::MatrixXd& transfer() const { return T_; }      ///< T
   const Eigen::MatrixXd& compliance() const { return C_; }    ///< C [m/N]
   const Eigen::VectorXd& underWeights() const { return a_; }  ///< a [m]
-  /// The gradient of the elastic energy beside S u_c where nothing touches: b at kept points, the
+  /// Gradient of the elastic energy without S u_c and without touches: b at kept points, the
   /// weights at surface and inner ones, 3 x n [N].
   const Points& weights() const { return weights_; }
   /// The elastic energy where u_c and e are zero [J].

@@ -57,8 +57,8 @@ class Umbrella {
   }
   /// |h^2 Laplacian| of each leaf, with the mean distance h of its neighbours [m].
   void bend(const Points& d, Eigen::VectorXd* bends) const;
-  /// Longest stable steps of each leaf by the sums of its links' stiffnesses [Gershgorin 1931],
-  /// beside others `beside` [N/m], for masses [kg].
+  /// Longest stable step of each leaf, by the sums of its links' stiffnesses [Gershgorin 1931] plus
+  /// the stiffnesses `beside` of other springs [N/m], for masses [kg].
   Eigen::VectorXd longestSteps(const Eigen::VectorXd& masses, const Eigen::VectorXd& beside) const;
   /// h sqrt(rho/(lambda + 2 mu)) of a spacing h: (2.14) [s].
   double publishedStep(double h) const;
