@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How viscous memory goes to another mesh, and to bytes and back.
+// Viscous memory: transfer to another mesh, and serialisation.
 #include <stdexcept>
 
 #include "point_change.h"

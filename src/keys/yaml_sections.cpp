@@ -7,7 +7,7 @@
 namespace palpate::keys {
 namespace {
 
-constexpr std::size_t kMaxProblems = 50;  // more than anybody reads
+constexpr std::size_t kMaxProblems = 50;  // limit of reported problems
 constexpr int kMostItems = 2000;
 
 std::string didYouMean(const std::string& nearest) {

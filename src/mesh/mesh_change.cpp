@@ -21,12 +21,12 @@ Eigen::MatrixXd MeshChange::transport(const Eigen::MatrixXd& old, const LumpedMa
   Eigen::MatrixXd field = interpolate(old);
   if (quadratic()) keepAmount(old, old_masses, new_masses, &field);
   if (removed.empty()) return field;
-  // First the new field at removed points, coarse ones first,
+  // New field at the removed points, coarse ones first.
   Eigen::MatrixXd there = old;
   for (auto m = removed.rbegin(); m != removed.rend(); ++m) {
     there.col(m->point) = 0.5 * (there.col(m->a) + there.col(m->b));
   }
-  // then the loss there, distributed to the adjacent points, fine ones first.
+  // Loss at the removed points, distributed to the adjacent ones, fine ones first.
   Eigen::MatrixXd lost = Eigen::MatrixXd::Zero(old.rows(), old.cols());
   for (const Middle& m : removed) {
     const Eigen::VectorXd amount =

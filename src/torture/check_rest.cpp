@@ -9,7 +9,7 @@ namespace {
 constexpr double kBackWithin = 1e-4;  // over the size
 
 // Others have inverted equilibria: Green's strain, polar rotation and spring lengths do not detect
-// inversion. They are not checked after cycles reported as inverted.
+// inversion. Not checked if the last status is inverted.
 bool hasOneRestState(const TortureOrgan& organ) {
   return organ.law != "st_venant_kirchhoff" && organ.law != "corotational" &&
          organ.model != "mass_spring";

@@ -183,7 +183,7 @@ class Rows {
   double t_ = 0.0;
 };
 
-// Whether organs move without inertia. Methods whose static steps damping slows do not count.
+// Whether organs move without inertia and damping; damping slows `static` steps of other methods.
 bool movesWithoutInertia(const TortureScene& scene) {
   const std::string& model = scene.organs.front().model;
   if (model == "fem" || model == "enriched" || model == "neural") {

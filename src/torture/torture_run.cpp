@@ -218,8 +218,8 @@ class Run {
   OrganCells cells_;
   Outcome outcome_;
   std::vector<double> touching_;  // [s]
-  int late_ = 0;                  // number of late rows; the longest has
-  double latest_ = 0.0;           // a cycle of this length [s]
+  int late_ = 0;                  // number of late rows
+  double latest_ = 0.0;           // longest late cycle [s]
   std::size_t latest_row_ = 0;
   std::string latest_effort_;
 };

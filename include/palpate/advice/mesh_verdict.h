@@ -10,9 +10,9 @@ namespace palpate::advice {
 
 /// Edge lengths of a body's surface [m].
 struct SurfaceEdges {
-  double finest = 0.0;    ///< Mean of the tenth of points with the shortest edges;
-  double coarsest = 0.0;  ///< of the tenth with the longest edges;
-  double mean = 0.0;      ///< mean of the triangles, weighted by area.
+  double finest = 0.0;    ///< Mean over the 10 % of points with the shortest edges.
+  double coarsest = 0.0;  ///< Mean over the 10 % of points with the longest edges.
+  double mean = 0.0;      ///< Mean over the triangles, weighted by area.
 
   /// Whether refinement, not irregularity, explains the range of edges.
   bool graded() const { return coarsest > 3.0 * finest; }

@@ -12,17 +12,17 @@ namespace palpate::advice {
 
 /// Facts of a scene that determine its cost. Per-organ facts are of the organ with the most nodes.
 struct SceneFacts {
-  scene::RatesConfig rates;      ///< As in the scene,
-  scene::SolverConfig solver;    ///< as in the scene
-  scene::ContactConfig contact;  ///< and as in the scene.
+  scene::RatesConfig rates;      ///< As in the scene.
+  scene::SolverConfig solver;    ///< As in the scene.
+  scene::ContactConfig contact;  ///< As in the scene.
   /// Method of the organ, as in the scene or chosen by `auto`.
   tissue::MethodFacts method = tissue::methodFacts(scene::SolverConfig().method);
   int cores = 1;
   std::string organ;
   int nodes = 0;               ///< Sum over all organs.
   double edge_length = 0.0;    ///< Mean of the organ's tetrahedra [m].
-  bool meshed = false;         ///< Whether the organ is meshed by its key edge_length,
-  bool graded = false;         ///< and whether that has refinement zones.
+  bool meshed = false;         ///< Whether the organ is meshed by its key edge_length.
+  bool graded = false;         ///< Whether edge_length has refinement zones.
   double finest = 0.0;         ///< Of organs[].adapt [m]; 0: no adaptation.
   double poisson_ratio = 0.0;  ///< Largest of all solids, at small strains.
 };
@@ -42,8 +42,8 @@ struct SceneVerdict {
   double rate_possible = 0.0;       ///< 1 / p99 of the cycle time, held by 99 % [Hz]; 0: unknown.
   double rate_typical = 0.0;        ///< 1 / median of the cycle time [Hz].
   bool too_heavy = false;           ///< Whether rate_possible is below the wanted rate.
-  Phase costliest = Phase::kOther;  ///< Phase with the largest share of the slowest cycles,
-  double share = 0.0;               ///< and this share [-].
+  Phase costliest = Phase::kOther;  ///< Phase with the largest share of the slowest cycles.
+  double share = 0.0;               ///< Share of that phase [-].
   std::vector<Advice> advice;       ///< Most effective first; only if too heavy.
 };
 

@@ -28,8 +28,8 @@ struct Surrogate {
   double patch = 0.0;         ///< Radius of the press [m].
   std::string made_by;        ///< Request text of the database.
 
-  Vec6 middle = Vec6::Zero();  ///< Mean of places [m] and displacements [m],
-  Vec6 scale = Vec6::Ones();   ///< and their scales [m], for inputs of the map.
+  Vec6 middle = Vec6::Zero();  ///< Mean of places and displacements [m].
+  Vec6 scale = Vec6::Ones();   ///< Scales of these as inputs of the map [m].
   double displacement_scale = 1.0, force_scale = 1.0, mode_scale = 1.0;  ///< [m], [N], [m]
   double longest = 0.0;   ///< Longest displacement in the samples [m]; A is constant beyond.
   Eigen::MatrixXd plain;  ///< Constant part of A, (3 + m) x 3.

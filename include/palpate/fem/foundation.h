@@ -24,8 +24,8 @@ struct FoundationConstants {
 ///
 ///   A_a/2 (k_n (n . e)^2 + k_t |e - n (n . e)|^2),   e = x_a - anchor_a
 ///
-/// For a step of h from e_0, dashpots by backward Euler add the same energy with c_n/h, c_t/h and e
-/// - e_0.
+/// For a step of h from e_0, dashpots by backward Euler add the same energy of e - e_0 with c_n/h
+/// and c_t/h.
 class Foundation final : public EnergyTerm {
  public:
   /// Anchors at the positions of `faces`, 3 x k or 6 x k, in X, 3 x n.

@@ -11,8 +11,8 @@ namespace palpate::scene {
 
 /// A refinement zone of an organ: a zone of the mesh's size field, or a tool's path.
 struct RefinementZoneConfig : mesh::RefinementZone {
-  std::string trajectory;  ///< Table of joint positions; the zone is the path of
-  std::string instrument;  ///< the control frame of this instrument; empty: the only one.
+  std::string trajectory;  ///< Joint positions of a tool whose path is the zone.
+  std::string instrument;  ///< Tool of that path by its control frame; empty: the only one.
 };
 
 /// Edge lengths of an organ's tetrahedra, in the organ's frame, after scaling.

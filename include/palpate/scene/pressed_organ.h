@@ -17,8 +17,8 @@ struct PressedOrgan {
 };
 
 /// `description`: of the organ. `progress`: of meshing.
-/// @throws InputError for an organ that cannot be pressed, std::invalid_argument for a coarse
-/// surface that cannot have so many triangles.
+/// @throws InputError for an organ that cannot be pressed, std::invalid_argument for an
+/// impossible number of coarse triangles.
 PressedOrgan describePresses(const Scene& scene, int index,
                              const tissue::OrganDescription& description,
                              const enrichment::DatabasePlan& plan,

@@ -46,8 +46,8 @@ struct PoseConfig {
 /// The body's frame is the organ's frame, after scaling.
 struct OrganConfig : BodyConfig {
   std::string name;
-  std::string surface;           ///< Surface file, or
-  std::string tetrahedra;        ///< tetrahedra file or the source of `cloth`: exactly one of both.
+  std::string surface;           ///< Surface file; exclusive with `tetrahedra`.
+  std::string tetrahedra;        ///< Tetrahedra file, or the source of `cloth`.
   double scale = 1.0;            ///< File unit to metre.
   EdgeLengthConfig edge_length;  ///< Of tetrahedra made from a surface.
   PoseConfig pose;               ///< Maps organ to world frame.

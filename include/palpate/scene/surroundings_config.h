@@ -30,8 +30,8 @@ struct SupportConfig {
 
 /// Pressure on the surface of a cavity or on selected faces of an organ.
 struct PressureConfig : fem::CavityContent {
-  std::optional<int> cavity;           ///< Index in mesh::cavityNodes(), or
-  std::optional<mesh::Region> select;  ///< faces of the surface, in the organ's frame.
+  std::optional<int> cavity;           ///< Index in mesh::cavityNodes(); excludes `select`.
+  std::optional<mesh::Region> select;  ///< Selects faces, in the organ's frame.
 };
 
 /// {"glue", "slide", "springs"}; the first is the default.

@@ -14,9 +14,9 @@ struct PublishedFigure {
   double stiffness_ratio;
   double printed;  ///< ProfileErrors::published [mm]
   double ours;     ///< By the same protocol, unrounded [mm]
-  int decimals;    ///< Largest number of printed decimals,
+  int decimals;    ///< Largest number of printed decimals.
 
-  /// with five significant digits: whether `ours` rounds to `printed`.
+  /// Whether `ours` rounds to `printed`, with at most `decimals` decimals and five digits.
   bool agrees() const;
 };
 

@@ -40,9 +40,9 @@ struct NetworkStaticsReport {
   double imbalance;  ///< Largest unbalanced component [N].
 };
 
-/// Minimises energy - forces . x over the free components of x by Newton's method with line search
-/// from where x is; where the tangent is not positive definite, a multiple of the identity is added
-/// that makes it so. Held components stay where they are in x.
+/// Minimises energy - forces . x over the free components of x by Newton's method with line search,
+/// from x. An indefinite tangent is shifted by a multiple of the identity. Held components of x
+/// stay.
 NetworkStaticsReport solveNetwork(const SpringNetwork& network, const NetworkLoads& loads,
                                   const NetworkStaticsSettings& settings, Points* x);
 

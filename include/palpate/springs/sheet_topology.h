@@ -13,8 +13,8 @@ struct SheetCounts {
   int triangles;          ///< N_t
   int vertices;           ///< N_v
   int boundary_vertices;  ///< N_b
-  int valence_3;          ///< N_3: inner vertices with three triangles,
-  int valence_4;          ///< N_4: with four.
+  int valence_3;          ///< N_3: inner vertices with three triangles
+  int valence_4;          ///< N_4: inner vertices with four triangles
   int springs;            ///< N_s
 
   /// 3 N_t - 3 N_3 - 2 N_4 [Wang 2005, (6.100)].

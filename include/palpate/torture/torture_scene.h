@@ -21,11 +21,11 @@ inline constexpr double kSheetThickness = 0.001;  ///< Of model cloth [m].
 struct TortureOrgan {
   std::string name;
   std::string shape;           ///< One of meshShapes(), or of organs::organNames().
-  mesh::TetMesh mesh;          ///< Tetrahedra; if empty, those made from
-  mesh::SurfaceMesh surface;   ///< this surface with edges of
-  double edge_length = 0.0;    ///< edge_length [m].
-  Vec3 size = Vec3::Zero();    ///< Size of its box [m], whose lower corner is
-  Vec3 low = Vec3::Zero();     ///< low [m].
+  mesh::TetMesh mesh;          ///< Of the organ; empty: made from `surface`.
+  mesh::SurfaceMesh surface;   ///< To be meshed; empty with `mesh`.
+  double edge_length = 0.0;    ///< Of tetrahedra made from `surface` [m].
+  Vec3 size = Vec3::Zero();    ///< Of the bounding box [m].
+  Vec3 low = Vec3::Zero();     ///< Lower corner of the bounding box [m].
   double min_dihedral = 90.0;  ///< Of the mesh [degrees].
 
   std::string model = "fem", element = "anp", scheme = "implicit", law;
