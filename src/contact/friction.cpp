@@ -3,7 +3,15 @@
 
 #include <algorithm>
 
+#include "friction_list.h"
+
 namespace palpate::contact {
+
+bool Friction::any() const { return anyActs(frictionList(), *this); }
+
+void describeFriction(keys::FieldVisitor& v, Friction& friction) {
+  for (const FrictionEntry& entry : frictionList()) entry.law->describe(v, friction);
+}
 
 const Friction& FrictionTable::of(int number) const {
   const auto k = static_cast<std::size_t>(number);
@@ -13,12 +21,6 @@ const Friction& FrictionTable::of(int number) const {
 bool FrictionTable::any() const {
   return usual.any() ||
          std::any_of(by_number.begin(), by_number.end(), [](const Friction& f) { return f.any(); });
-}
-
-double FrictionTable::strongestTeeth() const {
-  double most = usual.teeth;
-  for (const Friction& friction : by_number) most = std::max(most, friction.teeth);
-  return most;
 }
 
 }  // namespace palpate::contact

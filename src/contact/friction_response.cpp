@@ -15,12 +15,14 @@ constexpr double kReach = 10.0;
 
 class FrictionResponse final : public Response {
  public:
-  FrictionResponse(std::unique_ptr<Response> normal, const ResponseSettings& settings)
+  FrictionResponse(std::unique_ptr<Response> normal, const ResponseSettings& settings,
+                   const FrictionList& laws)
       : normal_(std::move(normal)),
+        laws_(laws),
         table_(settings.friction_with),
         reach_(std::max(kReach * settings.smoothing,
-                        2.0 * settings.friction_with.strongestTeeth() / settings.stiffness)),
-        states_(normal_.get(), &table_, settings.stiffness) {}
+                        2.0 * strongestHolding(laws, settings.friction_with) / settings.stiffness)),
+        states_(normal_.get(), &laws_, &table_, settings.stiffness) {}
 
   double reach() const override { return normal_->reach() + reach_; }
   bool clings(int number, int first, int last) const override {
@@ -30,7 +32,7 @@ class FrictionResponse final : public Response {
   bool followsMotion() const override { return true; }
   bool hasFriction() const override { return true; }
   bool rubs(const Touch& touch) const override {
-    return touch.sample >= 0 && table_.of(touch.number).any();
+    return touch.sample >= 0 && anyActs(laws_, table_.of(touch.number));
   }
 
   double energy(const Touch& touch) const override {
@@ -97,6 +99,7 @@ class FrictionResponse final : public Response {
   }
 
   std::unique_ptr<Response> normal_;
+  const FrictionList& laws_;
   FrictionTable table_;
   double reach_;
   FrictionStates states_;
@@ -105,8 +108,8 @@ class FrictionResponse final : public Response {
 }  // namespace
 
 std::unique_ptr<Response> withFriction(std::unique_ptr<Response> normal,
-                                       const ResponseSettings& settings) {
-  return std::make_unique<FrictionResponse>(std::move(normal), settings);
+                                       const ResponseSettings& settings, const FrictionList& laws) {
+  return std::make_unique<FrictionResponse>(std::move(normal), settings, laws);
 }
 
 }  // namespace palpate::contact

@@ -9,8 +9,8 @@
 namespace palpate::contact {
 namespace {
 
-// Under-relaxation of the Coulomb limit per augmentation: `margin` reduces the normal force, `fall`
-// is the fraction of its decrease since the last augmentation that is subtracted too [-].
+// Under-relaxation of the limit per augmentation: `margin` reduces the normal force, `fall` is the
+// fraction of its decrease since the last augmentation that is subtracted too [-].
 struct LimitRelaxation {
   double margin, fall;
 };
@@ -19,7 +19,7 @@ constexpr LimitRelaxation kLimitRelaxations[] = {{1e-3, 0.5}, {1e-3, 0.2}, {5e-3
 // Stiffness of friction springs over that of contact [-]: stiff against tissue, but with fewer
 // stick-slip transitions in a step than 1.
 constexpr double kStiffnessRatio = 0.05;
-// Largest sum of friction above Coulomb's limit, over the sum of normal forces [-].
+// Largest sum of friction above its limit, over the sum of normal forces [-].
 constexpr double kMaxExcessRatio = 1e-4;
 constexpr double kRoundoff = 1e-13;
 
@@ -28,7 +28,7 @@ bool stateBefore(const FrictionState& a, const FrictionState& b) {
 }
 
 bool isTight(const FrictionState& state) {
-  return state.limit > 0.0 || state.stick_point.bite == Bite::kHeld;
+  return state.limit > 0.0 || state.stick_point.hold == Hold::kHeld;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ bool FrictionStates::clings(const Touch& touch) const {
   if (const FrictionState* state = find(touch)) return isTight(*state);
   if (!states_.empty()) return false;
   const StickPoint* point = stick_points_.find(touch);  // at a step's begin
-  return point && point->bite == Bite::kHeld;
+  return point && point->hold == Hold::kHeld;
 }
 
 bool FrictionStates::clings(int number, int first, int last) const {
@@ -96,7 +96,7 @@ Vec3 FrictionStates::stretch(const FrictionState& state, const Touch& touch) con
 
 double FrictionStates::energy(const FrictionState& state, const Touch& touch) const {
   const double k = springOf(touch), d = stretch(state, touch).norm();
-  if (state.stick_point.bite == Bite::kHeld) {
+  if (state.stick_point.hold == Hold::kHeld) {
     return 0.5 * (k * d * d + tension(state, touch) * std::max(touch.gap, 0.0));
   }
   const double L = state.limit;
@@ -107,12 +107,12 @@ Vec3 FrictionStates::force(const FrictionState& state, const Touch& touch) const
   const double k = springOf(touch);
   const Vec3 d = stretch(state, touch);
   const double length = d.norm();
-  if (state.stick_point.bite == Bite::kHeld || k * length <= state.limit) return k * d;
+  if (state.stick_point.hold == Hold::kHeld || k * length <= state.limit) return k * d;
   return state.limit / length * d;
 }
 
 double FrictionStates::tension(const FrictionState& state, const Touch& touch) const {
-  if (state.stick_point.bite != Bite::kHeld) return 0.0;
+  if (state.stick_point.hold != Hold::kHeld) return 0.0;
   return touch.area * stiffness_ * std::max(touch.gap, 0.0);
 }
 
@@ -121,7 +121,7 @@ Mat3 FrictionStates::stiffness(const FrictionState& state, const Touch& touch,
   const double k = springOf(touch);
   const Vec3 normal = touch.R_WG * state.normal_G;
   const Mat3 plane = Mat3::Identity() - normal * normal.transpose();
-  if (state.stick_point.bite == Bite::kHeld) {
+  if (state.stick_point.hold == Hold::kHeld) {
     Mat3 sum = k * plane;
     if (touch.gap > 0.0) {
       Mat3 H_G = touch.steepness * touch.steepness * touch.normal_G * touch.normal_G.transpose();
@@ -143,26 +143,33 @@ double FrictionStates::pressing(const Touch& touch) const {
   return std::max(-normal_.force(touch).normal, 0.0);
 }
 
-// Coulomb limit by the present normal force [N]; the touch's normal may differ from that of the
-// slip plane.
+FrictionLimit FrictionStates::limit(const Touch& touch, double normal_force, bool slides) const {
+  return limitOf(laws_, table_.of(touch.number), {normal_force, touch.area, slides});
+}
+
+// Traction up to which the touch's obstacle holds what it pressed [Pa].
+double FrictionStates::holding(const Touch& touch) const {
+  return holdingOf(laws_, table_.of(touch.number));
+}
+
+// Limit by the present normal force [N]; the touch's normal may differ from that of the slip plane.
 double FrictionStates::allowed(const FrictionState& state, const Touch& touch) const {
-  const double mu = table_.of(touch.number).coefficient(state.stick_point.slides);
+  const FrictionLimit most = limit(touch, pressing(touch), state.stick_point.slides);
   const Vec3 d = stretch(state, touch);
   const double length = d.norm();
   double share = 1.0;
   if (length > 0.0) {
     const double off = touch.normal_W.dot(d) / length;
-    share = std::max((d / length - off * touch.normal_W).norm() + mu * off, kRoundoff);
+    share = std::max((d / length - off * touch.normal_W).norm() + most.slope * off, kRoundoff);
   }
-  return mu * pressing(touch) / share;
+  return most.force / share;
 }
 
 void FrictionStates::begin(const std::vector<Touch>& touches) {
   states_.clear();
   iteration_ = 0;
   for (const Touch& touch : touches) {
-    const Friction& friction = table_.of(touch.number);
-    if (touch.sample < 0 || !friction.any()) continue;
+    if (touch.sample < 0 || !anyActs(laws_, table_.of(touch.number))) continue;
     // The normal force of the last step, since the normal response may have been updated since.
     const StickPoint* known = stick_points_.find(touch);
     const double N = known ? known->pressing : pressing(touch);
@@ -175,17 +182,17 @@ void FrictionStates::begin(const std::vector<Touch>& touches) {
     state.begin = N;
     const double expected = std::clamp(N + state.stick_point.rise, 0.0, 2.0 * N);
     state.pressing = relaxed(expected, expected + std::abs(state.stick_point.rise));
-    state.limit = friction.coefficient(state.stick_point.slides) * state.pressing;
+    state.limit = limit(touch, state.pressing, state.stick_point.slides).force;
     states_.push_back(state);
   }
   std::sort(states_.begin(), states_.end(), stateBefore);
 }
 
-// Sums normal forces minus tension for each obstacle with teeth.
+// Sums normal forces minus tension for each obstacle that holds.
 void FrictionStates::sumPressing(const std::vector<Touch>& touches) {
   presses_.clear();
   for (const Touch& touch : touches) {
-    if (!(table_.of(touch.number).teeth > 0.0)) continue;
+    if (!(holding(touch) > 0.0)) continue;
     const FrictionState* state = find(touch);
     const double N = pressing(touch) - (state ? tension(*state, touch) : 0.0);
     const auto sum = std::find_if(presses_.begin(), presses_.end(),
@@ -209,21 +216,20 @@ double FrictionStates::relaxed(double N, double before) const {
   return (1.0 - c.margin) * std::max(N - c.fall * std::max(before - N, 0.0), 0.0);
 }
 
-// Whether teeth release the touch; `change`: also updates the state.
+// Whether a held touch is released; `change`: also updates the state.
 bool FrictionStates::releases(const Touch& touch, bool change, FrictionState* state) const {
-  if (state->stick_point.bite != Bite::kHeld) return false;
+  if (state->stick_point.hold != Hold::kHeld) return false;
   const double drawn = std::hypot(force(*state, touch).norm(), tension(*state, touch));
-  const bool torn = drawn > table_.of(touch.number).teeth * touch.area;
+  const bool torn = drawn > holding(touch) * touch.area;
   if (!torn && presses(touch.number)) return false;
-  if (change) state->stick_point.bite = torn ? Bite::kTorn : Bite::kNone;
+  if (change) state->stick_point.hold = torn ? Hold::kTorn : Hold::kNone;
   return true;
 }
 
 // Whether the touch needs an augmentation; `change`: also updates the state.
 bool FrictionStates::reviewOne(const Touch& touch, bool change, FrictionState* state) {
   const bool freed = releases(touch, change, state);
-  if (state->stick_point.bite == Bite::kHeld) return freed;
-  const Friction& friction = table_.of(touch.number);
+  if (state->stick_point.hold == Hold::kHeld) return freed;
   const double drawn = springOf(touch) * stretch(*state, touch).norm();
   const bool slips = !state->stick_point.slides && drawn > state->limit;
   if (slips && change) state->stick_point.slides = true;
@@ -233,10 +239,10 @@ bool FrictionStates::reviewOne(const Touch& touch, bool change, FrictionState* s
   if (change) {
     const double next = relaxed(N, state->pressing);
     state->pressing = iteration_ == 1 ? next : std::min(state->pressing, next);
-    state->limit = friction.coefficient(state->stick_point.slides) * state->pressing;
+    state->limit = limit(touch, state->pressing, state->stick_point.slides).force;
     state->normal_G = touch.normal_G;
   }
-  return freed || (slips && friction.sliding < friction.at_rest);
+  return freed || (slips && anyWeakens(laws_, table_.of(touch.number)));
 }
 
 bool FrictionStates::review(const std::vector<Touch>& touches, bool change) {
@@ -264,11 +270,10 @@ void FrictionStates::end(const std::vector<Touch>& touches) {
   sumPressing(touches);
   next_.clear();
   for (const Touch& touch : touches) {
-    const Friction& friction = table_.of(touch.number);
-    if (touch.sample < 0 || !friction.any()) continue;
+    if (touch.sample < 0 || !anyActs(laws_, table_.of(touch.number))) continue;
     FrictionState* state = findAmong(touch);
     if (state) releases(touch, true, state);
-    const bool held = state && state->stick_point.bite == Bite::kHeld;
+    const bool held = state && state->stick_point.hold == Hold::kHeld;
     const double N = pressing(touch);
     if (!held && !(N > 0.0)) continue;
     StickPoint point;
@@ -282,8 +287,8 @@ void FrictionStates::end(const std::vector<Touch>& touches) {
     point.number = touch.number;
     point.sample = touch.sample;
     point.pressing = N;
-    const bool bites = friction.teeth > 0.0 && point.bite == Bite::kNone;
-    if (bites && N > 0.0 && presses(touch.number)) point.bite = Bite::kHeld;
+    const bool can_hold = holding(touch) > 0.0 && point.hold == Hold::kNone;
+    if (can_hold && N > 0.0 && presses(touch.number)) point.hold = Hold::kHeld;
     next_.push_back(point);
   }
   stick_points_.take(next_);

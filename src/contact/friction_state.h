@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/contact/friction.h"
+#include "friction_list.h"
 #include "palpate/contact/response.h"
 #include "stick_points.h"
 
@@ -13,32 +13,33 @@ namespace palpate::contact {
 
 /// Friction of a touch within a step.
 struct FrictionState {
-  StickPoint stick_point;  ///< Stick point at the step's begin; `slides` and `bite` change within
+  StickPoint stick_point;  ///< Stick point at the step's begin; `slides` and `hold` change within
                            ///< the step.
   Vec3 normal_G;           ///< Normal of the slip plane, unit, obstacle's frame.
-  double limit = 0.0;      ///< Coulomb limit of the friction force [N].
+  double limit = 0.0;      ///< Limit of the friction force [N].
   double begin = 0.0;      ///< Normal force at the step's begin [N].
-  double pressing = 0.0;   ///< Normal force in the Coulomb limit [N], >= 0.
+  double pressing = 0.0;   ///< Normal force in the limit [N], >= 0.
 };
 
 /// Friction states of all touches, within and between steps; withFriction() has the formulas.
 class FrictionStates {
  public:
   /// `normal`: response for normal forces; `stiffness` [Pa/m].
-  /// @pre `normal` and `table` outlive this.
-  FrictionStates(const Response* normal, const FrictionTable* table, double stiffness)
-      : normal_(*normal), table_(*table), stiffness_(stiffness) {}
+  /// @pre `normal`, `laws` and `table` outlive this.
+  FrictionStates(const Response* normal, const FrictionList* laws, const FrictionTable* table,
+                 double stiffness)
+      : normal_(*normal), laws_(*laws), table_(*table), stiffness_(stiffness) {}
 
   /// Returns the friction state of a touch; null: none.
   const FrictionState* find(const Touch& touch) const;
-  /// Whether a touch without pressure has friction or is held by teeth.
+  /// Whether a touch without pressure has friction or is held.
   bool clings(const Touch& touch) const;
   /// Whether clings() may be true for a sample in [first, last] of an obstacle.
   bool clings(int number, int first, int last) const;
   double energy(const FrictionState& state, const Touch& touch) const;
   /// Friction force: of the spring in the slip plane [N].
   Vec3 force(const FrictionState& state, const Touch& touch) const;
-  /// Tensile force of teeth along the normal [N].
+  /// Tensile force of a held touch along the normal [N].
   double tension(const FrictionState& state, const Touch& touch) const;
   Mat3 stiffness(const FrictionState& state, const Touch& touch, fem::Tangent tangent) const;
 
@@ -56,6 +57,8 @@ class FrictionStates {
  private:
   Vec3 stretch(const FrictionState& state, const Touch& touch) const;
   double pressing(const Touch& touch) const;
+  FrictionLimit limit(const Touch& touch, double normal_force, bool slides) const;
+  double holding(const Touch& touch) const;
   double allowed(const FrictionState& state, const Touch& touch) const;
   double springOf(const Touch& touch) const;
   FrictionState* findAmong(const Touch& touch);
@@ -67,6 +70,7 @@ class FrictionStates {
   bool releases(const Touch& touch, bool change, FrictionState* state) const;
 
   const Response& normal_;
+  const FrictionList& laws_;
   const FrictionTable& table_;
   double stiffness_;
   StickPoints stick_points_;            // at the end of the last step

@@ -24,7 +24,7 @@ bool StickPoints::hold(int number, int first, int last) const {
   key.sample = first;
   for (auto point = std::lower_bound(points_.begin(), points_.end(), key, stickPointBefore);
        point != points_.end() && point->number == number && point->sample <= last; ++point) {
-    if (point->bite == Bite::kHeld) return true;
+    if (point->hold == Hold::kHeld) return true;
   }
   return false;
 }
@@ -55,7 +55,7 @@ void StickPoints::save(StateWriter* to) const {
     to->put(point.pressing);
     to->put(point.rise);
     to->put(point.slides);
-    to->put(point.bite);
+    to->put(point.hold);
     for (int k = 0; k < 3; ++k) to->put(point.stretch_G[k]);
   }
 }
@@ -69,7 +69,7 @@ void StickPoints::restore(StateReader* from) {
     from->get(&point.pressing);
     from->get(&point.rise);
     from->get(&point.slides);
-    from->get(&point.bite);
+    from->get(&point.hold);
     for (int k = 0; k < 3; ++k) from->get(&point.stretch_G[k]);
   }
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace palpate::contact {
 
-/// Hold of a touch by teeth: none, held, or torn off until the touch ends.
-enum class Bite : int { kNone, kHeld, kTorn };
+/// Hold of a touch in all directions: none, held, or torn off until the touch ends.
+enum class Hold : int { kNone, kHeld, kTorn };
 
 /// Stick point of a touch: stretch of the friction spring from there to the sample.
 struct StickPoint {
@@ -18,7 +18,7 @@ struct StickPoint {
   double pressing = 0.0;       ///< Normal force at the step's end [N].
   double rise = 0.0;           ///< Increase of the normal force in the step [N].
   bool slides = false;         ///< Whether the touch slipped at the step's end.
-  Bite bite = Bite::kNone;
+  Hold hold = Hold::kNone;
   Vec3 stretch_G = Vec3::Zero();  ///< Stretch in the obstacle's frame [m].
 
   bool before(const StickPoint& other) const {
@@ -31,7 +31,7 @@ class StickPoints {
  public:
   /// Returns the stick point of a touch; null: none.
   const StickPoint* find(const Touch& touch) const;
-  /// Whether teeth of an obstacle hold a sample in [first, last].
+  /// Whether an obstacle holds a sample in [first, last].
   bool hold(int number, int first, int last) const;
   bool empty() const { return points_.empty(); }
 

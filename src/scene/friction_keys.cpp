@@ -2,25 +2,9 @@
 #include "friction_keys.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace palpate::scene {
 namespace {
-
-void describeFriction(keys::FieldVisitor& v, contact::Friction& friction) {
-  const keys::Range coefficients = keys::Range::closed(0.0, 10.0);
-  std::optional<double> kinetic;
-  if (friction.sliding != friction.at_rest) kinetic = friction.sliding;
-  v.number({"static", "", "Coulomb's coefficient of what has not slipped; 0: there is none."},
-           friction.at_rest, coefficients);
-  v.number({"kinetic", "", "And of what slips; where left out, `static`."}, kinetic, coefficients);
-  friction.sliding = kinetic.value_or(friction.at_rest);
-  v.rule(friction.sliding <= friction.at_rest, "kinetic", "must not be larger than static");
-  v.number({"teeth", "Pa",
-            "What presses holds the tissue in every direction, until it is drawn by more than this "
-            "or presses no more; 0: it has no teeth."},
-           friction.teeth, keys::Range::closed(0.0, 1.0e9));
-}
 
 template <class Config>
 bool has(const std::vector<Config>& all, const std::string& name) {
@@ -39,11 +23,11 @@ void describe(keys::FieldVisitor& v, FrictionPairConfig& pair) {
   v.rule(pair.link.empty() || !pair.instrument.empty(), "link", "needs the key instrument");
   v.rule(pair.anatomy.empty() || pair.instrument.empty(), "anatomy",
          "cannot stand beside instrument");
-  describeFriction(v, pair);
+  contact::describeFriction(v, pair);
 }
 
 void describe(keys::FieldVisitor& v, FrictionConfig& friction) {
-  describeFriction(v, friction);
+  contact::describeFriction(v, friction);
   v.list({"pairs", "",
           "What has another friction. The one that names most holds, of two alike the later one."},
          friction.pairs, 0);

@@ -3,9 +3,14 @@
 
 #include <vector>
 
+namespace palpate::keys {
+class FieldVisitor;
+}
+
 namespace palpate::contact {
 
-/// Friction between tissue and an obstacle.
+/// Friction between tissue and an obstacle: the constants of all friction laws. A law whose
+/// constants are 0 has no effect.
 struct Friction {
   double at_rest = 0.0;  ///< Static coefficient of Coulomb's law [-].
   double sliding = 0.0;  ///< Kinetic coefficient, <= at_rest [-].
@@ -13,9 +18,11 @@ struct Friction {
   /// 0: no teeth.
   double teeth = 0.0;
 
-  bool any() const { return at_rest > 0.0 || teeth > 0.0; }
-  double coefficient(bool slides) const { return slides ? sliding : at_rest; }
+  bool any() const;  ///< Whether a friction law has an effect.
 };
+
+/// Describes the keys of all friction laws.
+void describeFriction(keys::FieldVisitor& v, Friction& friction);
 
 /// The friction of a body with all obstacles of a cycle.
 struct FrictionTable {
@@ -24,7 +31,6 @@ struct FrictionTable {
 
   const Friction& of(int number) const;
   bool any() const;
-  double strongestTeeth() const;  ///< [Pa]
 };
 
 }  // namespace palpate::contact

@@ -51,7 +51,7 @@ class Response {
   virtual bool hasFriction() const { return false; }
   /// Whether friction is evaluated for this touch.
   virtual bool rubs(const Touch& /*touch*/) const { return false; }
-  /// Limits friction to Coulomb's bound of these touches, at the final solution of a step.
+  /// Limits friction by the normal forces of these touches, at the final solution of a step.
   virtual void confine(const std::vector<Touch>& /*touches*/) {}
 
   // For responses with state: remembers() is true. Others need not override these.
