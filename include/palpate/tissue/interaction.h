@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/state_bytes.h"
 #include "palpate/fem/energy_term.h"
+#include "palpate/tissue/step_hooks.h"
 
 namespace palpate::tissue {
 
@@ -27,26 +27,13 @@ bool boxesOverlap(const InteractingBody& a, const InteractingBody& b, double rea
 
 /// Energy of an interaction: a function of the points of a, then of b, or of a alone, 3 x n [m],
 /// invariant to rigid motion of all points. Holds no reference to a body.
-class InteractionTerm : public fem::EnergyTerm {
+class InteractionTerm : public fem::EnergyTerm, public StepHooks {
  public:
   /// Finds candidates while no point moves farther from x than `way` [m].
   virtual void search(const Points& x, double way) = 0;
-  /// Whether the candidates of the last search() are complete at x.
-  virtual bool holds(const Points& x) const = 0;
-
-  // For terms with state; others need not override these.
-  /// A step begins, or has ended, at x.
-  virtual void beginStep(const Points& /*x*/) {}
-  virtual void endStep(const Points& /*x*/) {}
-  /// Clears the state.
-  virtual void forget() {}
   /// Takes over the state of `old`, a term of the same interaction between the same bodies before a
   /// mesh adaptation.
   virtual void goOnFrom(const InteractionTerm& /*old*/) {}
-  /// Writes the state between steps.
-  virtual void save(StateWriter* /*to*/) const {}
-  /// @throws std::invalid_argument as StateReader does.
-  virtual void restore(StateReader* /*from*/) {}
 };
 
 /// A kind of interaction between bodies. Bodies that may interact in a cycle are solved as a group.

@@ -8,6 +8,7 @@
 #include "needles.h"
 #include "palpate/contact/contact_potential.h"
 #include "palpate/tissue/model_settings.h"
+#include "palpate/tissue/step_hooks.h"
 #include "palpate/tissue/tissue_model.h"
 #include "tool_path.h"
 
@@ -15,7 +16,7 @@ namespace palpate::tissue {
 
 /// Contact of an organ's surface with tools: contact potential, tool path, inside tools, needles,
 /// and their report. For any model with forces at points.
-class ToolContact {
+class ToolContact final : public StepHooks {
  public:
   /// `X`: rest positions, 3 x n [m]; `triangles`: surface, outward; `organ`: index in contacts.
   /// `excess(r)`: relative force excess for edges of r inscribed radii; empty: unknown. `tets`: for
@@ -40,12 +41,16 @@ class ToolContact {
   bool possibleByTools() const;
   /// Moves tools and needles to fraction s of the tool path.
   void moveTo(double s);
-  /// A step has ended at x, 3 x n [m].
-  void endStep(const Points& x);
-  /// Writes and reads the state between and within cycles.
-  void save(StateWriter* to) const;
-  void restore(StateReader* from);
-  void forget();
+  bool holds(const Points& x) const override { return tool_path.candidatesHold(x); }
+  void beginStep(const Points& x) override { tool_path.beginStep(x); }
+  bool augmentationConverged(const Points& x) override { return contact.augmentationConverged(x); }
+  void augment(const Points& x) override { contact.augment(x); }
+  void endStep(const Points& x) override;
+  void learn(const Points& x, double h) override { contact.learn(x, h); }
+  void forget() override;
+  /// Writes the state between and within cycles.
+  void save(StateWriter* to) const override;
+  void restore(StateReader* from) override;
   /// Takes over the state of `old`, of the same body before a mesh adaptation; X and old_X: rest
   /// positions of both, 3 x n [m].
   void goOnFrom(const ToolContact& old, const Points& X, const Points& old_X);

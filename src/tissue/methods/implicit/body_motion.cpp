@@ -42,8 +42,6 @@ void BodyMotion::goOnFrom(const BodyMotion& old, const mesh::MeshChange& change)
 void BodyMotion::beginCycle() {
   begin_ = integrator_;
   viscous_ = body_.elasticity->saveViscousState();
-  touched_.clear();
-  body_.tool_contact.save(&touched_);
 }
 
 void BodyMotion::goBack() {
@@ -53,8 +51,6 @@ void BodyMotion::goBack() {
   body_.min_jacobian.reset();
   body_.v = begin_.velocities();
   body_.elasticity->restoreViscousState(viscous_.get());
-  StateReader before(touched_.bytes());
-  body_.tool_contact.restore(&before);
 }
 
 void BodyMotion::endCycle() {
@@ -73,7 +69,6 @@ void BodyMotion::endStep(double unbalanced) {
   if (integrator_.needsElasticGradient()) body_.elasticity->gradient(body_.x, &elastic_gradient_);
   integrator_.endStep(body_.x, elastic_gradient_, unbalanced);
   body_.elasticity->endStep(body_.x);
-  body_.tool_contact.endStep(body_.x);
 }
 
 // Held components contain only rounding errors, which would grow.

@@ -11,7 +11,7 @@
 namespace palpate::tissue {
 
 /// Implicit steps of one body: integrator, incremental potential over its points, and rollback to
-/// the cycle's begin. ImplicitSteps solves it alone or in a group.
+/// the cycle's begin, but for tool contact. ImplicitSteps solves it alone or in a group.
 class BodyMotion {
  public:
   /// @pre `body` outlives this.
@@ -63,7 +63,6 @@ class BodyMotion {
   solver::Integrator integrator_, begin_;  // of the step, of the cycle's begin
   solver::Potential potential_;
   std::unique_ptr<fem::ViscousState> viscous_;  // at the cycle's begin
-  StateWriter touched_;                         // contact state at the cycle's begin
   Points elastic_gradient_, inertia_forces_;
 };
 

@@ -35,7 +35,7 @@ void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactio
       Eigen::Index nodes = members_[what.a]->body().x.cols();
       if (what.a != what.b) nodes += members_[what.b]->body().x.cols();
       interactions_.push_back(std::make_unique<MappedInteraction>(
-          MappedInteraction{what, {what.term}, nullptr, {}, Points(3, nodes)}));
+          MappedInteraction{what, {what.term}, nullptr, Points(3, nodes)}));
       MappedInteraction& mapped = *interactions_.back();
       mapped.of_all = std::make_unique<solver::MappedTerms>(
           mapped.terms, joint_->nodeMapOf(what.a, what.b), static_cast<int>(nodes));
@@ -53,6 +53,16 @@ void StepGroup::forInteractions(const Visit& visit) const {
     mapped->of_all->gather(x_, &mapped->x);
     visit(*mapped, mapped->x);
   }
+}
+
+// Calls visit(hooks, points of their terms) for tool contact of each member, then interactions.
+template <class Visit>
+void StepGroup::forHooks(const Visit& visit) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    visit(members_[k]->body().tool_contact, part(k, x()));
+  }
+  forInteractions(
+      [&](const MappedInteraction& mapped, const Points& x) { visit(*mapped.what.term, x); });
 }
 
 fem::Stiffness StepGroup::makeMatrix() const {
@@ -97,10 +107,8 @@ void StepGroup::beginCycle() {
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
-    mapped->before = {};
-    mapped->what.term->save(&mapped->before);
-  }
+  before_.clear();
+  forHooks([&](const StepHooks& hooks, const Points&) { hooks.save(&before_); });
   searchInteractions();
   endGuarding();
 }
@@ -142,10 +150,8 @@ void StepGroup::goBack() {
     const Points& x = members_[k]->body().x;
     if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
   }
-  for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
-    StateReader before(mapped->before.bytes());
-    mapped->what.term->restore(&before);
-  }
+  StateReader before(before_.bytes());
+  forHooks([&](StepHooks& hooks, const Points&) { hooks.restore(&before); });
 }
 
 void StepGroup::endCycle() {
@@ -163,7 +169,7 @@ void StepGroup::endStep(double unbalanced) {
     members_[k]->endStep(unbalanced);
   }
   sumInteractionForces();
-  forInteractions([](MappedInteraction& mapped, const Points& x) { mapped.what.term->endStep(x); });
+  forHooks([](StepHooks& hooks, const Points& x) { hooks.endStep(x); });
 }
 
 void StepGroup::extrapolate(double h, Points* way) const {
@@ -242,11 +248,7 @@ void StepGroup::moveTools(double s) {
 }
 
 void StepGroup::beginTouches() {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->body().tool_path.beginStep(part(k, x()));
-  }
-  forInteractions(
-      [](MappedInteraction& mapped, const Points& x) { mapped.what.term->beginStep(x); });
+  forHooks([](StepHooks& hooks, const Points& x) { hooks.beginStep(x); });
 }
 
 double StepGroup::nextStage(double s, double end) const {
@@ -281,36 +283,21 @@ bool StepGroup::hasFriction() const {
 
 bool StepGroup::augmentationConverged() {
   bool all = true;
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    FemBody& body = members_[m]->body();
-    all &= body.contact.augmentationConverged(joint_ ? part(m, x_) : body.x);
-  }
+  forHooks([&](StepHooks& hooks, const Points& x) { all &= hooks.augmentationConverged(x); });
   return all;
 }
 
 void StepGroup::augment() {
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    FemBody& body = members_[m]->body();
-    body.contact.augment(joint_ ? part(m, x_) : body.x);
-  }
+  forHooks([](StepHooks& hooks, const Points& x) { hooks.augment(x); });
 }
 
 void StepGroup::learn(double h) {
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    FemBody& body = members_[m]->body();
-    body.contact.learn(joint_ ? part(m, x_) : body.x, h);
-  }
+  forHooks([&](StepHooks& hooks, const Points& x) { hooks.learn(x, h); });
 }
 
-bool StepGroup::candidatesHold() const {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const FemBody& body = members_[k]->body();
-    if (!body.tool_path.candidatesHold(joint_ ? part(k, x_) : body.x)) return false;
-  }
+bool StepGroup::candidatesHold() {
   bool hold = true;
-  forInteractions([&](const MappedInteraction& mapped, const Points& x) {
-    hold = hold && mapped.what.term->holds(x);
-  });
+  forHooks([&](const StepHooks& hooks, const Points& x) { hold = hold && hooks.holds(x); });
   return hold;
 }
 

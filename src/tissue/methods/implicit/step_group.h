@@ -82,20 +82,19 @@ class StepGroup {
 
   // Tool path, as in ToolPath.
   void moveTools(double s);
-  /// Begins a step of tool contact and interactions.
+  // StepHooks of tool contact and interactions, at x.
   void beginTouches();
   double nextStage(double s, double end) const;
   bool pushTo(double s, const Points& all, Points* push) const;
   /// Marks inside tools as unverified: tools moved without a solve.
   void invalidateInsideTools();
-  bool candidatesHold() const;
-  bool hasFriction() const;
-  /// As ContactPotential::augmentationConverged() and augment(), at the solution x of the step.
+  bool candidatesHold();
   bool augmentationConverged();
   void augment();
-  /// Updates contact by the solution of a step of `h` [s].
   void learn(double h);
+  /// Finds the candidates of tool contact and interactions at x.
   void search();
+  bool hasFriction() const;
 
   /// Forces of the other members on each member at the end of the last step.
   const std::vector<InteractionForce>& interactionForces() const { return interaction_forces_; }
@@ -109,12 +108,13 @@ class StepGroup {
     MemberInteraction what;
     std::vector<const fem::EnergyTerm*> terms;  // with one element
     std::unique_ptr<solver::MappedTerms> of_all;
-    StateWriter before;  // state at the cycle's begin
-    Points x;            // points of the pair
+    Points x;  // points of the pair
   };
 
   template <class Visit>
   void forInteractions(const Visit& visit) const;
+  template <class Visit>
+  void forHooks(const Visit& visit);
   void endGuarding();
   void searchInteractions();
   void sumInteractionForces();
@@ -123,6 +123,7 @@ class StepGroup {
   std::unique_ptr<solver::JointPotential> joint_;  // null: a single body
   std::vector<std::unique_ptr<MappedInteraction>> interactions_;
   std::vector<double> scales_;
+  StateWriter before_;  // of tool contact and interactions, at the cycle's begin
   Points x_;
   mutable std::vector<Points> parts_;  // buffers of part()
   mutable Points part_way_;
