@@ -83,11 +83,11 @@ void BodySurroundings::carry(double s, const Points& x, Points* way) const {
   }
 }
 
-void BodySurroundings::carryTo(double s, Points* x) const {
+void BodySurroundings::carryTo(double s, Points* x, int first) const {
   for (const Carried& c : carried_) {
     const Vec3 offset = c.motion.at(at(s));
     for (std::size_t k = 0; k < c.nodes.size(); ++k) {
-      x->col(c.nodes[k]) = c.rest.col(static_cast<Eigen::Index>(k)) + offset;
+      x->col(first + c.nodes[k]) = c.rest.col(static_cast<Eigen::Index>(k)) + offset;
     }
   }
 }

@@ -50,8 +50,8 @@ class BodySurroundings {
   /// Displacement from x to the prescribed positions at fraction `s`, 3 x n [m]; zero for other
   /// nodes.
   void carry(double s, const Points& x, Points* way) const;
-  /// Sets prescribed nodes of x to their positions at fraction `s`.
-  void carryTo(double s, Points* x) const;
+  /// Sets prescribed nodes to their positions at fraction `s`; `first`: column of node 0 in x.
+  void carryTo(double s, Points* x, int first) const;
   /// Common displacement of all supports at fraction `s` of the cycle [m]; zero unless all move
   /// alike.
   Vec3 commonWay(double s) const;

@@ -133,12 +133,12 @@ double FemBody::toleranceFor(double touching, double support) const {
   return std::max(settings.tolerance * std::max(touching, support), leastTolerance());
 }
 
-double FemBody::toleranceAt(const Points& at, const Points& gradient, double others) {
-  nodal_.setZero(3, at.cols());
-  contact.addGradient(at, &nodal_);
-  tool_contact.needles.addGradient(at, &nodal_);
+double FemBody::toleranceHere(const Points& gradient, double others) {
+  nodal_.setZero(3, x.cols());
+  contact.addGradient(x, &nodal_);
+  tool_contact.needles.addGradient(x, &nodal_);
   const double touching = std::hypot(nodal_.norm(), others);
-  findSupport(at, gradient, &nodal_);
+  findSupport(gradient, &nodal_);
   return toleranceFor(touching, nodal_.norm());
 }
 
@@ -167,17 +167,17 @@ bool FemBody::heldWay(double s, Points* way) const {
   return !way->isZero(0.0);
 }
 
-// Forces of supports and other boundary conditions.
-void FemBody::findSupport(const Points& at, const Points& gradient, Points* forces) {
+// Forces of supports and other boundary conditions at x.
+void FemBody::findSupport(const Points& gradient, Points* forces) {
   *forces = gradient.array() * (1.0 - free.array());
   if (around_.empty()) return;
-  around_gradient_.setZero(3, at.cols());
-  for (const fem::EnergyTerm* term : around_) term->addGradient(at, &around_gradient_);
+  around_gradient_.setZero(3, x.cols());
+  for (const fem::EnergyTerm* term : around_) term->addGradient(x, &around_gradient_);
   *forces -= around_gradient_;
 }
 
 void FemBody::reportSupport(const Points& gradient, TissueStep* out) {
-  findSupport(x, gradient, &support_forces);
+  findSupport(gradient, &support_forces);
   out->support_force = support_forces.rowwise().sum();
   out->cavity_pressure = surroundings.largestPressure(x);
   support_force = support_forces.norm();

@@ -40,9 +40,9 @@ struct FemBody {
   static constexpr double kMostForce = 1e30;
   /// Tolerance of the residual from the forces of the last cycle [N].
   double tolerance() const;
-  /// Tolerance of the residual from the forces at `at`, 3 x n [m] [N]; `gradient`: of the
-  /// potential, 3 x n [N]; `others`: norm of other bodies' nodal forces [N].
-  double toleranceAt(const Points& at, const Points& gradient, double others);
+  /// Tolerance of the residual from the forces at x [N]; `gradient`: of the potential at x, 3 x n
+  /// [N]; `others`: norm of other bodies' nodal forces [N].
+  double toleranceHere(const Points& gradient, double others);
   /// Lower bound of both tolerances [N].
   double leastTolerance() const;
   /// Adds the contacts at x to `out`, and sets contact_force.
@@ -102,7 +102,7 @@ struct FemBody {
 
  private:
   double toleranceFor(double touching, double support) const;
-  void findSupport(const Points& at, const Points& gradient, Points* forces);
+  void findSupport(const Points& gradient, Points* forces);
 
   double weight_norm_;                          // norm of the nodal forces of gravity and loads [N]
   double least_force_;                          // least force for tolerances [N]

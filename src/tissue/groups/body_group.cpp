@@ -40,7 +40,7 @@ std::unique_ptr<solver::Minimizer> BodyGroup::makeMinimizer() {
     }
     solvers.push_back(own);
   }
-  return std::make_unique<solver::Newton>(bodies_.makeMatrix(),
+  return std::make_unique<solver::Newton>(bodies_.potential().elasticity->makeMatrix(),
                                           std::make_unique<solver::PcgOrFactor>(solver::BlockPcg(
                                               of_scene.max_linear_iterations, pool, solvers)),
                                           of_scene.skip.unchanged_stiffness, pool);

@@ -14,12 +14,18 @@ constexpr double kFlat = 1.5;
 }  // namespace
 
 StepGroup::StepGroup(const std::vector<BodyMotion*>& members)
-    : members_(members), parts_(members.size()) {
+    : members_(members),
+      x_(members.size() > 1 ? &all_x_ : &members.front()->body().x),
+      parts_(members.size()) {
   std::vector<const solver::Potential*> potentials;
-  potentials.reserve(members.size());
-  for (const BodyMotion* member : members) potentials.push_back(&member->potential());
+  for (BodyMotion* member : members) {
+    bodies_.push_back(&member->body());
+    potentials.push_back(&member->potential());
+  }
   joint_ = std::make_unique<solver::JointPotential>(potentials);
-  x_.resize(3, joint_->numNodes());
+  potential_ = &joint_->all();
+  for (std::size_t k = 0; k < members.size(); ++k) first_.push_back(joint_->firstNode(k));
+  x_->resize(3, joint_->numNodes());
 }
 
 void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactions) {
@@ -32,8 +38,8 @@ void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactio
     interactions_.clear();
     std::vector<const fem::EnergyTerm*> further;
     for (const MemberInteraction& what : interactions) {
-      Eigen::Index nodes = members_[what.a]->body().x.cols();
-      if (what.a != what.b) nodes += members_[what.b]->body().x.cols();
+      Eigen::Index nodes = bodies_[what.a]->x.cols();
+      if (what.a != what.b) nodes += bodies_[what.b]->x.cols();
       interactions_.push_back(std::make_unique<MappedInteraction>(
           MappedInteraction{what, {what.term}, nullptr, Points(3, nodes)}));
       MappedInteraction& mapped = *interactions_.back();
@@ -50,7 +56,7 @@ void StepGroup::setInteractions(const std::vector<MemberInteraction>& interactio
 template <class Visit>
 void StepGroup::forInteractions(const Visit& visit) const {
   for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
-    mapped->of_all->gather(x_, &mapped->x);
+    mapped->of_all->gather(*x_, &mapped->x);
     visit(*mapped, mapped->x);
   }
 }
@@ -58,55 +64,73 @@ void StepGroup::forInteractions(const Visit& visit) const {
 // Calls visit(hooks, points of their terms) for tool contact of each member, then interactions.
 template <class Visit>
 void StepGroup::forHooks(const Visit& visit) {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    visit(members_[k]->body().tool_contact, part(k, x()));
-  }
+  for (FemBody* body : bodiesAtX()) visit(body->tool_contact, body->x);
   forInteractions(
       [&](const MappedInteraction& mapped, const Points& x) { visit(*mapped.what.term, x); });
 }
 
-fem::Stiffness StepGroup::makeMatrix() const {
-  return joint_ ? joint_->makeMatrix() : potential().elasticity->makeMatrix();
+const Points& StepGroup::part(std::size_t member, const Points& all) const {
+  if (members_.size() == 1) return all;
+  parts_[member] = all.middleCols(first_[member], bodies_[member]->x.cols());
+  return parts_[member];
 }
 
-const Points& StepGroup::part(std::size_t member, const Points& all) const {
-  if (!joint_) return all;
-  parts_[member] = all.middleCols(joint_->firstNode(member), members_[member]->body().x.cols());
-  return parts_[member];
+// Calls fill(member, its part of all), whose part becomes zero where that returns false. Returns
+// whether one returned true; else `all` is undefined.
+template <class Fill>
+bool StepGroup::fillParts(Points* all, const Fill& fill) {
+  if (members_.size() == 1) return fill(0, all);
+  bool any = false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    if (!fill(k, &filled_)) continue;
+    if (!any) all->setZero(3, x_->cols());
+    all->middleCols(first_[k], filled_.cols()) = filled_;
+    any = true;
+  }
+  return any;
+}
+
+// Moves the bodies to x, and returns them.
+const std::vector<FemBody*>& StepGroup::bodiesAtX() {
+  for (std::size_t k = 0; x_ == &all_x_ && k < bodies_.size(); ++k) {
+    bodies_[k]->x = all_x_.middleCols(first_[k], bodies_[k]->x.cols());
+  }
+  return bodies_;
+}
+
+// Moves x to the bodies.
+void StepGroup::takeX() {
+  for (std::size_t k = 0; x_ == &all_x_ && k < bodies_.size(); ++k) {
+    all_x_.middleCols(first_[k], bodies_[k]->x.cols()) = bodies_[k]->x;
+  }
 }
 
 double StepGroup::tolerance() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const BodyMotion* member : members_) least = std::min(least, member->body().tolerance());
+  for (const FemBody* body : bodies_) least = std::min(least, body->tolerance());
   return least;
 }
 
 double StepGroup::leastTolerance() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const BodyMotion* member : members_) {
-    least = std::min(least, member->body().leastTolerance());
-  }
+  for (const FemBody* body : bodies_) least = std::min(least, body->leastTolerance());
   return least;
 }
 
 double StepGroup::toleranceHere(const Points& gradient) {
   sumInteractionForces();
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    FemBody& body = members_[k]->body();
-    if (joint_) body.x = part(k, x_);
-    least = std::min(least, body.toleranceAt(body.x, joint_ ? part(k, gradient) : gradient,
-                                             interaction_forces_[k].norm));
+  bodiesAtX();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const double others = interaction_forces_[k].norm;
+    least = std::min(least, bodies_[k]->toleranceHere(part(k, gradient), others));
   }
   return least;
 }
 
 void StepGroup::beginCycle() {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->beginCycle();
-    const Points& x = members_[k]->body().x;
-    if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
-  }
+  for (BodyMotion* member : members_) member->beginCycle();
+  takeX();
   before_.clear();
   forHooks([&](const StepHooks& hooks, const Points&) { hooks.save(&before_); });
   searchInteractions();
@@ -115,41 +139,34 @@ void StepGroup::beginCycle() {
 
 bool StepGroup::startGuarding() {
   bool any = false;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    FemBody& body = members_[k]->body();
-    body.min_jacobian = body.elasticity->minJacobian(joint_ ? part(k, x_) : body.x);
-    if (body.guard.active() || *body.min_jacobian >= fem::InversionGuard::kLeast) continue;
-    body.guard.setActive(true);
+  for (FemBody* body : bodiesAtX()) {
+    body->min_jacobian = body->elasticity->minJacobian(body->x);
+    if (body->guard.active() || *body->min_jacobian >= fem::InversionGuard::kLeast) continue;
+    body->guard.setActive(true);
     any = true;
   }
   if (!any) return false;
-  for (BodyMotion* member : members_) member->body().min_jacobian.reset();  // x changes
+  for (FemBody* body : bodies_) body->min_jacobian.reset();  // x changes
   return true;
 }
 
 void StepGroup::endGuarding() {
-  for (BodyMotion* member : members_) {
-    FemBody& body = member->body();
-    if (!body.guard.active()) continue;
-    body.guard.setActive(body.guard.least(body.x) < kFlat * fem::InversionGuard::kLeast);
+  for (FemBody* body : bodies_) {
+    if (!body->guard.active()) continue;
+    body->guard.setActive(body->guard.least(body->x) < kFlat * fem::InversionGuard::kLeast);
   }
 }
 
-bool StepGroup::inverted() const {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const FemBody& body = members_[k]->body();
-    if (!body.guard.active()) continue;
-    if (body.guard.least(joint_ ? part(k, x_) : body.x) <= 0.0) return true;
-  }
-  return false;
+bool StepGroup::inverted() {
+  bodiesAtX();
+  return std::any_of(bodies_.begin(), bodies_.end(), [](const FemBody* body) {
+    return body->guard.active() && body->guard.least(body->x) <= 0.0;
+  });
 }
 
 void StepGroup::goBack() {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->goBack();
-    const Points& x = members_[k]->body().x;
-    if (joint_) x_.middleCols(joint_->firstNode(k), x.cols()) = x;
-  }
+  for (BodyMotion* member : members_) member->goBack();
+  takeX();
   StateReader before(before_.bytes());
   forHooks([&](StepHooks& hooks, const Points&) { hooks.restore(&before); });
 }
@@ -164,75 +181,54 @@ bool StepGroup::beginStep(double begin, double h) {
 }
 
 void StepGroup::endStep(double unbalanced) {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    if (joint_) members_[k]->body().x = part(k, x_);
-    members_[k]->endStep(unbalanced);
-  }
+  bodiesAtX();
+  for (BodyMotion* member : members_) member->endStep(unbalanced);
   sumInteractionForces();
   forHooks([](StepHooks& hooks, const Points& x) { hooks.endStep(x); });
 }
 
-void StepGroup::extrapolate(double h, Points* way) const {
-  if (!joint_) return members_.front()->extrapolate(h, way);
-  way->resize(3, x_.cols());
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    members_[k]->extrapolate(h, &part_way_);
-    way->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
-  }
-}
-
-bool StepGroup::carries() const {
-  return std::any_of(members_.begin(), members_.end(), [](const BodyMotion* member) {
-    return member->body().surroundings.carries();
+void StepGroup::extrapolate(double h, Points* way) {
+  fillParts(way, [&](std::size_t k, Points* of_member) {
+    members_[k]->extrapolate(h, of_member);
+    return true;
   });
 }
 
+bool StepGroup::carries() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const FemBody* body) { return body->surroundings.carries(); });
+}
+
 void StepGroup::moveSurroundings(double s) {
-  for (BodyMotion* member : members_) member->body().surroundings.moveTo(s);
+  for (FemBody* body : bodies_) body->surroundings.moveTo(s);
 }
 
 void StepGroup::carryTo(double s, Points* all) const {
-  if (!joint_) return members_.front()->body().surroundings.carryTo(s, all);
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const BodySurroundings& surroundings = members_[k]->body().surroundings;
-    if (!surroundings.carries()) continue;
-    part_way_ = part(k, *all);
-    surroundings.carryTo(s, &part_way_);
-    all->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    bodies_[k]->surroundings.carryTo(s, all, first_[k]);
   }
 }
 
 void StepGroup::carryHere(double s) {
-  if (joint_) carryTo(s, &x_);
-  for (BodyMotion* member : members_) {
-    FemBody& body = member->body();
-    if (!body.surroundings.carries()) continue;
-    body.surroundings.carryTo(s, &body.x);
-    body.elastic_energy.reset();
+  carryTo(s, x_);
+  for (FemBody* body : bodies_) {
+    if (body->surroundings.carries()) body->elastic_energy.reset();
   }
 }
 
 double StepGroup::valueHere() {
   double sum = 0.0;
+  bodiesAtX();
   for (BodyMotion* member : members_) sum += member->valueHere();
   for (const std::unique_ptr<MappedInteraction>& mapped : interactions_)
-    sum += mapped->of_all->value(x_);
+    sum += mapped->of_all->value(*x_);
   return sum;
 }
 
-bool StepGroup::heldWay(double s, Points* way) const {
-  if (!joint_) return members_.front()->body().heldWay(s, way);
-  bool any = false;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    FemBody& body = members_[k]->body();
-    if (!body.drive.held && !body.surroundings.carries()) continue;
-    body.x = part(k, x_);
-    if (!body.heldWay(s, &part_way_)) continue;
-    if (!any) way->setZero(3, x_.cols());
-    way->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
-    any = true;
-  }
-  return any;
+bool StepGroup::heldWay(double s, Points* way) {
+  bodiesAtX();
+  return fillParts(
+      way, [&](std::size_t k, Points* of_member) { return bodies_[k]->heldWay(s, of_member); });
 }
 
 double StepGroup::unbalancedForce(const Points& gradient) {
@@ -244,41 +240,32 @@ double StepGroup::unbalancedForce(const Points& gradient) {
 }
 
 void StepGroup::moveTools(double s) {
-  for (BodyMotion* member : members_) member->body().tool_contact.moveTo(s);
+  for (FemBody* body : bodies_) body->tool_contact.moveTo(s);
 }
 
 void StepGroup::beginTouches() {
   forHooks([](StepHooks& hooks, const Points& x) { hooks.beginStep(x); });
 }
 
-double StepGroup::nextStage(double s, double end) const {
+double StepGroup::nextStage(double s, double end) {
   double next = end;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    FemBody& body = members_[k]->body();
-    next = std::min(next, body.tool_path.next(joint_ ? part(k, x_) : body.x, s, end));
-  }
+  for (FemBody* body : bodiesAtX()) next = std::min(next, body->tool_path.next(body->x, s, end));
   return next;
 }
 
-bool StepGroup::pushTo(double s, const Points& all, Points* push) const {
-  if (!joint_) return members_.front()->body().tool_path.pushTo(s, all, push);
-  push->setZero(3, all.cols());
-  bool any = false;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    if (!members_[k]->body().tool_path.pushTo(s, part(k, all), &part_way_)) continue;
-    push->middleCols(joint_->firstNode(k), part_way_.cols()) = part_way_;
-    any = true;
-  }
-  return any;
+bool StepGroup::pushTo(double s, const Points& all, Points* push) {
+  return fillParts(push, [&](std::size_t k, Points* of_member) {
+    return bodies_[k]->tool_path.pushTo(s, part(k, all), of_member);
+  });
 }
 
 void StepGroup::invalidateInsideTools() {
-  for (BodyMotion* member : members_) member->body().tool_contact.inside_tools.invalidate();
+  for (FemBody* body : bodies_) body->tool_contact.inside_tools.invalidate();
 }
 
 bool StepGroup::hasFriction() const {
-  return std::any_of(members_.begin(), members_.end(),
-                     [](const BodyMotion* member) { return member->body().contact.hasFriction(); });
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [](const FemBody* body) { return body->contact.hasFriction(); });
 }
 
 bool StepGroup::augmentationConverged() {
@@ -302,10 +289,7 @@ bool StepGroup::candidatesHold() {
 }
 
 void StepGroup::search() {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    FemBody& body = members_[k]->body();
-    body.tool_path.search(joint_ ? part(k, x_) : body.x);
-  }
+  for (FemBody* body : bodiesAtX()) body->tool_path.search(body->x);
   searchInteractions();
 }
 
@@ -319,9 +303,9 @@ void StepGroup::searchInteractions() {
 void StepGroup::sumInteractionForces() {
   interaction_forces_.assign(members_.size(), InteractionForce());
   if (interactions_.empty()) return;
-  gradient_.setZero(3, x_.cols());
+  gradient_.setZero(3, x_->cols());
   for (const std::unique_ptr<MappedInteraction>& mapped : interactions_) {
-    mapped->of_all->addGradient(x_, &gradient_);
+    mapped->of_all->addGradient(*x_, &gradient_);
   }
   for (std::size_t k = 0; k < members_.size(); ++k) {
     const Points& nodal = part(k, gradient_);

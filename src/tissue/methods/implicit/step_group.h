@@ -21,27 +21,33 @@ struct MemberInteraction {
   }
 };
 
-/// Bodies of one implicit solve: a single body, or the members of a group with their interactions.
-/// Points are concatenated by member.
+/// Bodies of one implicit solve: the members of a group, with their interactions. Points are
+/// concatenated by member; those of a single body are the body's own.
 class StepGroup {
  public:
-  explicit StepGroup(BodyMotion* body) : members_{body} {}
-  /// A group.
+  /// A single body without interactions; its potential is the body's own.
+  /// @pre `body` outlives this.
+  explicit StepGroup(BodyMotion* body)
+      : members_{body},
+        bodies_{&body->body()},
+        potential_(&body->potential()),
+        x_(&body->body().x),
+        first_{0} {}
+  /// A group that may have interactions.
   /// @pre All members have the same scene settings and outlive this.
   explicit StepGroup(const std::vector<BodyMotion*>& members);
+  StepGroup(const StepGroup&) = delete;  // x_ may refer to all_x_
+  StepGroup& operator=(const StepGroup&) = delete;
 
-  /// Sets the interactions of a group.
+  /// Sets the interactions.
+  /// @pre Made as a group that may have them.
   void setInteractions(const std::vector<MemberInteraction>& interactions);
 
-  const std::vector<BodyMotion*>& members() const { return members_; }
-  const FemSettings& settings() const { return members_.front()->body().settings; }
-  const solver::Interrupt* interrupt() const { return members_.front()->body().interrupt; }
-  const solver::Potential& potential() const {
-    return joint_ ? joint_->all() : members_.front()->potential();
-  }
-  fem::Stiffness makeMatrix() const;
+  const FemSettings& settings() const { return bodies_.front()->settings; }
+  const solver::Interrupt* interrupt() const { return bodies_.front()->interrupt; }
+  const solver::Potential& potential() const { return *potential_; }
   /// Positions in the present step, 3 x n [m].
-  Points& x() { return joint_ ? x_ : members_.front()->body().x; }
+  Points& x() { return *x_; }
   /// Columns of `all` that belong to a member.
   const Points& part(std::size_t member, const Points& all) const;
 
@@ -60,7 +66,7 @@ class StepGroup {
   bool beginStep(double begin, double h);
   /// Ends the step with the total residual `unbalanced` [N].
   void endStep(double unbalanced);
-  void extrapolate(double h, Points* way) const;
+  void extrapolate(double h, Points* way);
   /// Whether boundary conditions carry nodes; moveSurroundings() moves these and spring anchors to
   /// fraction `s` of the cycle.
   bool carries() const;
@@ -74,9 +80,9 @@ class StepGroup {
   /// one was activated: solve again. A barrier ends when a cycle begins without such elements.
   bool startGuarding();
   /// Whether elements are inverted at x.
-  bool inverted() const;
+  bool inverted();
   /// See FemBody::heldWay().
-  bool heldWay(double s, Points* way) const;
+  bool heldWay(double s, Points* way);
   /// See BodyMotion::squaredUnbalancedForce().
   double unbalancedForce(const Points& gradient);
 
@@ -84,8 +90,8 @@ class StepGroup {
   void moveTools(double s);
   // StepHooks of tool contact and interactions, at x.
   void beginTouches();
-  double nextStage(double s, double end) const;
-  bool pushTo(double s, const Points& all, Points* push) const;
+  double nextStage(double s, double end);
+  bool pushTo(double s, const Points& all, Points* push);
   /// Marks inside tools as unverified: tools moved without a solve.
   void invalidateInsideTools();
   bool candidatesHold();
@@ -115,19 +121,27 @@ class StepGroup {
   void forInteractions(const Visit& visit) const;
   template <class Visit>
   void forHooks(const Visit& visit);
+  template <class Fill>
+  bool fillParts(Points* all, const Fill& fill);
+  const std::vector<FemBody*>& bodiesAtX();
+  void takeX();
   void endGuarding();
   void searchInteractions();
   void sumInteractionForces();
 
   std::vector<BodyMotion*> members_;
-  std::unique_ptr<solver::JointPotential> joint_;  // null: a single body
+  std::vector<FemBody*> bodies_;                   // of the members
+  std::unique_ptr<solver::JointPotential> joint_;  // null: never interactions
+  const solver::Potential* potential_;             // of joint_, or of the body
+  Points* x_;                                      // all_x_, or of the body
+  std::vector<int> first_;                         // first column in x of each member
   std::vector<std::unique_ptr<MappedInteraction>> interactions_;
   std::vector<double> scales_;
   StateWriter before_;  // of tool contact and interactions, at the cycle's begin
-  Points x_;
+  Points all_x_;
   mutable std::vector<Points> parts_;  // buffers of part()
-  mutable Points part_way_;
-  Points gradient_;  // of the interactions
+  Points filled_;                      // buffer of fillParts()
+  Points gradient_;                    // of the interactions
   std::vector<InteractionForce> interaction_forces_;
 };
 
