@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -12,23 +13,31 @@ namespace palpate::tissue {
 
 class BodyMotion;
 
-/// Time stepping of a body over a cycle. A method holds a reference to its body, and buffers.
-class StepMethod {
+/// Time stepping over a cycle of a body, or of the members of a group as one.
+class CycleSolver {
  public:
-  virtual ~StepMethod() = default;
+  virtual ~CycleSolver() = default;
 
-  /// Steps the body over `dt` [s] while the tools move along body.tool_path. Writes body.x, body.v,
-  /// and status, iterations, residual and tolerance to `out`. Returns false on failure; x and v are
-  /// then unchanged.
+  /// Steps the bodies over `dt` [s] while the tools move along body.tool_path. Writes body.x,
+  /// body.v, and status, iterations, residual and tolerance to `out`. Returns false on failure; x
+  /// and v are then unchanged.
   /// @pre ToolContact::begin().
   virtual bool advance(double dt, TissueStep* out) = 0;
-  /// Writes contacts, support and inertia forces at the cycle's end to `out`.
+  /// Writes contacts, support and inertia forces of a member at the cycle's end to `out`.
   /// @pre advance().
-  virtual void reportForces(TissueStep* out) = 0;
+  virtual void reportForcesOn(std::size_t member, TissueStep* out) = 0;
   /// Norm of the static forces at the present positions with zero velocity [N].
   virtual double unbalancedForce() = 0;
   /// Whether the equilibrium is stable; meaningful for methods that solve for zero forces.
   virtual bool restsInMinimum() { return true; }
+};
+
+/// Time stepping of a body over a cycle. A method holds a reference to its body, and buffers.
+class StepMethod : public CycleSolver {
+ public:
+  /// See reportForcesOn(); of the body.
+  virtual void reportForces(TissueStep* out) = 0;
+  void reportForcesOn(std::size_t, TissueStep* out) final { reportForces(out); }
   /// Nodal masses for the kinetic energy, n [kg].
   virtual const Eigen::VectorXd& masses() const = 0;
   /// Elastic energy at body.x [J], of a method with its own elasticity.

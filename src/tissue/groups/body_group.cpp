@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "body_group.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "palpate/solver/newton.h"
 #include "palpate/solver/pcg_or_factor.h"
@@ -51,83 +51,18 @@ void BodyGroup::join() {
   for (FemOrgan* member : members_) member->join();
 }
 
-// Returns a member whose backoff skips the cycle, and so all; null without one, or where another
-// member is due for a retry. Asks every member, since each counts its cycles.
-const FemOrgan* BodyGroup::frozenMember() const {
-  const FemOrgan* frozen = nullptr;
-  bool due = false;
-  for (FemOrgan* member : members_) {
-    const bool failing = member->isFailing();
-    if (member->isFrozen()) {
-      frozen = member;
-    } else {
-      due = due || failing;
-    }
-  }
-  return due ? nullptr : frozen;
-}
-
-// Whether the group rests, by the cycle's tolerance and by that of the present forces.
-bool BodyGroup::cameToRest() {
-  const bool still = std::all_of(members_.begin(), members_.end(),
-                                 [&](const FemOrgan* m) { return m->isStill(out_); });
-  if (!still) return false;
-  const double unbalanced = bodies_.unbalancedForce(steps_.gradient());
-  if (unbalanced > out_.tolerance) return false;
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    TissueStep now;
-    members_[k]->takeForces(bodies_.part(k, steps_.gradient()), bodies_.interactionForces()[k],
-                            &now);
-  }
-  return unbalanced <= bodies_.tolerance();
-}
-
-bool BodyGroup::isTouched() const {
-  return std::any_of(members_.begin(), members_.end(),
-                     [](const FemOrgan* member) { return member->isTouched(); });
-}
-
 void BodyGroup::step(double dt) {
-  const bool sleeps = std::all_of(members_.begin(), members_.end(),
-                                  [](const FemOrgan* member) { return member->sleeps(); });
-  if (sleeps) {
-    for (FemOrgan* member : members_) member->sleepOn();
-    return;
-  }
-  if (isTouched()) {
-    for (FemOrgan* member : members_) member->reached();
-  }
-  if (const FemOrgan* failing = frozenMember()) {
-    for (FemOrgan* member : members_) member->stayFrozen(failing->failure());
-    return;
-  }
-  for (FemOrgan* member : members_) member->beginTogether();
   out_.clear();
-  if (!steps_.advance(dt, &out_)) {
-    const bool for_good = std::all_of(members_.begin(), members_.end(), [&](const FemOrgan* m) {
-      return m->failsForGood(out_.status);
-    });
-    for (FemOrgan* member : members_) member->failTogether(out_, for_good);
-  } else {
-    endSolved();
-  }
+  solveCycle(members_, this, dt, &out_);
   members_.front()->addWork(out_);
 }
 
-// Resets all members where one must be, since another may occupy its space.
-void BodyGroup::endSolved() {
-  const bool at_rest = cameToRest();
-  const bool touched = isTouched();
-  bool anew = false;
-  for (FemOrgan* member : members_) anew |= !touched && member->shouldReset(out_, at_rest);
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    if (anew) {
-      members_[k]->resetWithGroup(out_, solver::SolveStatus::kInverted);
-    } else {
-      members_[k]->endTogether(out_, at_rest, bodies_.part(k, steps_.gradient()),
-                               bodies_.interactionForces()[k]);
-    }
-  }
+void BodyGroup::reportForcesOn(std::size_t member, TissueStep* out) {
+  BodyMotion& motion = *members_[member]->motion();
+  motion.reportForces(bodies_.part(member, steps_.gradient()), out);
+  const InteractionForce& others = bodies_.interactionForces()[member];
+  out->interaction_force = others.sum;
+  motion.body().contact_force = std::hypot(motion.body().contact_force, others.norm);
 }
 
 void BodyGroup::save(StateWriter* out) const {

@@ -12,19 +12,18 @@ namespace palpate::tissue {
 /// Bodies that are solved as one by Newton's method with conjugate gradients (`implicit_pcg`). The
 /// matrices are block diagonal in the members' orders and coarse spaces, so a new group needs no
 /// ordering or factorisation. State stays with the members, which can leave the group.
-class BodyGroup {
+class BodyGroup final : private CycleSolver {
  public:
   /// @pre The members outlive this, and each has a motion().
   explicit BodyGroup(std::vector<FemOrgan*> members);
 
-  const std::vector<FemOrgan*>& members() const { return members_; }
   /// Sets the interactions between members in this cycle.
   void setInteractions(const std::vector<MemberInteraction>& interactions) {
     bodies_.setInteractions(interactions);
   }
   /// Drops cached solver state: the group is new or was interrupted.
   void join();
-  /// Solves a cycle of `dt` [s], or sleeps if all members sleep.
+  /// Solves a cycle of `dt` [s] by solveCycle().
   /// @pre All members have begun the cycle.
   void step(double dt);
 
@@ -33,10 +32,9 @@ class BodyGroup {
 
  private:
   std::unique_ptr<solver::Minimizer> makeMinimizer();
-  const FemOrgan* frozenMember() const;
-  bool cameToRest();
-  bool isTouched() const;
-  void endSolved();
+  bool advance(double dt, TissueStep* out) override { return steps_.advance(dt, out); }
+  void reportForcesOn(std::size_t member, TissueStep* out) override;
+  double unbalancedForce() override { return bodies_.unbalancedForce(steps_.gradient()); }
 
   std::vector<FemOrgan*> members_;
   std::vector<std::unique_ptr<solver::BlockPcg>> made_;  // solvers of members without one

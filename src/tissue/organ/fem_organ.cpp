@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "tissue/methods/implicit/body_motion.h"
 #include "tissue/methods/method_list.h"
 
 namespace palpate::tissue {
@@ -143,78 +142,47 @@ void FemOrgan::begin(const std::vector<contact::Obstacle>& obstacles, double dt)
   body_.tool_contact.begin(obstacles, body_.x, body_.v, dt, &out_);
   contact_force_ = body_.contact_force;
   support_force_ = body_.support_force;
-  if (isTouched()) reached();
 }
 
-void FemOrgan::stepAlone(double dt) {
-  if (sleeps()) return sleepOn();
-  if (isFrozen()) return stayFrozen(failure());
-  rest_.begin(body_.x);
-  if (method_->advance(dt, &out_)) {
-    const bool at_rest = cameToRest();
-    if (!isTouched() && shouldReset(out_, at_rest)) {
-      return resetToEquilibrium(solver::SolveStatus::kInverted);
-    }
-    if (at_rest && !method_->restsInMinimum()) {
-      return resetToEquilibrium(solver::SolveStatus::kNotPositiveDefinite);
-    }
-    if (at_rest) fallAsleep();
-    method_->reportForces(&out_);
-    reportSolved();
-  } else {
-    const bool for_good = failsForGood(out_.status);
-    fail();
-    if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
-  }
-  body_.surroundings.endCycle();
-  reportState();
-}
+void FemOrgan::stepAlone(double dt) { solveCycle(alone_, method_.get(), dt, &out_); }
 
-void FemOrgan::takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out) {
-  method_->motion()->reportForces(gradient, out);
-  out->interaction_force = others.sum;
-  body_.contact_force = std::hypot(body_.contact_force, others.norm);
-}
-
-void FemOrgan::endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
-                           const InteractionForce& others) {
-  takeFigures(together);
+void FemOrgan::endSolved(const TissueStep& solved, bool at_rest, CycleSolver* solver,
+                         std::size_t member) {
+  takeFigures(solved);
   if (at_rest) fallAsleep();
-  takeForces(gradient, others, &out_);
+  solver->reportForcesOn(member, &out_);
   reportSolved();
-  body_.surroundings.endCycle();
-  reportState();
+  finishCycle();
 }
 
-void FemOrgan::resetWithGroup(const TissueStep& together, solver::SolveStatus why) {
-  takeFigures(together);
+void FemOrgan::endReset(const TissueStep& solved, solver::SolveStatus why) {
+  takeFigures(solved);
   resetToEquilibrium(why);
 }
 
-void FemOrgan::failTogether(const TissueStep& together, bool for_good) {
-  takeFigures(together);
+void FemOrgan::endFailed(const TissueStep& failed, bool for_good) {
+  takeFigures(failed);
   fail();
   if (for_good || isOutsideOfLaw()) return resetToEquilibrium(failureHere());
-  body_.surroundings.endCycle();
-  reportState();
+  finishCycle();
 }
 
 // Takes over the group's figures; one member reports iterations and times.
-void FemOrgan::takeFigures(const TissueStep& together) {
-  out_.status = together.status;
-  out_.sweep_stages = together.sweep_stages;
-  out_.recovery = together.recovery;
-  out_.time_steps = together.time_steps;
-  out_.residual = together.residual;
-  out_.tolerance = together.tolerance;
-  out_.satisfied = together.satisfied;
+void FemOrgan::takeFigures(const TissueStep& solved) {
+  out_.status = solved.status;
+  out_.sweep_stages = solved.sweep_stages;
+  out_.recovery = solved.recovery;
+  out_.time_steps = solved.time_steps;
+  out_.residual = solved.residual;
+  out_.tolerance = solved.tolerance;
+  out_.satisfied = solved.satisfied;
 }
 
-void FemOrgan::addWork(const TissueStep& together) {
-  out_.newton_iterations += together.newton_iterations;
-  out_.linear_iterations += together.linear_iterations;
-  out_.kept_stiffnesses += together.kept_stiffnesses;
-  out_.phases += together.phases;
+void FemOrgan::addWork(const TissueStep& of_group) {
+  out_.newton_iterations += of_group.newton_iterations;
+  out_.linear_iterations += of_group.linear_iterations;
+  out_.kept_stiffnesses += of_group.kept_stiffnesses;
+  out_.phases += of_group.phases;
 }
 
 void FemOrgan::reportSolved() {
@@ -229,16 +197,6 @@ void FemOrgan::reportSolved() {
   // Forces of a cut cycle are not in equilibrium, and must not set the tolerance.
   body_.contact_force = contact_force_;
   body_.support_force = support_force_;
-}
-
-// Whether the body rests: no displacement, and static forces within tolerance, also by the present
-// forces, since a tool may have left.
-bool FemOrgan::cameToRest() {
-  if (!rest_.isStill(body_.x, body_.tool_contact, out_)) return false;
-  if (method_->unbalancedForce() > out_.tolerance) return false;
-  TissueStep now;
-  method_->reportForces(&now);
-  return method_->unbalancedForce() <= body_.tolerance();
 }
 
 // Whether the body rests with nearly inverted elements, in a false equilibrium after a tool's jump.
@@ -314,8 +272,7 @@ void FemOrgan::resetToEquilibrium(solver::SolveStatus why) {
   out_.residual = g.cwiseProduct(body_.free).norm();
   body_.reportSupport(g, &out_);
   reportSolved();
-  body_.surroundings.endCycle();
-  reportState();
+  finishCycle();
   out_.status = why;
 }
 
@@ -336,8 +293,7 @@ void FemOrgan::stayFrozen(solver::SolveStatus why) {
   out_.status = why;
   if (!isFailing()) stop();
   out_.recover(Recovery::kFrozen);
-  body_.surroundings.endCycle();
-  reportState();
+  finishCycle();
 }
 
 void FemOrgan::stop() {
@@ -345,7 +301,9 @@ void FemOrgan::stop() {
   method_->stop();
 }
 
-void FemOrgan::reportState() {
+// Advances the simulated time, and reports the state at the cycle's end.
+void FemOrgan::finishCycle() {
+  body_.surroundings.endCycle();
   const PhaseTimer timer(&out_.phases, Phase::kForces);
   if (out_.time_steps > 1) out_.recover(Recovery::kShorterSteps);
   out_.min_jacobian =

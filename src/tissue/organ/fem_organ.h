@@ -69,8 +69,9 @@ class FemOrgan final : public OrganBodies {
   /// Initial equilibrium without contact, 3 x n [m].
   const Points& equilibrium() const { return equilibrium_; }
   void setEquilibrium(Points x) { equilibrium_ = std::move(x); }
-  /// Begins a cycle of `dt` [s]; stepAlone() or a BodyGroup continues it.
+  /// Begins a cycle of `dt` [s]; stepAlone() or a BodyGroup continues it by solveCycle().
   void begin(const std::vector<contact::Obstacle>& obstacles, double dt);
+  /// Solves the cycle by the body's own method.
   void stepAlone(double dt);
   /// Result of the cycle.
   const TissueStep& report() const { return out_; }
@@ -80,11 +81,14 @@ class FemOrgan final : public OrganBodies {
   /// See contact::ContactPotential::setOffsets().
   void setContactOffsets(const Points& offsets) { body_.contact.setOffsets(offsets); }
 
-  // Interface for groups.
   /// Motion for groups; null: the method steps alone.
   BodyMotion* motion() { return method_->motion(); }
   /// Drops cached solver state: a BodyGroup integrates this body from now on.
   void join() { method_->forget(); }
+  /// Adds the group's iterations and times to this member's report.
+  void addWork(const TissueStep& of_group);
+
+  // Interface for solveCycle().
   /// Whether the body sleeps in the cycle.
   bool sleeps() const { return rest_.sleeps(body_.tool_contact); }
   /// Reports the cycle as asleep.
@@ -97,14 +101,11 @@ class FemOrgan final : public OrganBodies {
   /// Skips the cycle; `why`: the failure of this body or of another member.
   void stayFrozen(solver::SolveStatus why);
   /// Begins a solved cycle.
-  void beginTogether() { rest_.begin(body_.x); }
-  /// Whether this member rests after a cycle of the group with result `together`.
-  bool isStill(const TissueStep& together) const {
-    return rest_.isStill(body_.x, body_.tool_contact, together);
+  void beginSolve() { rest_.begin(body_.x); }
+  /// Whether the body is still after a solve with result `solved`.
+  bool isStill(const TissueStep& solved) const {
+    return rest_.isStill(body_.x, body_.tool_contact, solved);
   }
-  /// Writes the forces at body.x into `out` and uses them for tolerances; `gradient`: of the
-  /// potential, 3 x n [N]; `others`: forces of other members.
-  void takeForces(const Points& gradient, const InteractionForce& others, TissueStep* out);
   /// Whether a tool may touch the body in this cycle.
   bool isTouched() const { return body_.tool_contact.possibleByTools(); }
   /// True if the body should be reset: it rests with inverted elements, or stayed inverted without
@@ -114,24 +115,19 @@ class FemOrgan final : public OrganBodies {
   bool shouldReset(const TissueStep& cycle, bool at_rest);
   /// A tool was near the group: allows another reset.
   void reached() { was_inverted_ = false; }
-  /// Resets the body to its equilibrium, displaced with its supports, as all members.
-  void resetWithGroup(const TissueStep& together, solver::SolveStatus why);
-  /// Ends a solved cycle of the group; `at_rest`: the group rests; `gradient`, `others`: as in
-  /// takeForces().
-  void endTogether(const TissueStep& together, bool at_rest, const Points& gradient,
-                   const InteractionForce& others);
+  /// Ends a cycle by a reset to the equilibrium, displaced with its supports, as of all members.
+  void endReset(const TissueStep& solved, solver::SolveStatus why);
+  /// Ends a solved cycle; `at_rest`: all members rest; `member`: index of this one.
+  void endSolved(const TissueStep& solved, bool at_rest, CycleSolver* solver, std::size_t member);
   /// Whether a failure with `status` is permanent.
   bool failsForGood(solver::SolveStatus status) const {
     return status != solver::SolveStatus::kDeadline && backoff_.isForGood();
   }
-  /// Ends a failed cycle of the group; `for_good`: permanent for all members.
-  void failTogether(const TissueStep& together, bool for_good);
-  /// Adds the group's iterations and times to this member's report.
-  void addWork(const TissueStep& together);
+  /// Ends a failed cycle; `for_good`: permanent for all members.
+  void endFailed(const TissueStep& failed, bool for_good);
 
  private:
   void put(const Points& positions, const Points& velocities);
-  bool cameToRest();
   bool isCrushed();
   bool isStuck(const TissueStep& cycle);
   double wayOfShape() const;
@@ -141,9 +137,9 @@ class FemOrgan final : public OrganBodies {
   void fallAsleep();
   void fail();
   void stop();
-  void takeFigures(const TissueStep& together);
+  void takeFigures(const TissueStep& solved);
   void reportSolved();
-  void reportState();
+  void finishCycle();
 
   static constexpr double kNotStuck = 1.0;
 
@@ -160,7 +156,15 @@ class FemOrgan final : public OrganBodies {
   bool own_method_, own_start_;
   std::vector<std::string> own_notes_;
   TissueStep out_;
+  const std::vector<FemOrgan*> alone_ = {this};  // members of stepAlone()
 };
+
+/// Solves a cycle of `dt` [s] of the members of a group, or of a single body. `solver` steps the
+/// members as one, and all of them sleep, fail or are reset as one. `out`: result of the solve; of
+/// a single body its report.
+/// @pre FemOrgan::begin() of all members.
+void solveCycle(const std::vector<FemOrgan*>& members, CycleSolver* solver, double dt,
+                TissueStep* out);
 
 /// As makeFemTissue().
 std::unique_ptr<FemOrgan> makeFemOrgan(const mesh::TetMesh& mesh,
