@@ -123,6 +123,21 @@ FemBody::FemBody(const mesh::TetMesh& tet_mesh, const fem::Composition& composit
   if (settings.position_tolerance == 0.0) least_force_ = settings.tolerance * force_floor;
 }
 
+void FemBody::moveTo(const Points& positions, const Points& velocities) {
+  x = positions;
+  v = velocities;
+  elastic_energy.reset();
+  min_jacobian.reset();
+}
+
+void FemBody::startAt(const Points& positions, const Points& velocities) {
+  moveTo(positions, velocities);
+  elasticity->relax(x);
+  tool_contact.forget();
+  guard.setActive(false);
+  contact_force = support_force = 0.0;
+}
+
 double FemBody::leastTolerance() const {
   return std::max(settings.tolerance * weight_norm_, least_force_);
 }

@@ -36,6 +36,11 @@ struct FemBody {
           const Eigen::Matrix3Xi& surface = {},
           const std::vector<contact::SurfaceSample>& samples = {});
 
+  /// Sets positions and velocities, 3 x n [m], [m/s], and forgets what was known at x.
+  void moveTo(const Points& positions, const Points& velocities);
+  /// moveTo() without a past: relaxed, untouched, without forces.
+  void startAt(const Points& positions, const Points& velocities);
+
   /// Upper bound of plausible forces, whose powers do not overflow [N].
   static constexpr double kMostForce = 1e30;
   /// Tolerance of the residual from the forces of the last cycle [N].

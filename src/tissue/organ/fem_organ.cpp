@@ -93,14 +93,7 @@ void FemOrgan::prepareAt(const Points& x, double dt) {
 }
 
 void FemOrgan::put(const Points& positions, const Points& velocities) {
-  body_.x = positions;
-  body_.v = velocities;
-  body_.elasticity->relax(positions);
-  body_.tool_contact.forget();
-  body_.guard.setActive(false);
-  body_.elastic_energy.reset();
-  body_.min_jacobian.reset();
-  body_.contact_force = body_.support_force = 0.0;
+  body_.startAt(positions, velocities);
   method_->restart();
   backoff_ = FailureBackoff();
   stuck_at_ = kNotStuck;

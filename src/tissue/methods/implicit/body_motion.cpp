@@ -46,10 +46,7 @@ void BodyMotion::beginCycle() {
 
 void BodyMotion::goBack() {
   integrator_ = begin_;
-  body_.x = begin_.positions();
-  body_.elastic_energy.reset();
-  body_.min_jacobian.reset();
-  body_.v = begin_.velocities();
+  body_.moveTo(begin_.positions(), begin_.velocities());
   body_.elasticity->restoreViscousState(viscous_.get());
 }
 
