@@ -25,6 +25,7 @@ DEVICE = "master/body/servo_cf"
 STALE_AFTER, RAMP = 0.2, 0.1  # [s] of the scene
 GUARD_PATIENCE, GUARD_RAMP = 0.05, 0.02  # [s] defaults
 LIMITS = Limits(0.4, 0.01, 4.0)
+STARTED = 20
 LATE = 0.3  # [s] that a machine with other work may be late with anything
 
 
@@ -201,6 +202,27 @@ class Faults(unittest.TestCase):
         self.wait(lambda: force(self.spatial.last()) > 0.1, "press again", 10.0)
         program.send_signal(signal.SIGINT)
         self.assertEqual(program.wait(5), 0)
+
+    def test_programs_that_start_while_both_cores_are_busy(self):
+        """None waits for a mutex of roscpp's that its own server thread takes again and again."""
+        spinning = [self.programs.start("sh", "-c", "while :; do :; done") for _ in range(2 * os.cpu_count())]
+        started = {}
+        try:
+            for k in range(STARTED):
+                name = "started_%d" % k
+                rospy.set_param("/" + name, {"joints": "/%s/joints" % name, "after": "", "hold": 60.0})
+                started["/%s/joints" % name] = self.programs.node("palpate_device", "__name:=" + name)
+            end = time.monotonic() + 40.0
+            while started:
+                self.assertLess(time.monotonic(), end, "not started: %s" % sorted(started))
+                for topic, _ in rospy.get_published_topics():
+                    if topic in started:
+                        started.pop(topic).kill()
+                time.sleep(0.1)
+        finally:
+            for program in spinning + list(started.values()):
+                program.kill()
+                program.wait()
 
     def test_z_it_ends_beside_who_never_reads(self):
         self.touch()
