@@ -250,6 +250,9 @@ def report_rows(reports):
         ("contact phases", "%d" % len(phases([t for t, _ in reports], contacts > 0))),
         ("deepest sample in a tool", "%.3f mm" % (1e3 * depth.max())),
     ]
+    if getattr(reports[0][1], "finest_edge", 0.0) > 0.0:  # an older bag has none
+        edges = 1e3 * column(reports, "finest_edge")
+        rows.insert(1, ("edges at tools, live", "%.3g to %.3g mm" % (edges.min(), edges.max())))
     if cycle.max() > 0.0:  # a replay leaves it out
         rows.append(("cycle time p50 / p99 / max", "%.2f / %.2f / %.2f ms" %
                      (np.percentile(cycle, 50), np.percentile(cycle, 99), cycle.max())))

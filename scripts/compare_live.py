@@ -222,7 +222,8 @@ class LiveNode:
 
     def __init__(self, scene, rate=None, log=None, parameters=()):
         self.scene, self.namespace = scene, "/live_" + scene.name
-        command = [program("palpate_node"), "__ns:=" + self.namespace, "_scene:=" + scene.file, "_save_state_at_end:=false"]
+        command = [program("palpate_node"), "__ns:=" + self.namespace, "_scene:=" + scene.file, "_save_state_at_end:=false",
+                   "_rates/catch_up:=1"]
         command += ["_rates/simulation:=%r" % rate] if rate else []
         self.node = subprocess.Popen(command + list(parameters), stdout=log, stderr=subprocess.STDOUT)
         self.heard, self.models = queue.Queue(), {}

@@ -289,6 +289,16 @@ void describe(keys::FieldVisitor& v, RatesConfig& rates) {
            keys::Range::above(0.0, 1000.0));
   v.number({"stale_after", "s", "Input older than this pauses the simulation."}, rates.stale_after,
            keys::Range::above(0.0, 10.0));
+  v.integer(
+      {"catch_up", "",
+       "Most cycles that one live step covers, after a late one, so that simulated time keeps "
+       "up with real time; 1: each step is solver.step, and meshes that adapt are waited for, "
+       "as in a replay. Models with steps of their own always have 1."},
+      rates.catch_up, keys::Range::closed(1, 20));
+  v.number({"coarsening", "",
+            "Largest factor by which adapt.finest grows live while cycles are late; 1: it never "
+            "does. step_report has the edge length in effect."},
+           rates.coarsening, keys::Range::closed(1.0, 10.0));
   v.number({"ramp", "s",
             "Time in which the wrench goes to zero and comes back at a pause or a failed solve."},
            rates.ramp, keys::Range::above(0.0, 10.0));

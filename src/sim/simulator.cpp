@@ -67,6 +67,10 @@ void Simulator::setInterrupt(solver::Interrupt interrupt) {
   }
 }
 
+void Simulator::setMeshPace(const tissue::MeshPace& pace) {
+  for (const scene::ModelPart& model : impl_->parts.models) model.tissue->setMeshPace(pace);
+}
+
 void Simulator::reset() {
   for (const scene::ModelPart& model : impl_->parts.models) model.tissue->reset();
   impl_->clear();
@@ -126,6 +130,15 @@ mesh::CellMesh Simulator::cells(int i) const {
 std::vector<std::string> Simulator::methods(int i) const {
   const scene::OrganHandle& place = impl_->parts.organs[i];
   return place.tissue->methods(place.organ);
+}
+bool Simulator::stepsMayGrow() const {
+  for (int i = 0; i < numOrgans(); ++i) {
+    if (methods(i).empty()) return false;
+    for (const std::string& method : methods(i)) {
+      if (tissue::methodFacts(method).explicit_steps) return false;
+    }
+  }
+  return true;
 }
 bool Simulator::wantsFastBlas() const {
   for (int i = 0; i < numOrgans(); ++i) {

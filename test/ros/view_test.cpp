@@ -134,6 +134,16 @@ TEST_F(StateTexts, SayWhyThereIsNoForce) {
   EXPECT_FALSE(test::contains(outside, "left"));
 }
 
+TEST_F(StateTexts, SayThatMeshesAreCoarser) {
+  const std::vector<ToolState> tools(2, ToolState::kLive);
+  EXPECT_TRUE(words.update(NodeState::kRunning, tools, 1.68));
+  EXPECT_TRUE(test::contains(words.marker().text, "1.7 times"));
+  EXPECT_TRUE(words.update(NodeState::kRunning, tools, 1.0));
+  EXPECT_EQ(words.marker().text, "");
+  EXPECT_TRUE(words.update(NodeState::kFault, tools, 1.68));
+  EXPECT_FALSE(test::contains(words.marker().text, "times"));
+}
+
 TEST_F(StateTexts, AreNewsWhereTheyChange) {
   text(NodeState::kRunning);
   EXPECT_TRUE(changed);  // whatever rviz had from a node before

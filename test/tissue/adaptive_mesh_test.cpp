@@ -2,6 +2,8 @@
 // What the force is worth on meshes that adapt, and which they are.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "adaptive_slab.h"
 #include "support/contains.h"
 
@@ -92,6 +94,44 @@ TEST(AdaptiveMesh, ComesNearTheSameForceWithEveryElement) {
   EXPECT_NEAR(fine.force - fine.error, other.force - other.error, 0.03 * fine.force);
 }
 
+// Coarser under load, as fine as asked for without; the report has the edge length in effect.
+TEST(AdaptiveMesh, IsCoarserAtAnotherPace) {
+  AdaptiveSlab slab;
+  const auto tissue = slab.make();
+  Ball ball(Vec3(0.05, 0.05, 0.0505));
+  const auto after = [&](double coarsening) {
+    tissue->setMeshPace({false, coarsening});
+    double edge = 0.0;
+    for (int k = 0; k < 40; ++k) {
+      edge = tissue->step(ball.to(Vec3(0.05, 0.05, 0.0505)), kStep).finest_edge;
+    }
+    EXPECT_EQ(edge, coarsening * slab.adapt.finest);
+    return tissue->positions().cols();
+  };
+  const Eigen::Index fine = after(1.0), coarse = after(2.0);
+  EXPECT_LT(coarse, 0.8 * static_cast<double>(fine));
+  EXPECT_EQ(after(1.0), fine);
+}
+
+// A replay uses a mesh in a certain cycle, a live node once it is there.
+TEST(AdaptiveMesh, IsUsedWhenItIsReady) {
+  const AdaptiveSlab slab;
+  const auto firstCycle = [&](bool when_ready) {
+    const auto tissue = slab.make();  // without a thread for tasks a mesh is ready when asked
+    tissue->setMeshPace({when_ready, 1.0});
+    const Eigen::Index coarse = tissue->positions().cols();
+    Ball ball(Vec3(0.05, 0.05, 0.0505));
+    int cycles = 0;
+    while (tissue->positions().cols() == coarse && cycles < 100) {
+      tissue->step(ball.to(Vec3(0.05, 0.05, 0.0505)), kStep);
+      ++cycles;
+    }
+    return cycles;
+  };
+  EXPECT_EQ(firstCycle(false), 1 + static_cast<int>(std::ceil(kBackgroundTime / kStep - 1e-6)));
+  EXPECT_EQ(firstCycle(true), 2);
+}
+
 // A tool that is there all of a sudden asks for more than one change may do.
 TEST(AdaptiveMesh, SpreadsWorkOverSeveralChanges) {
   AdaptiveSlab slab;
@@ -119,7 +159,9 @@ TEST(AdaptiveMesh, SpreadsWorkOverSeveralChanges) {
   for (Eigen::Index t = 0; t < cells.cells.cols(); ++t) {
     Vec3 middle = Vec3::Zero();
     for (int a = 0; a < 4; ++a) middle += 0.25 * cells.points.col(cells.cells(a, t));
-    if ((middle - Vec3(0.05, 0.05, 0.0505)).norm() > 0.012) continue;
+    if ((middle - Vec3(0.05, 0.05, 0.0505)).norm() > 0.01 + kFineDistance * slab.adapt.finest) {
+      continue;
+    }
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < a; ++b) {
         longest = std::max(

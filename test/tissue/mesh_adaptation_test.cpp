@@ -37,7 +37,7 @@ TEST_P(MeshAdaptationOf, IsPreparedByTheTimeThatItIsTaken) {
     ToolDistance tools(1e-4, 0.01);
     Ball ball(tool);
     tools.look({ball.to(tool)}, 0.0, old.body().x, 0.0);
-    next.begin(old.body().x, tools, kStep);
+    next.begin(old.body().x, tools, slab.adapt.finest, kStep);
     MeshAdaptation::Result made = next.take();
     EXPECT_NE(made.change, nullptr);
     FemOrgan& organ = made.organ ? *made.organ : *on_coarse;
@@ -103,7 +103,7 @@ TEST_P(RefinedOrgan, ResetsToTheEquilibriumOfTheCoarseOne) {
   ToolDistance tools(1e-4, 0.01);
   Ball ball(Vec3(0.05, 0.05, 0.05));
   tools.look({ball.to(Vec3(0.05, 0.05, 0.05))}, 0.0, coarse->body().x, 0.0);
-  next.begin(coarse->body().x, tools, kStep);
+  next.begin(coarse->body().x, tools, slab.adapt.finest, kStep);
   const std::unique_ptr<FemOrgan> fine = std::move(next.take().organ);
   ASSERT_NE(fine, nullptr);
   const Points& X = fine->body().mesh.points;

@@ -20,6 +20,8 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int size() const;
+  /// Whether another thread than the caller of wait() can run background tasks.
+  bool hasBackgroundThread() const { return team_ != nullptr; }
 
   /// Calls body(begin, end) on contiguous parts of [0, count), one per thread, and waits for all.
   /// Nested or concurrent calls run in the calling thread alone. Allocates nothing.

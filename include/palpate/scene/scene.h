@@ -146,10 +146,12 @@ struct SolverConfig : solver::StepSettings {
 };
 
 struct RatesConfig {
-  double simulation = 100.0;                           ///< Upper limit [Hz].
-  double haptic = 1000.0;                              ///< [Hz]
-  double markers = 30.0;                               ///< Upper limit [Hz].
-  double stale_after = 0.2;                            ///< Input age that pauses [s].
+  double simulation = 100.0;  ///< Upper limit [Hz].
+  double haptic = 1000.0;     ///< [Hz]
+  double markers = 30.0;      ///< Upper limit [Hz].
+  double stale_after = 0.2;   ///< Input age that pauses [s].
+  double coarsening = 2.0;    ///< Largest live factor of adapt.finest, under load [-].
+  int catch_up = 5;           ///< Most cycles that a live step covers, after late ones [-].
   double ramp = haptics::WrenchFilterSettings().ramp;  ///< Fade time of the wrench [s].
 };
 

@@ -101,6 +101,9 @@ class Simulator {
   int numOrgans() const;
   const std::string& organName(int i) const;
   std::vector<std::string> methods(int i) const;  ///< See tissue::TissueModel::methods().
+  /// Whether a step may be longer than `solver.step` at about the same cost: all organs have
+  /// methods of finite elements without explicit steps.
+  bool stepsMayGrow() const;
   /// Whether a method of an organ calls BLAS in cycles.
   bool wantsFastBlas() const;
   /// Present surface state of an organ; the revision changes with the mesh. References are valid
@@ -126,6 +129,8 @@ class Simulator {
   /// best state and status `deadline`, without a valid wrench. Empty, the default: none. Results
   /// then depend on the time of the interrupt.
   void setInterrupt(solver::Interrupt interrupt);
+  /// See tissue::TissueModel::setMeshPace().
+  void setMeshPace(const tissue::MeshPace& pace);
 
   /// Resets to the initial equilibrium at time 0.
   void reset();

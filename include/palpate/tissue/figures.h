@@ -40,6 +40,7 @@ struct StepFigures {
   double kinetic_energy = 0.0;   ///< [J]
   double elastic_energy = 0.0;   ///< [J]
   double mesh_error = 0.0;       ///< [N]
+  double finest_edge = 0.0;      ///< [m]
   double cavity_pressure = 0.0;  ///< [Pa]
   int tools_inside = 0;
   PhaseTimes phases;  ///< Wall time; all other figures are equal in equal runs.

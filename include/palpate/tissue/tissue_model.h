@@ -64,6 +64,14 @@ struct SurfaceState {
   std::uint64_t revision;
 };
 
+/// How meshes that adapt follow a live host. Replays keep the defaults, so that their results do
+/// not depend on the host.
+struct MeshPace {
+  /// Use a mesh once it is made, instead of a fixed simulated time after its request.
+  bool when_ready = false;
+  double coarsening = 1.0;  ///< Factor of AdaptSettings::finest, >= 1 [-].
+};
+
 /// Interface of tissue models: one or more organs that are solved together and touched by tools.
 /// To add one: docs/adding_a_model.md.
 class TissueModel {
@@ -96,6 +104,9 @@ class TissueModel {
   /// Sets a predicate that every step polls. Where it is true, the step ends with the best state
   /// and status kDeadline. Null, the default: none, so results are reproducible.
   virtual void setInterrupt(const solver::Interrupt* interrupt) = 0;
+
+  /// Sets the pace of adaptive meshes from the next request on. Models without them ignore it.
+  virtual void setMeshPace(const MeshPace& /*pace*/) {}
 
   /// Returns to the initial equilibrium, at rest.
   virtual void reset() = 0;

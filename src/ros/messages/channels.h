@@ -73,6 +73,7 @@ struct Picture {
 struct Statistics {
   double rate_wanted = 0.0, rate_reached = 0.0;              ///< [Hz]; reached is 0 until known.
   double cycle_p50 = 0.0, cycle_p99 = 0.0, cycle_max = 0.0;  ///< [ms]
+  double coarsening = 1.0;                                   ///< Factor of adapt.finest [-].
   double sim_speed = 0.0;                                    ///< Simulated over real time.
   double input_age = 0.0;        ///< Of an input when its cycle began, median [ms].
   advice::SceneVerdict verdict;  ///< Whether the scene is too heavy; unknown while no cycle solves.

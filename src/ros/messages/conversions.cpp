@@ -82,6 +82,7 @@ palpate::StepReport toMsg(const sim::StepReport& report, NodeState state, const 
   m.kinetic_energy = finite(report.kinetic_energy);
   m.elastic_energy = finite(report.elastic_energy);
   m.mesh_error = finite(report.mesh_error);
+  m.finest_edge = finite(report.finest_edge);
   m.cavity_pressure = finite(report.cavity_pressure);
   m.tools_inside = report.tools_inside;
   m.state_hash = report.state_hash;

@@ -90,6 +90,7 @@ void Diagnostics::simulation(Status& status) {
   status.add("rate possible [Hz]", s.verdict.rate_possible);
   status.add("rate wanted [Hz]", s.rate_wanted);
   status.add("simulated over real time", s.sim_speed);
+  status.add("coarsening of adaptive meshes", s.coarsening);
   status.add("cycle p50 [ms]", s.cycle_p50);
   status.add("cycle p99 [ms]", s.cycle_p99);
   status.add("cycle max [ms]", s.cycle_max);

@@ -12,6 +12,15 @@
 #include "step_cores.h"
 
 namespace palpate::node {
+namespace {
+
+// Most cycles that a step covers.
+int mostCycles(const sim::Simulator& simulator) {
+  return simulator.stepsMayGrow() ? simulator.scene().rates.catch_up : 1;
+}
+
+}  // namespace
+
 LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channels)
     : simulator_(*simulator),
       inputs_(*inputs),
@@ -22,10 +31,14 @@ LiveCycle::LiveCycle(sim::Simulator* simulator, Inputs* inputs, Channels* channe
       stamps_(inputs->size()),
       targets_(inputs->size()),
       tools_(*simulator),
+      length_(seconds(1.0 / simulator->scene().rates.simulation), mostCycles(*simulator)),
+      governor_(isRealTime() ? simulator->scene().rates.coarsening : 1.0),
       stepper_(simulator),
       scene_facts_(advice::sceneFacts(*simulator, stepCores())),
       picture_(1.0 / simulator->scene().rates.markers),
-      unwatched_(1.0 / simulator->scene().rates.markers) {}
+      unwatched_(1.0 / simulator->scene().rates.markers) {
+  simulator->setMeshPace({isRealTime(), 1.0});
+}
 
 void LiveCycle::run() {
   const Steady::time_point start = Steady::now();
@@ -56,6 +69,7 @@ void LiveCycle::reset() {
     stepper_.wait();
   }
   simulator_.reset();
+  length_.pause();
   stepper_.forget();
   tools_.lose();
   solved_any_ = false;
@@ -116,7 +130,7 @@ ToolState LiveCycle::toolState(std::size_t i, Steady::time_point now) const {
 
 void LiveCycle::step(Steady::time_point start) {
   if (!stepper_.underWay()) {
-    if (!facts_.any_live) return;
+    if (!facts_.any_live) return length_.pause();
     beginStep(start);
   }
   facts_.late = !endStep(start);
@@ -133,7 +147,8 @@ void LiveCycle::beginStep(Steady::time_point start) {
     input_ages_.push_back(1e3 * inSeconds(start - samples_[i].received));
   }
   tools_.target(&poses_);
-  stepper_.begin(poses_, simulator_.scene().solver.step);
+  dt_ = length_.begin(start) * simulator_.scene().solver.step;
+  stepper_.begin(poses_, dt_);
 }
 
 // Whether the step under way has ended by the deadline of a cycle that began at `start`.
@@ -156,7 +171,8 @@ void LiveCycle::takeResult(const sim::StepResult& result) {
   facts_.stepped = true;
   facts_.solved = result_.report.usable();
   ++steps_;
-  ++window_steps_;
+  window_time_ += dt_;
+  if (!result_.contacts.empty()) governMesh();
   skipped_ += result_.report.skipped;
   if (!result_.report.ok()) {
     ++unsolved_;
@@ -167,6 +183,13 @@ void LiveCycle::takeResult(const sim::StepResult& result) {
                facts_.solved ? "" : ": the wrench fades out");
     }
   }
+}
+
+// Coarser meshes while touching cycles are late.
+void LiveCycle::governMesh() {
+  const double before = governor_.coarsening();
+  const double now = governor_.observe(stepper_.duration() * simulator_.scene().rates.simulation);
+  if (now != before) simulator_.setMeshPace({isRealTime(), now});
 }
 
 // After a reset the last wrench stays as a target that is not live, so that it fades. While a step
@@ -180,8 +203,7 @@ void LiveCycle::writeHaptic(Steady::time_point now) {
     if (facts_.stepped) {
       target.valid = true;
       target.stamp = stamps_[i];
-      target.render = tools_.observe(i, live_[i], poses_[i], result_.instruments[i],
-                                     simulator_.scene().solver.step);
+      target.render = tools_.observe(i, live_[i], poses_[i], result_.instruments[i], dt_);
     }
     channels_.haptic[i].write(target);
   }

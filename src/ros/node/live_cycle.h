@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "mesh_governor.h"
 #include "palpate/sim/hand_tools.h"
 #include "palpate/sim/simulator.h"
 #include "ros/input/input.h"
@@ -12,13 +13,15 @@
 #include "ros/messages/node_state.h"
 #include "ros/pictures/surface_copies.h"
 #include "ros/program/throttle.h"
+#include "step_length.h"
 #include "step_thread.h"
 
 namespace palpate::node {
 
-/// One cycle of the live node: newest inputs, state, a step of fixed length, results to the
-/// channels. The simulation thread owns it. It waits for the step until `solver.deadline`, and then
-/// in later cycles; the tools stay where that step has them, and the force as the last one told it.
+/// One cycle of the live node: newest inputs, state, a step of the time that went by, results to
+/// the channels. The simulation thread owns it. It waits for the step until `solver.deadline`, and
+/// then in later cycles; the tools stay where that step has them, and the force as the last one
+/// told it.
 class LiveCycle {
  public:
   /// `inputs`: one an instrument. The references outlive this.
@@ -43,6 +46,8 @@ class LiveCycle {
   long cycles() const { return steps_; }
 
  private:
+  /// Whether steps cover the time that went by; else results do not depend on time.
+  bool isRealTime() const { return simulator_.scene().rates.catch_up > 1; }
   void checkClock();
   void pollInputs();
   bool live(std::size_t i, Steady::time_point now) const;
@@ -51,6 +56,7 @@ class LiveCycle {
   void beginStep(Steady::time_point start);
   bool endStep(Steady::time_point start);
   void takeResult(const sim::StepResult& result);
+  void governMesh();
   void writeHaptic(Steady::time_point now);
   void writeReport(Steady::time_point now);
   void writePicture(Steady::time_point now);
@@ -66,12 +72,15 @@ class LiveCycle {
   std::vector<InputSample> samples_;
   InputSample polled_;
   std::vector<bool> live_;             // whose input was fresh at the start of the cycle
-  std::vector<sim::LinkPoses> poses_;  // of the step under way, as the two below
+  std::vector<sim::LinkPoses> poses_;  // of the step under way, as the three below
+  double dt_ = 0.0;                    // its length [s]
   std::vector<ros::Time> stamps_;      // of its inputs
   ros::Time stamp_;                    // of the newest of them
   std::vector<HapticTarget> targets_;
   sim::HandTools tools_;
   SurfaceCopies surfaces_;
+  StepLength length_;
+  MeshGovernor governor_;
   StepThread stepper_;
   bool solved_any_ = false;  // since the last reset
   sim::StepResult result_;   // of the last step since then
@@ -87,7 +96,8 @@ class LiveCycle {
   std::vector<double> input_ages_;   // likewise
   advice::CostRecorder costs_;       // likewise
   advice::SceneFacts scene_facts_;
-  long window_ticks_ = 0, window_steps_ = 0;
+  long window_ticks_ = 0;
+  double window_time_ = 0.0;  // simulated in this second [s]
   Steady::time_point window_start_ = Steady::now();
   Throttle idle_report_{1.0}, picture_, unwatched_, idle_picture_{1.0};
   Throttle waiting_warning_{5.0}, slow_warning_{5.0}, fault_warning_{5.0}, stamp_warning_{5.0};

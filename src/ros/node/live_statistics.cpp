@@ -30,7 +30,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.rate_wanted = scene.rates.simulation;
   if (!first) {
     s.rate_reached = static_cast<double>(window_ticks_) / elapsed;
-    s.sim_speed = static_cast<double>(window_steps_) * scene.solver.step / elapsed;
+    s.sim_speed = window_time_ / elapsed;
   }
   const Percentiles p = percentiles(cycle_times_);
   s.cycle_p50 = p.p50;
@@ -38,6 +38,7 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   s.cycle_max = p.max;
   s.input_age = percentiles(input_ages_).p50;
   s.verdict = advice::judgeScene(scene_facts_, costs_.figures());
+  s.coarsening = governor_.coarsening();
   s.cycles = steps_;
   s.unsolved = unsolved_;
   s.resets = resets_;
@@ -52,7 +53,8 @@ void LiveCycle::writeStatistics(Steady::time_point now) {
   channels_.news.notify_one();
 
   window_start_ = now;
-  window_ticks_ = window_steps_ = 0;
+  window_ticks_ = 0;
+  window_time_ = 0.0;
   cycle_times_.clear();
   input_ages_.clear();
   costs_.clear();

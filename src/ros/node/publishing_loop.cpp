@@ -121,7 +121,8 @@ void PublishingLoop::loop() {
       if (cutawayWanted() && cut_due_.due()) cutaway_.publish(cut_.update(picture));
     }
     if (links_) links_->update();
-    if (state_.update(channels_.report.read().state, channels_.statistics.read().tools)) {
+    const Statistics& statistics = channels_.statistics.read();
+    if (state_.update(channels_.report.read().state, statistics.tools, statistics.coarsening)) {
       state_text_.publish(state_.marker());
     }
     if (times[Phase::kPublish] > 0.0) beside[Phase::kPublish] = times[Phase::kPublish];

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "state_text.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include "marker_parts.h"
 #include "palpate/base/error.h"
 #include "ros/messages/topics.h"
@@ -11,7 +14,8 @@ namespace {
 using visualization_msgs::Marker;
 
 std::string textOf(NodeState state, const std::vector<ToolState>& tools,
-                   const std::vector<std::string>& names, const std::vector<std::string>& sources) {
+                   const std::vector<std::string>& names, const std::vector<std::string>& sources,
+                   double coarsening) {
   if (state == NodeState::kWaiting) return "WAITING for " + joinNames(sources);
   if (state == NodeState::kPaused) return "PAUSED: no input";
   if (state == NodeState::kFault) return "FAULT: the solver fails, no force";
@@ -20,7 +24,11 @@ std::string textOf(NodeState state, const std::vector<ToolState>& tools,
     if (tools[i] != ToolState::kOutside) continue;
     text += (text.empty() ? "" : "\n") + names[i] + " is held outside: lift it out of the tissue";
   }
-  return text;
+  if (coarsening == 1.0) return text;
+  std::ostringstream factor;
+  factor << std::setprecision(2) << coarsening;
+  return text + (text.empty() ? "" : "\n") + "cycles are late: edges at tools are " + factor.str() +
+         " times as long";
 }
 
 }  // namespace
@@ -37,8 +45,8 @@ StateText::StateText(const View& view, const std::vector<std::string>& names,
   marker_.scale.z = 0.05 * view.size();
 }
 
-bool StateText::update(NodeState state, const std::vector<ToolState>& tools) {
-  const std::string text = textOf(state, tools, names_, sources_);
+bool StateText::update(NodeState state, const std::vector<ToolState>& tools, double coarsening) {
+  const std::string text = textOf(state, tools, names_, sources_, coarsening);
   if (said_ && text == marker_.text) return false;
   said_ = true;
   marker_.text = text;

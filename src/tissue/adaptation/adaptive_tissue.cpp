@@ -19,7 +19,8 @@ class AdaptiveTissue final : public OrganBodies {
                  const Surroundings& surroundings, const FemSettings& settings,
                  const AdaptSettings& adapt, ThreadPool* pool)
       : kind_("adaptive " + stateKind(settings, mesh.numPoints())),
-        tools_(kMinToolMotion * adapt.finest, kFineDistance * adapt.finest),
+        finest_(adapt.finest),
+        tools_(kMinToolMotion * adapt.finest, kMaxLookAhead * adapt.finest),
         adaptation_(mesh, composition, surroundings, settings, adapt, pool) {
     coarse_ = adaptation_.make();
     coarse_->findEquilibrium();
@@ -42,6 +43,8 @@ class AdaptiveTissue final : public OrganBodies {
     organ_->setInterrupt(interrupt);
   }
 
+  void setMeshPace(const MeshPace& pace) override { pace_ = pace; }
+
   void beginCycle(const std::vector<contact::Obstacle>& obstacles, double) override {
     // Only moving tools count.
     moving_.clear();
@@ -49,9 +52,13 @@ class AdaptiveTissue final : public OrganBodies {
       if (obstacle.owner.isInstrument()) moving_.push_back(obstacle);
     }
     adaptation_.resume(moving_);
-    if (cycles_left_ == 0 || --cycles_left_ > 0) return;
-    if (isInTime()) return takeNext();
-    cycles_left_ = 1;
+    if (cycles_left_ == 0) return;
+    cycles_left_ = std::max(cycles_left_ - 1, 0);
+    if (pace_.when_ready ? adaptation_.isReady() : cycles_left_ == 0 && isInTime()) {
+      cycles_left_ = 0;
+      return takeNext();
+    }
+    cycles_left_ = std::max(cycles_left_, 1);
   }
   void addBodies(std::vector<FemOrgan*>* bodies) override { bodies->push_back(organ_); }
 
@@ -59,8 +66,13 @@ class AdaptiveTissue final : public OrganBodies {
     // The background task begins last, so that it runs while the caller waits for its next cycle.
     const Points& x = organ_->positions(0);
     const double far = organ_ == coarse_.get() ? adaptation_.reach() : 0.0;
-    if (cycles_left_ == 0 && tools_.look(moving_, kLookAheadTime / dt, x, far)) beginNext(x, dt);
-    return organ_->report();
+    if (pace_.coarsening != coarsening_) tools_.forget();
+    if (cycles_left_ == 0 && tools_.look(moving_, kLookAheadTime / dt, x, far, pace_.coarsening)) {
+      beginNext(x, dt);
+    }
+    out_ = organ_->report();
+    out_.finest_edge = coarsening_ * finest_;
+    return out_;
   }
 
   void reset() override {
@@ -84,6 +96,7 @@ class AdaptiveTissue final : public OrganBodies {
     out.put(state.kind);
     out.put(state.bytes);
     tools_.save(&out);
+    out.put(coarsening_);
     out.put(cycles_left_);
     if (cycles_left_ > 0) adaptation_.saveTask(&out);
     return {kind_, out.bytes()};
@@ -103,15 +116,18 @@ class AdaptiveTissue final : public OrganBodies {
     organ_->reset();
     organ_->restore(inner);
     tools_.restore(&in);
+    in.get(&coarsening_);
     in.get(&cycles_left_);
     if (cycles_left_ > 0) adaptation_.restoreTask(&in);
     in.finish();
   }
 
  private:
-  // The next mesh is used a fixed number of cycles later, so that results do not depend on time.
+  // In a replay the next mesh is used a fixed number of cycles later: results do not depend on
+  // time.
   void beginNext(const Points& x, double dt) {
-    adaptation_.begin(x, tools_, dt);
+    coarsening_ = pace_.coarsening;
+    adaptation_.begin(x, tools_, coarsening_ * finest_, dt);
     tools_.suited();
     const double cycles = std::min(std::ceil(kBackgroundTime / dt - 1e-6), 1e6);
     cycles_left_ = std::max(kMinBackgroundCycles, static_cast<int>(cycles));
@@ -150,6 +166,9 @@ class AdaptiveTissue final : public OrganBodies {
   }
 
   std::string kind_;
+  double finest_;  // edge length at a tool, of the settings [m]
+  MeshPace pace_;
+  double coarsening_ = 1.0;  // of the last requested mesh
   std::vector<contact::Obstacle> moving_;
   ToolDistance tools_;
   std::unique_ptr<FemOrgan> coarse_, fine_;
@@ -157,6 +176,7 @@ class AdaptiveTissue final : public OrganBodies {
   FemOrgan* organ_ = nullptr;  // body on the present mesh: coarse_ or fine_
   int cycles_left_ = 0;        // until the next mesh is used; 0: none requested
   bool late_ = false;          // whether its cycle has passed
+  TissueStep out_;
   std::vector<std::string> notes_;
   const solver::Interrupt* interrupt_ = nullptr;
   std::uint64_t revision_ = 0;

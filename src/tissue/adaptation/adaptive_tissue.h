@@ -31,6 +31,8 @@ std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
 constexpr double kFineDistance = 2.5;
 /// Tool displacement that requests a new mesh, in units of `finest` [-].
 constexpr double kMinToolMotion = 1.5;
+/// Largest predicted tool displacement, in units of `finest` [-].
+constexpr double kMaxLookAhead = 2.5;
 /// Simulated time from the request of a mesh to its use [s], and the least number of cycles.
 constexpr double kBackgroundTime = 0.04;
 constexpr int kMinBackgroundCycles = 2;

@@ -99,8 +99,9 @@ void MeshAdaptation::restore(const std::string& bisected) {
   bisected_ = nested_.bisected();
 }
 
-void MeshAdaptation::begin(const Points& x, const ToolDistance& tools, double dt) {
+void MeshAdaptation::begin(const Points& x, const ToolDistance& tools, double finest, double dt) {
   x_ = x;
+  finest_ = finest;
   dt_ = dt;
   tools_ = tools;
   beginWork();
@@ -116,8 +117,8 @@ void MeshAdaptation::beginWork() {
 
 void MeshAdaptation::work() {
   const auto size = [&](const Vec3& p) {
-    const double way = tools_.distance(p) - kFineDistance * adapt_.finest;
-    return adapt_.finest + adapt_.growth * std::max(0.0, way);
+    const double way = tools_.distance(p) - kFineDistance * finest_;
+    return finest_ + adapt_.growth * std::max(0.0, way);
   };
   mesh::NestedMesh::Limits limits;
   limits.max_bisections = kMaxBisections;
@@ -129,9 +130,13 @@ void MeshAdaptation::work() {
   organ.prepareAt(result_.change->interpolate(x_), dt_);
 }
 
+// Without a thread for background tasks, take() runs the task.
+bool MeshAdaptation::isReady() const {
+  return pool_ == nullptr || !pool_->hasBackgroundThread() || is_made_;
+}
+
 bool MeshAdaptation::await(const solver::Interrupt& interrupt) const {
-  if (pool_ == nullptr || pool_->size() == 1) return true;  // no thread for background tasks
-  while (!is_made_) {
+  while (!isReady()) {
     if (interrupt()) return false;
     std::this_thread::yield();
   }
@@ -149,16 +154,20 @@ MeshAdaptation::Result MeshAdaptation::take() {
 
 void MeshAdaptation::saveTask(StateWriter* out) const {
   out->put(x_);
+  out->put(finest_);
   out->put(dt_);
   tools_.saveTools(out);
 }
 
 void MeshAdaptation::restoreTask(StateReader* in) {
   in->get(&x_);
+  in->get(&finest_);
   in->get(&dt_);
   tools_.restoreTools(in);
   if (x_.cols() != nested_.mesh().numPoints()) StateReader::fail();
-  if (!(dt_ > 0.0 && std::isfinite(dt_))) StateReader::fail();
+  for (const double value : {finest_, dt_}) {
+    if (!(value > 0.0 && std::isfinite(value))) StateReader::fail();
+  }
   to_resume_ = true;
 }
 

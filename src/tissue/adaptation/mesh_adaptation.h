@@ -39,9 +39,9 @@ class MeshAdaptation {
   /// @throws std::invalid_argument as mesh::NestedMesh::restore().
   void restore(const std::string& bisected);
 
-  /// Begins the background task: mesh for these tools with positions x, 3 x n [m], for cycles of
-  /// `dt` [s].
-  void begin(const Points& x, const ToolDistance& tools, double dt);
+  /// Begins the background task: mesh with edges of `finest` [m] at these tools, with positions x,
+  /// 3 x n [m], for cycles of `dt` [s].
+  void begin(const Points& x, const ToolDistance& tools, double finest, double dt);
   struct Result {
     std::unique_ptr<mesh::MeshChange> change;  ///< Null: the present mesh is kept.
     std::unique_ptr<FemOrgan> organ;           ///< Null: the body on the coarse mesh.
@@ -49,6 +49,8 @@ class MeshAdaptation {
   };
   /// Waits for the background task until `interrupt`. Returns whether take() is ready.
   bool await(const solver::Interrupt& interrupt) const;
+  /// Whether take() is ready, or no thread prepares it.
+  bool isReady() const;
   /// Waits for the task and makes its mesh the present one.
   Result take();
 
@@ -78,7 +80,7 @@ class MeshAdaptation {
   std::string bisected_;
 
   Points x_;
-  double dt_ = 0.0;
+  double finest_ = 0.0, dt_ = 0.0;
   ToolDistance tools_;
   bool to_resume_ = false;
   Result result_;

@@ -42,7 +42,8 @@ Pose ToolDistance::ahead(const contact::Obstacle& obstacle, double cycles) const
 }
 
 bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, double cycles,
-                        const Points& x, double far) {
+                        const Points& x, double far, double coarsening) {
+  const double motion = coarsening * motion_;
   tools_.resize(obstacles.size());
   takeShapes(obstacles);
   for (std::size_t k = 0; k < tools_.size(); ++k) {
@@ -54,9 +55,9 @@ bool ToolDistance::look(const std::vector<contact::Obstacle>& obstacles, double 
     const instrument::Geometry& geometry = *tools_[k].geometry;
     const Pose& X_WG = tools_[k].X_WG;
     const bool rests =
-        contact::sweepLength(geometry, obstacles[k].X_WG_end, X_WG) < kRests * motion_;
+        contact::sweepLength(geometry, obstacles[k].X_WG_end, X_WG) < kRests * motion;
     moved =
-        contact::sweepLength(geometry, suited_[k], X_WG) > (rests ? kCountsAtRest : 1.0) * motion_;
+        contact::sweepLength(geometry, suited_[k], X_WG) > (rests ? kCountsAtRest : 1.0) * motion;
   }
   if (!moved || tools_.empty()) return false;
   if (far == 0.0) return true;

@@ -20,8 +20,9 @@ class ToolDistance {
   /// Ends a cycle, and predicts poses `cycles` ahead. Returns false where no tool has moved since
   /// suited(), or, with `far` > 0, none is nearer than `far` [m] to the bounding box of x, 3 x n
   /// [m].
+  /// `coarsening`: factor of the least displacement that counts [-].
   bool look(const std::vector<contact::Obstacle>& obstacles, double cycles, const Points& x,
-            double far);
+            double far, double coarsening = 1.0);
   /// Least signed distance of p from a tool, world [m]; infinity without any.
   double distance(const Vec3& p) const;
 

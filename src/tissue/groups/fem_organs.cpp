@@ -59,6 +59,10 @@ class FemOrgans final : public TissueModel {
     for (const NamedOrgan& organ : organs_) organ.tissue->setInterrupt(interrupt);
   }
 
+  void setMeshPace(const MeshPace& pace) override {
+    for (const NamedOrgan& organ : organs_) organ.tissue->setMeshPace(pace);
+  }
+
   const TissueStep& step(const std::vector<contact::Obstacle>& obstacles, double dt) override {
     for (const NamedOrgan& organ : organs_) organ.tissue->beginCycle(obstacles, dt);
     takeBodies();

@@ -52,6 +52,7 @@ class NeuralOrgan final : public TissueModel {
   void setInterrupt(const solver::Interrupt* interrupt) override {
     elements_->setInterrupt(interrupt);
   }
+  void setMeshPace(const MeshPace& pace) override { elements_->setMeshPace(pace); }
   void reset() override;
   void setPositions(int organ, const Points& positions, const Points& velocities) override;
   State state() const override;
