@@ -66,7 +66,7 @@ TEST_P(AdaptiveTissue, IsRefinedBeforeAToolTouchesAndJoinedBehindIt) {
     }
     if (!touched && !step.contacts.empty()) {
       touched = true;
-      EXPECT_GT(shape.positions.cols(), 2 * coarse);
+      EXPECT_GT(shape.positions.cols(), coarse + coarse / 4);
     }
     most = std::max(most, shape.positions.cols());
   }

@@ -26,11 +26,11 @@ std::unique_ptr<OrganBodies> makeAdaptiveTissue(const mesh::TetMesh& mesh,
                                                 const AdaptSettings& adapt,
                                                 ThreadPool* pool = nullptr);
 
-/// Distance from a tool with edges of `finest`, in units of `finest` [-]: the hand moves while the
-/// next mesh is made.
-constexpr double kFineDistance = 2.5;
+/// Distance from a tool with edges of `finest`, in units of `finest` [-]. A wider zone costs more
+/// than shorter edges of the same error: docs/meshes.md.
+constexpr double kFineDistance = 1.0;
 /// Tool displacement that requests a new mesh, in units of `finest` [-].
-constexpr double kMinToolMotion = 1.5;
+constexpr double kMinToolMotion = 1.0;
 /// Largest predicted tool displacement, in units of `finest` [-].
 constexpr double kMaxLookAhead = 2.5;
 /// Simulated time from the request of a mesh to its use [s], and the least number of cycles.
