@@ -129,9 +129,10 @@ bool SurfacePass::mayFeelAny(const Patch& patch, const TriangleTree::Box& box, d
   return any;
 }
 
-// Whether what is nearest of a triangle that a sample may feel is where such triangles end: behind
-// that nothing is known of the surface.
-bool SurfacePass::isBorder(const SurfaceSample& sample, const SurfaceTouch& touch) const {
+// Whether a triangle around the nearest point is excluded from self-contact: the side of the
+// surface is unknown there.
+bool SurfacePass::isAtExcludedTriangle(const SurfaceSample& sample,
+                                       const SurfaceTouch& touch) const {
   bool border = false;
   const Vec3 P = sample.position(feels_->fixed->atRest());
   other_->fixed->forAround(touch.triangle, touch.near,
@@ -217,7 +218,7 @@ bool SurfacePass::measure(const Candidate& c, const Points& x, const Moved& move
                     }).triangle;
   signTouch(p, there, touch);
   if (!self() || touch->gap >= 0.0) return true;
-  return touch->gap > -deepest_ && !isBorder(sample, *touch);
+  return touch->gap > -deepest_ && !isAtExcludedTriangle(sample, *touch);
 }
 
 }  // namespace palpate::contact

@@ -103,7 +103,7 @@ class SurfacePass {
   void findOverlaps();
   bool mayFeel(const SurfaceSample& sample, const Vec3& P, int triangle) const;
   bool mayFeelAny(const Patch& patch, const TriangleTree::Box& box, double reach) const;
-  bool isBorder(const SurfaceSample& sample, const SurfaceTouch& touch) const;
+  bool isAtExcludedTriangle(const SurfaceSample& sample, const SurfaceTouch& touch) const;
   double distanceTo(int triangle, const Vec3& p, const Eigen::Ref<const Points>& x) const;
   template <class Allowed>
   Near nearest(const Vec3& p, const Eigen::Ref<const Points>& x,

@@ -5,7 +5,8 @@
 
 namespace palpate::fem {
 
-/// Result: no negative eigenvalue, projection by known eigenvectors, or by a full decomposition.
+/// What projectToPositiveSemidefinite() did: nothing, for no negative eigenvalue matters or A is
+/// not finite; or a projection by known eigenvectors, or by a full decomposition.
 enum class Projected { kNothing, kByKnown, kByAll };
 
 /// Clamps the negative eigenvalues of `A`, the symmetric tangent d2 psi / d vec F^2 at F, to zero.

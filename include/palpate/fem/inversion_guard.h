@@ -26,7 +26,7 @@ class InversionGuard final : public EnergyTerm {
 
   /// Restricts the guard to these tetrahedra of a linear mesh.
   void keepOnly(const std::vector<int>& tets);
-  /// The smallest J at x, 3 x n [m].
+  /// The smallest J of a tetrahedron with volume at x, 3 x n [m], or 1 if all are larger.
   double least(const Points& x) const;
   void setActive(bool active) { active_ = active; }
   bool active() const { return active_; }

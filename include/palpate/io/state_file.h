@@ -24,7 +24,8 @@ void writeState(const std::string& file, const sim::SimulatorState& state);
 sim::SimulatorState readState(const std::string& file);
 
 /// Restores a simulator from a state file.
-/// @throws InputError as readState(), or with the contents of a state of another scene.
+/// @throws InputError as readState(), or for the state of another scene; the simulator is then
+/// unchanged.
 void restoreState(const std::string& file, sim::Simulator* simulator);
 
 }  // namespace palpate::io

@@ -34,11 +34,11 @@ class CellWaves {
   /// Computes the fronts.
   /// @pre Called before the first wave, and after changes of the control.
   void findFronts(const CellControl& control);
-  /// Runs a wave. Returns the number of solved cells. `moved`: prescribed displacement of each side
-  /// since the last wave [m].
+  /// Runs a wave and, unless outward only, its reverse. Returns the number of cell solves. `moved`:
+  /// prescribed displacement of each side since the last wave [m].
   int run(const CellControl& control, const Eigen::VectorXd& moved, CellState* state);
-  /// Whether a cell was solved since begin(): its sides' accumulated displacement reached the
-  /// cut-off.
+  /// Whether a cell was solved since begin(): the accumulated displacement of the cell's sides
+  /// reached the cut-off.
   bool reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
 
   /// Accumulated side displacements of skipped cells, the state between solves [m].
