@@ -21,7 +21,7 @@ struct TetFormat {
 constexpr TetFormat kTetFormats[] = {
     {".mesh", readMedit}, {".msh", readMsh}, {".vtk", readVtk}, {".vtu", readVtu}};
 
-constexpr double kFlat = 1e-12;  // least |V| over the longest edge cubed
+constexpr double kDegenerate = 1e-12;  // least |V| over the longest edge cubed
 
 double longestEdge(const Points& points, const Eigen::Vector4i& t) {
   double longest = 0.0;
@@ -52,7 +52,7 @@ void checkTets(const mesh::TetMesh& mesh, const std::string& file) {
   for (Eigen::Index i = 0; i < mesh.numTets(); ++i) {
     const double volume = mesh::signedVolume(mesh.points, mesh.tets.col(i));
     const double edge = longestEdge(mesh.points, mesh.tets.col(i));
-    if (!(std::abs(volume) > kFlat * edge * edge * edge)) {  // NaN counts as degenerate
+    if (!(std::abs(volume) > kDegenerate * edge * edge * edge)) {  // NaN counts as degenerate
       flat.add(i);
     } else if (volume < 0.0) {
       inverted.add(i);
