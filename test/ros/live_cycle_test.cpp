@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -38,8 +39,10 @@ class Hand final : public Input {
 /// A live cycle without ROS, of a slab and a hand that goes on when a step has ended.
 class Bench {
  public:
-  explicit Bench(const std::string& deadline, const std::string& haptics = "")
-      : scene_(slab_.scene("solver: {deadline: " + deadline + "}\n" + haptics)),
+  explicit Bench(const std::string& deadline, const std::string& haptics = "",
+                 const std::string& organ = "")
+      : scene_(scene::readScene(
+            slab_.file("solver: {deadline: " + deadline + "}\n" + haptics, organ))),
         simulator_(scene_) {
     auto hand = std::make_unique<Hand>();
     hand_ = hand.get();
@@ -61,6 +64,7 @@ class Bench {
   Hand& hand() { return *hand_; }
   HapticTarget told() { return channels_.haptic[0].read(); }
   double force() { return told().render.contact.model.wrench.force.norm(); }
+  double coarsening() { return channels_.statistics.read().coarsening; }
   NodeState state() { return channels_.report.read().state; }
   int late() const { return late_; }
 
@@ -121,6 +125,18 @@ TEST_F(LiveCycleTest, HasTheBitsOfALockstepOfLiveCycles) {
     } else {
       EXPECT_GT(apart, 50);
     }
+  }
+}
+
+// All touching cycles are late at 10 kHz. A mesh that never changes is not said to be coarser.
+TEST_F(LiveCycleTest, CoarsensMeshesThatAdaptAndNoOthers) {
+  const std::string rates = "rates: {simulation: 10000}\n";
+  for (const bool adapts : {false, true}) {
+    Bench bench(kWaits, rates, adapts ? "    adapt: {finest: 0.004}\n" : "");
+    for (const Eigen::VectorXd& joints : press_) bench.step(joints);
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // statistics come once a second
+    bench.run();
+    EXPECT_EQ(bench.coarsening() > 1.0, adapts);
   }
 }
 

@@ -172,7 +172,7 @@ void LiveCycle::takeResult(const sim::StepResult& result) {
   facts_.solved = result_.report.usable();
   ++steps_;
   window_time_ += dt_;
-  if (!result_.contacts.empty()) governMesh();
+  if (!result_.contacts.empty() && result_.report.finest_edge > 0.0) governMesh();
   skipped_ += result_.report.skipped;
   if (!result_.report.ok()) {
     ++unsolved_;

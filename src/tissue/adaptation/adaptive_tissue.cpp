@@ -77,6 +77,7 @@ class AdaptiveTissue final : public OrganBodies {
 
   void reset() override {
     cycles_left_ = 0;
+    coarsening_ = pace_.coarsening;
     tools_.forget();
     adaptation_.restore("");
     fine_.reset();
@@ -117,6 +118,7 @@ class AdaptiveTissue final : public OrganBodies {
     organ_->restore(inner);
     tools_.restore(&in);
     in.get(&coarsening_);
+    if (!(coarsening_ >= 1.0 && std::isfinite(coarsening_))) StateReader::fail();
     in.get(&cycles_left_);
     if (cycles_left_ > 0) adaptation_.restoreTask(&in);
     in.finish();
