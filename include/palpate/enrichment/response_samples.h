@@ -8,7 +8,7 @@ namespace palpate::enrichment {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// Responses of a body to displacements of single surface points, scaled, one sample per column.
-/// The values y = A(input) d of q rows define the matrix A, q x 3, to be learned; y = 0 for d = 0.
+/// Learned is the matrix A, q x 3, of y = A(input) d: a value y has q rows, and is 0 for d = 0.
 struct ResponseSamples {
   Eigen::Matrix<double, 6, Eigen::Dynamic> inputs;  ///< Position and displacement.
   Points displacements;                             ///< d.

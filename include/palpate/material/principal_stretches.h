@@ -15,7 +15,7 @@ struct PrincipalStretches {
   Mat3 V = Mat3::Identity();
   Vec3 s = Vec3::Zero();
 
-  /// Rotation R of F = R S nearest to F, S = V diag(s) V^T. Not unique for s1 + s2 = 0.
+  /// Rotation R nearest to F = R S, with S = V diag(s) V^T. R is not unique for s1 + s2 = 0.
   Mat3 rotation() const { return U * V.transpose(); }
 
   /// Orthonormal basis of 3 x 3 matrices as vec(): u_i v_i^T, and for i != j the flip and twist
@@ -81,8 +81,9 @@ inline PrincipalStretches principalStretches(const Mat3& F) {
   return p;
 }
 
-/// K += s dR/d vec F (9 x 9, symmetric), R = rotation(): the sum over i < j of 2/(s_i + s_j) m m^T
-/// with the twist mode m. R jumps where two stretches sum to zero; sums below 1e-6 count as 1e-6.
+/// Adds s dR/d vec F, 9 x 9, symmetric, to K, with R = rotation(). The derivative is the sum over
+/// i < j of 2/(s_i + s_j) m m^T, m being the twist mode. R jumps where two stretches sum to zero;
+/// sums below 1e-6 count as 1e-6.
 inline void addRotationDerivative(const PrincipalStretches& p, double s, Mat9* K) {
   constexpr double kSmallestSum = 1e-6;
   for (int i = 0; i < 3; ++i) {
