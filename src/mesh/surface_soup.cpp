@@ -81,7 +81,7 @@ bool isDegenerate(const SurfaceMesh& surface, Eigen::Index t) {
   const Vec3 base = surface.points.col(corners[(side + 1) % 3]) - surface.points.col(corners[side]);
   const Vec3 other =
       surface.points.col(corners[(side + 2) % 3]) - surface.points.col(corners[side]);
-  return base.cross(other).norm() <= kFlatTriangle * base.squaredNorm();
+  return base.cross(other).norm() <= kCollapsedTriangle * base.squaredNorm();
 }
 
 std::vector<bool> findDuplicateTriangles(const Eigen::Matrix3Xi& triangles) {

@@ -10,7 +10,7 @@ namespace palpate::mesh {
 /// For each point the first point at the same position, mostly itself.
 std::vector<int> firstInPlace(const Points& points);
 
-/// Whether triangle `t` has a repeated corner or a height below kFlatTriangle.
+/// Whether triangle `t` has a repeated corner or a height below kCollapsedTriangle.
 bool isDegenerate(const SurfaceMesh& surface, Eigen::Index t);
 
 /// Whether an earlier triangle has the same three corners, for each triangle.

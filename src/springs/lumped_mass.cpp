@@ -14,7 +14,7 @@ namespace palpate::springs {
 namespace {
 
 // Adds 1/corners of `measure(cell)` to each corner. A cell of dimension d is degenerate if its
-// measure is below mesh::kFlatTriangle times its longest side to the power d.
+// measure is below mesh::kCollapsedTriangle times its longest side to the power d.
 template <class Cells, class Measure>
 Eigen::VectorXd shares(const Points& points, const Cells& cells, int dimension, const char* what,
                        const Measure& measure) {
@@ -33,7 +33,7 @@ Eigen::VectorXd shares(const Points& points, const Cells& cells, int dimension, 
       }
     }
     const double size = measure(cell);
-    if (!(size > mesh::kFlatTriangle * std::pow(side, dimension))) {
+    if (!(size > mesh::kCollapsedTriangle * std::pow(side, dimension))) {
       throw std::invalid_argument(name + ": is collapsed");
     }
     for (Eigen::Index k = 0; k < cell.size(); ++k) {

@@ -26,7 +26,7 @@ struct SurfaceReport {
   int duplicate_points = 0;             ///< Points in the place of an earlier one.
   int isolated_points = 0;              ///< Points of no triangle.
   int duplicate_triangles = 0;          ///< Triangles with the corners of an earlier one.
-  int degenerate_triangles = 0;         ///< Triangles without area, see kFlatTriangle.
+  int degenerate_triangles = 0;         ///< Triangles without area, see kCollapsedTriangle.
   int self_intersecting_triangles = 0;  ///< Looked for only in a manifold with alike neighbours.
 
   std::vector<std::string> repairs;  ///< One sentence a kind of repair, with its count.
@@ -39,7 +39,7 @@ struct SurfaceReport {
 };
 
 /// A triangle counts as degenerate if its height is below this part of its longest edge.
-constexpr double kFlatTriangle = 1e-9;
+constexpr double kCollapsedTriangle = 1e-9;
 
 /// A hole is filled if the disc whose rim is as long as the hole's has at most this part of the
 /// area of the surface.

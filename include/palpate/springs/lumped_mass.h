@@ -12,7 +12,7 @@ namespace palpate::springs {
 /// (7.56)]. Times a density, these are the masses; their sum is the whole area or volume.
 ///
 /// @throws std::invalid_argument naming the first triangle, rectangle or tetrahedron, counted from
-/// 0, that is collapsed (below kFlatTriangle of its longest side) or has an unknown point.
+/// 0, that is collapsed (below kCollapsedTriangle of its longest side) or has an unknown point.
 Eigen::VectorXd triangleShares(const Points& points, const Eigen::Matrix3Xi& triangles);
 /// Corners in cyclic order, 4 x m.
 Eigen::VectorXd rectangleShares(const Points& points, const Eigen::Matrix4Xi& rectangles);
